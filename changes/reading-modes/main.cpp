@@ -64,7 +64,7 @@ void construct() {
 
 }  // namespace wr
 
-// Each handler waits for its stores: see the handlers of the devices.
+// Each handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();

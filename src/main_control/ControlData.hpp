@@ -14,52 +14,57 @@ namespace wr {
 
 /// @brief Data of a control cycle: orders, measurements, outputs.
 ///
-/// @function Stores the set-points in force with their source, and the results of the present
-/// cycle, and returns the content of the report.
+/// @function Stores the set-points in force, their source, and the measured and applied values of
+/// the present cycle. Returns the content of the report.
 ///
-/// @secret The values that are stored from one cycle to the next, and the values that are cleared.
+/// @secret Which values stay stored from one cycle to the next, and which values are cleared when a
+/// cycle begins.
 class ControlData {
  public:
-  /// @brief Constructs data without set-points, before the first cycle.
+  /// @brief Constructs the data before the first cycle. There are no set-points.
   ControlData() = default;
   ControlData(const ControlData&) = delete;
   ControlData& operator=(const ControlData&) = delete;
 
-  /// @brief Begins the next cycle; clears the records and values of the previous cycle.
+  /// @brief Begins the next cycle. Clears the measured and applied values of the previous cycle.
+  /// The set-points stay in force.
   /// @param clockPulse time of the clock pulse
   /// @isr{no}
   /// @satisfies FR-174
   void beginCycle(Instant clockPulse);
 
-  /// @brief Records the costs of the start of this cycle and of the previous cycle.
-  /// @param pulse count of processor cycles at the clock pulse of this cycle
-  /// @param start the count when this cycle began
+  /// @brief Records the costs for the report, in processor cycles: the cost of the start of this
+  /// control cycle, and the costs of the previous control cycle.
+  /// @param pulse count of processor cycles at the clock pulse of this control cycle
+  /// @param start count of processor cycles when this control cycle began
   /// @satisfies FR-302
   /// @satisfies FR-303
   /// @isr{no}
   void saveStart(std::uint32_t pulse, std::uint32_t start);
 
-  /// @brief Records that the report of this cycle was sent.
+  /// @brief Records the time at which the report of this control cycle was sent. The next report
+  /// contains the number of processor cycles from the clock pulse to this time.
   /// @param end count of processor cycles at this time
   /// @satisfies FR-160
   /// @isr{no}
   void saveReported(std::uint32_t end);
 
-  /// @brief Records the source of the set-points that are set from now on.
+  /// @brief Records the source of the set-points that are saved next.
   /// @param source number of the reading mode
   /// @satisfies FR-19
   /// @isr{no}
   void saveModeId(ModeId source);
 
-  /// @brief Sets the set-points, and sets their source to the last recorded source.
+  /// @brief Records the set-points. Their source is the source that saveModeId() recorded last.
   /// @param setPoints targets of the control systems
   /// @satisfies FR-19
   /// @satisfies FR-305
   /// @isr{no}
   void saveSetPoints(const SetPoints& setPoints);
 
-  /// @brief Saves which sources order stop in this cycle.
-  /// @param sources a bit for each source [bit n: the source with the mode id n orders stop]
+  /// @brief Records the sources that order a stop in this cycle.
+  /// @param sources one bit for each source [bit n is 1 if the source with the mode id n orders a
+  /// stop]
   /// @isr{no}
   /// @satisfies FR-175
   /// @satisfies FR-242
@@ -72,7 +77,7 @@ class ControlData {
   void saveHeld(bool held);
 
   /// @brief Counts this cycle as an overrun.
-  /// @post The count stops at 65535.
+  /// @post The number of overruns is at most 65535.
   /// @isr{no}
   void saveOverrun();
 
@@ -94,14 +99,14 @@ class ControlData {
   /// @satisfies FR-174
   [[nodiscard]] std::uint32_t cycle() const;
 
-  /// @brief Returns the measured values of this cycle, to be filled in.
-  /// @return values, all missing when a cycle begins.
+  /// @brief Returns the measured values of this cycle. The caller may change them.
+  /// @return measured values; all values are missing when a cycle begins.
   /// @isr{no}
   /// @satisfies FR-93
   [[nodiscard]] Measurements& measurements();
 
-  /// @brief Returns the applied values of this cycle, to be filled in.
-  /// @return values, all missing when a cycle begins.
+  /// @brief Returns the applied values of this cycle. The caller may change them.
+  /// @return applied values; all values are missing when a cycle begins.
   /// @isr{no}
   /// @satisfies FR-94
   [[nodiscard]] Outputs& outputs();
@@ -109,9 +114,9 @@ class ControlData {
   /// @brief Completes and returns the content of the report of this cycle.
   /// @param state operation state to report
   /// @param mode reading mode to report
-  /// @param counts counts of the link
-  /// @pre It is called once in a cycle, after the measurements are complete.
-  /// @return content of the report, until the next cycle begins.
+  /// @param counts numbers of frames and bytes that the link to the PC lost or rejected
+  /// @pre The caller calls this function once in a cycle, when the measurements are complete.
+  /// @return content of the report; it is valid until the next cycle begins.
   /// @satisfies FR-61
   /// @satisfies FR-175
   /// @satisfies FR-305
@@ -130,7 +135,7 @@ class ControlData {
   ModeId readSource_ = ModeId::None;
   ReportData report_;                   // values of the present cycle
   std::optional<std::uint32_t> pulse_;  // count of processor cycles at the clock pulse
-  std::uint32_t reported_ = 0;          // cycles from the clock pulse to the report
+  std::uint32_t reported_ = 0;          // processor cycles from the clock pulse to the report
 };
 
 }  // namespace wr

@@ -8,22 +8,22 @@ class MainController;
 
 /// @brief Command of the clock pulse: begins a control cycle.
 ///
-/// @function Forwards the interrupt of the cycle timer to the main controller, so that the timer
+/// @function Forwards the interrupt of the cycle timer to the main controller. Therefore the timer
 /// names no module of Main Control.
 ///
-/// @secret The module that acts on the clock pulse, and its operation.
+/// @secret Which module reacts to the clock pulse, and which of its operations is called.
 ///
 /// @role{cycle-timer-interrupt, Concrete Command}
 ///
 /// @patternapp{cycle-timer-interrupt, Command, Process timer interruptions for the main controller}
-/// @why The interrupt of a timer marks the beginning of each control cycle. The vector executes a command
-/// object, so the interrupt names no module of the application.
-/// @changes The actions at the beginning of a cycle, or the modules that they affect, may change without
-/// change to the timer.
+/// @why A timer interrupt starts each control cycle. The timer executes a command object.
+/// Therefore the timer names no module that reacts to the interrupt.
+/// @changes The actions at the beginning of a cycle may change, and so may the modules that these
+/// actions affect. This needs no change to the timer.
 class ControllerTimeOut final : public Command {
  public:
   /// @brief Binds the command to the controller.
-  /// @param mCtrl controller whose cycles the timer begins
+  /// @param mCtrl controller that receives the clock pulses
   explicit ControllerTimeOut(MainController& mCtrl);
 
   /// @brief Reports a clock pulse to the controller.

@@ -19,12 +19,13 @@ namespace wr {
 
 /// @brief Runs the control cycle: read, control, write.
 ///
-/// @function Runs one cycle for each clock pulse. In each cycle it serves every source of orders,
-/// lets the present operation state read one order, control and report, and reports to the watchdog
-/// that the cycle completed. It stores the present state and the present reading mode, and executes
-/// the orders of the states: apply control, hold, send a report.
+/// @function Runs one cycle for each clock pulse. In each cycle, serves every source of orders, and
+/// lets the present operation state read one order, control the robot and send the report.
+/// Refreshes the watchdog after each completed cycle. Stores the present operation state and the
+/// present reading mode. Carries out the orders of the states: apply control, hold, send a report.
 ///
-/// @secret The sequence of steps in a control cycle, and the priority of a stop over every state.
+/// @secret The sequence of steps in a control cycle, and the rule that a stop has priority in every
+/// state.
 ///
 /// @role{operation-states, Context}
 /// @role{reading-modes, Context}
@@ -32,25 +33,25 @@ namespace wr {
 /// @role{main-controller-construction, Product}
 class MainController {
  public:
-  /// @brief Parts of the controller. Each part exists as long as the controller.
+  /// @brief Parts of the controller. Each part must exist for as long as the controller exists.
   /// @datatype
   struct Parts {
     ControlThread& thread;         ///< runs the cycles
-    const Timebase& timebase;      ///< returns the time of a clock pulse, and counts the cost of a
-                                   ///< cycle
+    const Timebase& timebase;      ///< returns the time, and counts processor cycles
     ControlData& data;             ///< data of the cycle
     ControlSystemPool& systems;    ///< the control systems
     PcConnection& connection;      ///< link to the PC
     Watchdog& watchdog;            ///< is refreshed after each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
-    std::span<Mode* const> modes;  ///< every mode: each is served in every cycle, and can order a
-                                   ///< stop
+    std::span<Mode* const> modes;  ///< all reading modes: in every cycle, each mode is served and
+                                   ///< is asked if its source orders a stop
   };
 
   /// @brief Binds the controller to its parts.
   /// @param parts parts of the controller
-  /// @post The initial state and the initial mode are current; no cycle runs before start().
+  /// @post The controller is in the initial state and in the initial mode. No cycle runs before
+  /// start().
   /// @satisfies FR-10
   explicit MainController(const Parts& parts);
   MainController(const MainController&) = delete;
@@ -63,37 +64,39 @@ class MainController {
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
   /// @errors Before start() the pulse has no effect. A pulse that comes before the previous cycle
-  /// has ended counts as an overrun; then at most one more cycle runs.
+  /// has ended counts as an overrun. After such a cycle only one more cycle runs, even if several
+  /// pulses came.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
   void clockPulse();
 
-  /// @brief Reads the newest order, if an order is available, with the method of the present state.
-  /// @post The current state is the result of the read.
+  /// @brief Reads the newest order, if an order is available. The present operation state carries
+  /// out this step.
+  /// @post The operation state is the state that results from this read.
   /// @satisfies FR-2
   /// @isr{no}
   void read();
 
-  /// @brief Sends the orders of the present state to the control systems.
+  /// @brief Sends orders to the control systems. The present operation state decides which orders.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}
   void control();
 
-  /// @brief Sends the report of the present state.
+  /// @brief Sends the report of this cycle. The present operation state carries out this step.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}
   void write();
 
   /// @brief Sets the operation state.
-  /// @param state state for the next steps
+  /// @param state operation state from the next step on
   /// @isr{no}
   void changeOpState(OperationState& state);
 
   /// @brief Sets the reading mode.
-  /// @param mode mode for the next reads
+  /// @param mode reading mode from the next read on
   /// @satisfies FR-11
   /// @satisfies FR-12
   /// @isr{no}
@@ -111,9 +114,10 @@ class MainController {
   /// @satisfies FR-61
   [[nodiscard]] ControlData& getData();
 
-  /// @brief Orders the control systems to follow the set-points that were read last. An order to
-  /// acknowledge moves nothing. It is valid only if all its values are neutral.
-  /// @post Without set-points, and while a stop is in force, the control systems are held.
+  /// @brief Orders the control systems to follow the set-points that were read last. If the last
+  /// order is an order to acknowledge, the control systems do not move. They release latched faults
+  /// if all set-points of this order are neutral.
+  /// @post The control systems are held if there are no set-points or if a stop is in force.
   /// @satisfies FR-14
   /// @satisfies FR-21
   /// @satisfies FR-22
@@ -129,7 +133,7 @@ class MainController {
 
   /// @brief Sends the report of this cycle to the PC.
   /// @param state operation state to report
-  /// @errors A report that the link cannot send is dropped; the link counts it.
+  /// @errors A report that the link cannot send is dropped. The link counts the dropped reports.
   /// @satisfies FR-4
   /// @satisfies FR-5
   /// @satisfies FR-60
@@ -149,7 +153,7 @@ class MainController {
   };
 
   /// @brief Runs one control cycle: serve the sources of orders, record stops, read, control,
-  /// write. If the cycle completed, it refreshes the watchdog at the end.
+  /// write. At the end, refreshes the watchdog if all control systems have completed their work.
   /// @satisfies FR-2
   /// @satisfies FR-35
   /// @satisfies FR-37
@@ -161,10 +165,11 @@ class MainController {
   /// @brief Lets every source of orders process its input.
   /// @satisfies FR-35
   void serveSources();
-  /// @brief Saves which sources order stop.
+  /// @brief Records the sources that order a stop.
   /// @satisfies FR-21
   void noteStop();
-  /// @brief Saves whether the present cycle overran.
+  /// @brief Records an overrun if a clock pulse came before the previous cycle had ended, or if a
+  /// control system has not completed its work.
   /// @satisfies FR-4
   /// @satisfies FR-5
   void noteOverrun();
@@ -179,7 +184,7 @@ class MainController {
   std::reference_wrapper<OperationState> opSt_;
   std::reference_wrapper<Mode> mode_;
   std::span<Mode* const> modes_;
-  Pipe<std::uint32_t> pulses_;  // count of processor cycles at a clock pulse, with its time
+  Pipe<std::uint32_t> pulses_;  // count of processor cycles at a clock pulse, and time of the pulse
   std::uint16_t seenOverruns_ = 0;
 };
 

@@ -6,15 +6,16 @@
 namespace wr {
 
 /// @brief Buffer of the direction signal of the remote control.
-/// @function Passes the angle of each pulse to the reader of orders.
-/// @secret The angle of a full deflection of the direction lever, and the destination of its value.
+/// @function Passes the angle that each pulse represents to the reader of orders.
+/// @secret The angle for a full deflection of the direction lever, and the destination of the
+/// angle.
 /// @role{rc-buffers, Concrete Class}
 class DirectionBuffer final : public RcBuffer {
  public:
-  /// @brief Binds the buffer.
+  /// @brief Binds the buffer to its collector, its function and its pipe.
   /// @param instants measures period and width of the pulses
   /// @param function calculates the angle of a pulse
-  /// @param direction receives the angle of each pulse, with the time at which it ended
+  /// @param direction pipe that receives each angle and the time at which its pulse ended
   DirectionBuffer(InstantCollector& instants, const Function& function, Pipe<Angle>& direction);
 
  private:
@@ -25,7 +26,7 @@ class DirectionBuffer final : public RcBuffer {
 
   /// @brief Writes the angle to the pipe.
   /// @param value angle [0.01 degree]
-  /// @param at end of the pulse
+  /// @param at time at which the pulse ended
   /// @satisfies FR-52
   void keep(std::int32_t value, Instant at) override;
 

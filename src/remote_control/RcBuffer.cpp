@@ -19,8 +19,8 @@ constexpr std::int32_t kFullDeflection = 500;
 constexpr std::int32_t kShortestPulse = 900;
 constexpr std::int32_t kLongestPulse = 2100;
 
-// Returns whether the times belong to a pulse of the remote control. The width of a valid pulse has
-// at most 15 bits.
+// Returns whether the times belong to a pulse of the remote control. The width of such a pulse is
+// less than 30000 us and fits into 15 bits.
 bool isPulse(const Instants& instants) {
   return instants.period && instants.width && *instants.period >= kShortestPeriod &&
          *instants.period <= kLongestPeriod && *instants.width < *instants.period;

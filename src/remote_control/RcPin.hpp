@@ -6,8 +6,8 @@
 namespace wr {
 
 /// @brief A pin with pulses of the remote control.
-/// @function Causes an interrupt at each edge of the pin, executes its command, and returns the
-/// present level.
+/// @function Causes an interrupt at each edge of the pin, and executes a command in this interrupt.
+/// Returns the present level of the pin.
 /// @secret The hardware that receives a signal of the remote control.
 /// @role{rc-pin-interrupt, Invoker}
 class RcPin final {
@@ -25,13 +25,13 @@ class RcPin final {
   /// @satisfies FR-52
   void start();
 
-  /// @brief Serves an interrupt: if the pin had an edge, acknowledges it and executes the command.
-  /// The vector of the port calls this function.
+  /// @brief Serves an interrupt. If the pin had an edge, acknowledges the edge and executes the
+  /// command. The interrupt handler of the port calls this function.
   /// @isr{yes}
   /// @satisfies FR-52
   void serve();
 
-  /// @brief Returns the present level.
+  /// @brief Returns the present level of the pin.
   /// @return true for high
   /// @isr{yes}
   /// @satisfies FR-52

@@ -7,22 +7,23 @@
 
 namespace wr {
 
-/// @brief Command of an edge on a pin of the remote control: passes the edge to the buffer.
-/// @function Passes the level after an edge, with its time, to the buffer.
-/// @secret Which module acts on an edge of the remote control, and the values that it gets.
+/// @brief Command that is executed at each edge on a pin of the remote control.
+/// @function Passes the level after an edge, and the time of the edge, to the buffer.
+/// @secret Which module reacts to an edge of the remote control, and the values that this module
+/// gets.
 /// @role{rc-pin-interrupt, Concrete Command}
 ///
 /// @patternapp{rc-pin-interrupt, Command, Process the RC pin interruptions}
-/// @why An edge on a pin of the remote control causes an interrupt. The pin executes a command
-/// object. Therefore the pin names no module that acts on the edge.
-/// @changes The actions at an edge, or the modules that they affect, may change without change to
-/// the pin.
+/// @why An edge on a pin of the remote control causes an interrupt. In this interrupt, the pin
+/// executes a command object. Therefore the pin names no module that reacts to the edge.
+/// @changes The actions at an edge may change, and so may the modules that these actions affect.
+/// This needs no change to the pin.
 class ReadRcPin final : public Command {
  public:
-  /// @brief Binds the command to pin and buffer.
+  /// @brief Binds the command to the buffer and the pin.
   /// @param buffer receives the edges
   /// @param pin returns the level
-  /// @param timebase returns the time of an edge
+  /// @param timebase returns the present time, which counts as the time of the edge
   ReadRcPin(RcBuffer& buffer, const RcPin& pin, const Timebase& timebase);
 
   /// @brief Passes the present level and the time to the buffer.

@@ -6,15 +6,16 @@
 namespace wr {
 
 /// @brief Buffer of the velocity signal of the remote control.
-/// @function Passes the velocity of each pulse to the reader of orders.
-/// @secret The velocity of a full deflection of the velocity lever, and the destination of its value.
+/// @function Passes the velocity that each pulse represents to the reader of orders.
+/// @secret The velocity for a full deflection of the velocity lever, and the destination of the
+/// velocity.
 /// @role{rc-buffers, Concrete Class}
 class VelocityBuffer final : public RcBuffer {
  public:
-  /// @brief Binds the buffer.
+  /// @brief Binds the buffer to its collector, its function and its pipe.
   /// @param instants measures period and width of the pulses
   /// @param function calculates the velocity of a pulse
-  /// @param velocity receives the velocity of each pulse, with the time at which it ended
+  /// @param velocity pipe that receives each velocity and the time at which its pulse ended
   VelocityBuffer(InstantCollector& instants, const Function& function, Pipe<Velocity>& velocity);
 
  private:
@@ -25,7 +26,7 @@ class VelocityBuffer final : public RcBuffer {
 
   /// @brief Writes the velocity to the pipe.
   /// @param value velocity [0.1 rpm]
-  /// @param at end of the pulse
+  /// @param at time at which the pulse ended
   /// @satisfies FR-52
   void keep(std::int32_t value, Instant at) override;
 

@@ -13,8 +13,8 @@ constexpr Microseconds kPositionLifetime = milliseconds(20);
 constexpr Microseconds kStallWindow = milliseconds(200);
 constexpr Angle kStallAngle(60);
 
-// Greatest difference between angle and steps. Small differences decay, because a push moves the
-// motor by some steps.
+// Greatest permitted difference between the measured angle and the angle of the steps. Small
+// differences are reduced in each period, because a push can move the motor by some steps.
 constexpr Angle kMaxPositionError(300);
 constexpr Angle kForgotten(5);
 constexpr Microseconds kForgetPeriod = milliseconds(1000);

@@ -17,8 +17,8 @@ namespace wr {
 /// @brief An order to the steering.
 /// @datatype
 struct DirTarget {
-  Angle angle{};         ///< target angle [0.01 degree], -3200 to 3200; not used for a hold
-  bool follow = false;   ///< true to turn to this angle, false to hold
+  Angle angle{};         ///< target angle [0.01 degree], -3200 to 3200; only used to follow
+  bool follow = false;   ///< true to turn to the target angle, false to hold the steering
   bool release = false;  ///< true to leave the fault state
 
   /// @brief Returns whether two targets are equal.
@@ -45,14 +45,15 @@ struct TurnFeedback {
   bool rightEnd = false;   ///< the right end stop is reached
 };
 
-/// @brief Controls the steering: computes the turn from target and position.
+/// @brief The controller of the steering: computes the turn from target and position.
 ///
-/// @function At the end of each measurement of the position, lets the state of the steering act on
-/// the newest target, the newest position and the state of the motor. Then publishes the result. It
-/// controls the motor through commands, and does not name the sensor or the device.
+/// @function At the end of each measurement of the position, executes the tick of the present
+/// state. The state uses the newest target, the newest position and the state of the motor. Then
+/// the controller writes the status of the steering to a pipe. It controls the motor through
+/// commands, and names neither the sensor nor the device.
 ///
-/// @secret The greatest age of a target and a position, and how a contradiction between angle and
-/// motor is detected.
+/// @secret The greatest permitted age of a target and of a position, and how a contradiction
+/// between the measured angle and the motor is detected.
 ///
 /// @role{steering-controller-states, Context}
 /// @role{steering-control-algorithm, Context}
@@ -60,13 +61,13 @@ struct TurnFeedback {
 /// @role{steering-timer-interrupt, Receiver}
 class DirController final {
  public:
-  /// @brief Parts of the controller. Each part exists as long as the controller.
+  /// @brief Parts of the controller. Each part must exist for as long as the controller exists.
   /// @datatype
   struct Parts {
     Pipe<DirTarget>& target;       ///< the newest order; the main thread writes it
-    Pipe<Angle>& position;         ///< the position of the steering; the same interrupt writes it
-    Pipe<DirStatus>& status;       ///< state of the steering; the main thread reads it
-    const Timebase& timebase;      ///< returns the time, for the age of a value
+    Pipe<Angle>& position;         ///< the position; the sensor of the steering writes it
+    Pipe<DirStatus>& status;       ///< the status of the steering; the main thread reads it
+    const Timebase& timebase;      ///< returns the time, to compute the age of a value
     SteeringAlgorithm& algorithm;  ///< computes the turn
     SteeringCommand& enable;       ///< switches the motor on
     SteeringCommand& disable;      ///< switches the motor off
@@ -81,67 +82,74 @@ class DirController final {
   DirController(const DirController&) = delete;
   DirController& operator=(const DirController&) = delete;
 
-  /// @brief Reads target and position, lets the state act, and writes the status. It is called when
-  /// a measurement of the position ends, every 8 ms.
+  /// @brief Reads target and position, executes the tick of the present state, and writes the
+  /// status. The caller calls this function when a measurement of the position ends, every 8 ms.
   /// @param motor state of the motor
   /// @isr{yes}
   /// @satisfies FR-114
   /// @satisfies FR-116
   void tick(const TurnFeedback& motor);
 
-  /// @brief Returns whether an order to follow a set-point is in force. States call this method.
-  /// @return true when the newest target is not a hold and is not older than 300 ms
+  /// @brief Returns whether an order to follow a set-point is in force. The states call this
+  /// method.
+  /// @return true if the newest target orders to follow an angle and is not older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-106
   [[nodiscard]] bool following() const;
 
-  /// @brief Returns whether orders have ceased. States call it.
-  /// @return true when there is no target, or the newest target is older than 300 ms
+  /// @brief Returns whether orders no longer arrive. The states call this method.
+  /// @return true if there is no target, or if the newest target is older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-109
   [[nodiscard]] bool abandoned() const;
 
-  /// @brief Checks whether a release was ordered after the last change of state. States call it.
-  /// @return true when the newest target is a release and is newer than the state
+  /// @brief Checks whether the release of a fault was ordered after the last change of state. The
+  /// states call this method.
+  /// @return true if the newest target orders the release, and was written after the present state
+  /// began
   /// @isr{yes}
   /// @satisfies FR-112
   [[nodiscard]] bool released() const;
 
-  /// @brief Returns whether the position of the steering is unknown. States call it.
-  /// @return true when there is no position, or the newest position is older than 20 ms
+  /// @brief Returns whether the position of the steering is unknown. The states call this method.
+  /// @return true if there is no position, or if the newest position is older than 20 ms
   /// @isr{yes}
   /// @satisfies FR-110
   [[nodiscard]] bool lost() const;
 
-  /// @brief Checks whether the inputs of the steering contradict each other. This is true when both
-  /// end stops are reached. It is also true when the position differs by more than 3 degrees from
-  /// the position that results from the steps of the motor since it was switched on. The difference
-  /// is reduced by 0.05 degrees in a second. States call it.
-  /// @return true when they contradict each other
+  /// @brief Checks whether the inputs of the steering contradict each other. They contradict each
+  /// other if both end stops are reached. They also contradict each other if the measured position
+  /// differs by more than 3 degrees from the position that results from the steps of the motor
+  /// since the motor was switched on. This difference is reduced by 0.05 degrees in each second.
+  /// The states call this method.
+  /// @return true if the inputs contradict each other
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-226
   /// @satisfies FR-227
   [[nodiscard]] bool inconsistent();
 
-  /// @brief Starts to monitor whether the steering follows the steps of the motor. States call it.
+  /// @brief Starts to monitor whether the steering follows the steps of the motor. The states call
+  /// this method.
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-111
   void watch();
 
-  /// @brief Checks whether the steering fails to follow the steps of the motor. The check ends when
-  /// 200 ms have passed and the steps amount to 0.6 degrees. Then the next window starts. States
-  /// call it.
-  /// @return true when the steering moved less than half of the angle of the steps
+  /// @brief Checks whether the steering fails to follow the steps of the motor. A window of the
+  /// check ends when at least 200 ms have passed and the steps amount to at least 0.6 degrees. Then
+  /// the next window starts. The states call this method.
+  /// @return true if a window has ended, and the steering moved less than half of the angle of the
+  /// steps in this window
   /// @pre watch() was called, and the position is not lost.
   /// @isr{yes}
   /// @satisfies FR-111
   [[nodiscard]] bool stalled();
 
-  /// @brief Returns the turn towards the target. States call it.
-  /// @return rate of the algorithm [steps/s], -500 to 500; 0 without an order to follow, while the
-  /// motor is not ready, and towards an end stop that is reached
+  /// @brief Returns the speed of the motor that turns the steering towards its target. The states
+  /// call this method.
+  /// @return speed that the algorithm computes [steps/s], -500 to 500; 0 if no order to follow is
+  /// in force, if the motor is not ready, or if the turn is towards an end stop that is reached
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-101
@@ -150,37 +158,37 @@ class DirController final {
   /// @satisfies FR-108
   [[nodiscard]] StepRate demand();
 
-  /// @brief Returns whether the motor makes no steps. States call it.
-  /// @return true when its rate is 0
+  /// @brief Returns whether the motor makes no steps. The states call this method.
+  /// @return true if the speed of the motor is 0
   /// @isr{yes}
   /// @satisfies FR-101
   [[nodiscard]] bool atRest() const;
 
-  /// @brief Switches the motor on. States call it.
+  /// @brief Switches the motor on. The states call this method.
   /// @isr{yes}
   /// @satisfies FR-106
   void enable();
 
-  /// @brief Switches the motor off. States call it.
+  /// @brief Switches the motor off. The states call this method.
   /// @isr{yes}
   /// @satisfies FR-109
   /// @satisfies FR-110
   /// @satisfies FR-111
   void disable();
 
-  /// @brief Sets the target speed of the motor. States call it.
+  /// @brief Sets the target speed of the motor. The states call this method.
   /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left
   /// @isr{yes}
   /// @satisfies FR-101
   void turn(StepRate rate);
 
-  /// @brief Sets the state. States call it.
+  /// @brief Sets the state. The states call this method.
   /// @param next state from the next tick on
   /// @isr{yes}
   void changeState(DirState& next);
 
  private:
-  /// @brief Writes the state of the steering, with the time of this tick.
+  /// @brief Writes the status of the steering and the time of this tick to the pipe.
   /// @satisfies FR-116
   void publish();
 

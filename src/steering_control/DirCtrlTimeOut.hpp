@@ -8,12 +8,12 @@ class DirController;
 class DirSensor;
 class SteeringDevice;
 
-/// @brief Command of the second timer: measures and moves the steering at each tick, and controls
-/// the steering when a measurement has ended.
+/// @brief Command that the second timer executes at each tick to measure, control and move the
+/// steering.
 ///
 /// @function Lets the sensor take a sample. When this sample ends a measurement, passes the state
-/// of the motor to the controller and lets the controller run. Then lets the motor run. Timer,
-/// controller and sensor do not depend on each other.
+/// of the motor to the controller and lets the controller run. Then lets the motor run. The timer,
+/// the controller and the sensor do not depend on each other.
 ///
 /// @secret The sequence of sensor, controller and motor in a tick, and the rule that the controller
 /// runs only when a measurement has ended.
@@ -21,18 +21,19 @@ class SteeringDevice;
 /// @role{steering-timer-interrupt, Concrete Command}
 ///
 /// @patternapp{steering-timer-interrupt, Command, Process timer interruptions for the steering system}
-/// @why Several elements of the steering act at a tick of the timer. The timer executes a command
-/// object, so it names no element of the steering.
-/// @changes The actions at a tick, or the elements that they affect.
+/// @why Several elements of the steering work at each tick of the timer. The timer executes a
+/// command object. Therefore the timer names no element of the steering.
+/// @changes The actions at a tick may change, and so may the elements that these actions affect.
+/// This needs no change to the timer.
 class DirCtrlTimeOut final : public Command {
  public:
   /// @brief Binds the command to its receivers.
   /// @param sensor measures the position
-  /// @param controller decides the turn
+  /// @param controller decides how the motor turns
   /// @param device moves the motor
   DirCtrlTimeOut(DirSensor& sensor, DirController& controller, SteeringDevice& device);
 
-  /// @brief Runs one tick of the steering.
+  /// @brief Executes one tick of the steering.
   /// @isr{yes}
   /// @satisfies FR-114
   void execute() override;

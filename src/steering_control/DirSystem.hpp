@@ -12,10 +12,10 @@
 
 namespace wr {
 
-/// @brief The steering as a control system.
+/// @brief The control system of the steering.
 ///
-/// @function Passes the ordered angle, or the order to hold, to the controller of the steering,
-/// which runs in each tick, and reports the result of the controller to Main Control.
+/// @function Passes the ordered angle, or the order to hold, to the controller of the steering.
+/// Reports the status of the steering to Main Control.
 ///
 /// @secret How the control cycle and the faster tick of the steering exchange orders and values.
 ///
@@ -23,32 +23,31 @@ namespace wr {
 /// @role{steering-system-construction, Product}
 class DirSystem final : public ControlSystem {
  public:
-  /// @brief Parts of the system. Each part exists as long as the system.
+  /// @brief Parts of the system. Each part must exist for as long as the system exists.
   /// @datatype
   struct Parts {
-    Pipe<DirTarget>& target;  ///< receives the orders
-    Pipe<DirStatus>& status;  ///< pipe of the state of the steering
-    const Timebase&
-        timebase;  ///< returns the time of an order, and the time for the age of a value
+    Pipe<DirTarget>& target;   ///< receives the orders
+    Pipe<DirStatus>& status;   ///< pipe of the status of the steering
+    const Timebase& timebase;  ///< returns the present time
   };
 
   /// @brief Binds the system to its parts.
   /// @param parts parts of the system
   explicit DirSystem(const Parts& parts);
 
-  /// @brief Returns whether the order of a cycle was passed to the steering, and the steering still
-  /// ticks.
+  /// @brief Checks whether two conditions are met: the order of a cycle was passed to the steering,
+  /// and the steering still executes its ticks.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if the last order was passed in that cycle, and the steering ticked within the
-  /// last 20 ms.
+  /// @return true if the last order was passed in this cycle, and the status of the steering was at
+  /// most 20 ms old when it was read.
   /// @isr{no}
   /// @satisfies FR-117
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
-  /// @brief Adds position, state and end stops of the steering, and its turn, as they were measured in this
-  /// cycle.
+  /// @brief Writes the position, the state, the end stops and the turn of the steering, as they
+  /// were measured in this cycle.
   /// @param measurements receives the measured values; a position older than 150 ms is missing
-  /// @param outputs receives the turn, which is missing when the steering does not tick
+  /// @param outputs receives the turn, which is missing if the steering does not execute its ticks
   /// @isr{no}
   /// @satisfies FR-116
   void collect(Measurements& measurements, Outputs& outputs) const override;
@@ -68,7 +67,7 @@ class DirSystem final : public ControlSystem {
   /// @satisfies FR-115
   void halt() override;
 
-  /// @brief Marks the next target as an order to release a fault.
+  /// @brief Records that the next order also releases a fault.
   /// @satisfies FR-112
   void release() override;
 
@@ -81,8 +80,8 @@ class DirSystem final : public ControlSystem {
   Pipe<DirStatus>& statuses_;
   const Timebase& timebase_;
   DirTarget target_{};
-  DirStatus status_{};  // status that was measured in this cycle
-  bool ticks_ = false;  // the status was recent when it was read
+  DirStatus status_{};  // status that was read in this cycle
+  bool ticks_ = false;  // this status was at most 20 ms old when it was read
   std::uint32_t cycle_ = 0;
 };
 

@@ -21,7 +21,7 @@ constexpr std::int32_t kRateChange =
     SystemConstants::instance().steeringAcceleration() / kTicksPerSecond;
 static_assert(kRateChange > 0, "the motor must reach its rate");
 
-// The driver needs up to 50 ms until it has its current.
+// After it is switched on, the driver needs up to 50 ms until the motor has its current.
 constexpr std::int32_t kSettlingTicks = kTicksPerSecond / 20;
 
 }  // namespace

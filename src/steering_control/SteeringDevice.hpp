@@ -12,8 +12,8 @@ namespace wr {
 
 /// @brief The motor of the steering, with its driver and its end stops.
 ///
-/// @function Switches the motor on and off, and turns it step by step with the demanded rate,
-/// within the limits of the motor. Never turns it further towards an end stop that is reached.
+/// @function Switches the motor on and off. Turns the motor step by step at the demanded rate,
+/// within the limits of the motor. Makes no step towards an end stop that is reached.
 ///
 /// @secret The pulses for a step of the motor, the limits of the motor, and the levels of its end
 /// stops.
@@ -22,15 +22,15 @@ namespace wr {
 /// @role{steering-commands, Receiver}
 class SteeringDevice final {
  public:
-  /// @brief Parts of the device. Each part exists as long as the device.
+  /// @brief Parts of the device. Each part must exist for as long as the device exists.
   /// @datatype
   struct Parts {
     DigitalOutput& step;        ///< the motor makes a step each time this output is switched on
     DigitalOutput& direction;   ///< on for steps to the left
     DigitalOutput& enable;      ///< on when the motor has current
-    const EdgeInput& leftEnd;   ///< high when the left end stop is reached, or its wire is broken
-    const EdgeInput& rightEnd;  ///< high when the right end stop is reached, or its wire is broken
-    SteeringPower& initial;     ///< power at start: off
+    const EdgeInput& leftEnd;   ///< high if the left end stop is reached or its wire is broken
+    const EdgeInput& rightEnd;  ///< high if the right end stop is reached or its wire is broken
+    SteeringPower& initial;     ///< power state at start: off
   };
 
   /// @brief Binds the device to its parts.
@@ -40,33 +40,33 @@ class SteeringDevice final {
   SteeringDevice(const SteeringDevice&) = delete;
   SteeringDevice& operator=(const SteeringDevice&) = delete;
 
-  /// @brief Switches the motor on, unless it is on. The motor makes steps only after it has
-  /// settled.
+  /// @brief Switches the motor on if it is off. The motor makes steps only after it has settled.
   /// @isr{yes}
   /// @satisfies FR-106
   void enable();
 
-  /// @brief Switches the motor off, unless it is off. The motor stops at once.
+  /// @brief Switches the motor off if it is on. The motor stops at once.
   /// @isr{yes}
   /// @satisfies FR-109
   /// @satisfies FR-113
   void disable();
 
-  /// @brief Returns whether the motor can step.
-  /// @return true when it is on and has settled
+  /// @brief Returns whether the motor can make steps.
+  /// @return true if the motor is on and has settled
   /// @isr{yes}
   /// @satisfies FR-107
   [[nodiscard]] bool ready() const;
 
-  /// @brief Sets the target rate of the motor. A motor that is switched on later begins with a rate
-  /// of 0.
-  /// @param demand rate [steps/s], positive to the left; a greater rate counts as the limit
+  /// @brief Sets the target rate of the motor. When the motor is switched on, its target rate is
+  /// reset to 0.
+  /// @param demand rate [steps/s], positive to the left; a rate beyond the limit of the motor
+  /// counts as this limit
   /// @isr{yes}
   /// @satisfies FR-103
   void turn(StepRate demand);
 
-  /// @brief Ends the pulse of the previous tick, and runs one tick of the motor. It is called
-  /// once in each tick period.
+  /// @brief Ends the pulse of the previous tick, and executes one tick of the motor. The caller
+  /// calls this function once in each tick.
   /// @isr{yes}
   /// @satisfies FR-103
   /// @satisfies FR-104
@@ -78,15 +78,16 @@ class SteeringDevice final {
   /// @satisfies FR-103
   [[nodiscard]] StepRate rate() const;
 
-  /// @brief Checks whether the left end stop is reached. Its contact is then open.
-  /// @return true when it is reached, or when its wire is broken
+  /// @brief Checks whether the left end stop is reached. The contact of a reached end stop is open.
+  /// @return true if the end stop is reached or its wire is broken
   /// @isr{yes}
   /// @satisfies FR-105
   /// @satisfies FR-225
   [[nodiscard]] bool leftEnd() const;
 
-  /// @brief Checks whether the right end stop is reached. Its contact is then open.
-  /// @return true when it is reached, or when its wire is broken
+  /// @brief Checks whether the right end stop is reached. The contact of a reached end stop is
+  /// open.
+  /// @return true if the end stop is reached or its wire is broken
   /// @isr{yes}
   /// @satisfies FR-105
   /// @satisfies FR-225
@@ -98,30 +99,33 @@ class SteeringDevice final {
   /// @satisfies FR-111
   [[nodiscard]] std::int32_t steps() const;
 
-  /// @brief Sets the power state. Power states call it.
+  /// @brief Sets the power state. The power states call this method.
   /// @param power state from now on
   /// @isr{yes}
   void changePower(SteeringPower& power);
 
-  /// @brief Switches the current of the motor on, and starts the time in which it settles. Power states call it.
+  /// @brief Switches the current of the motor on, and starts the time in which the motor settles.
+  /// The power states call this method.
   /// @isr{yes}
   /// @satisfies FR-106
   /// @satisfies FR-107
   void switchOn();
 
-  /// @brief Switches the current of the motor off, and sets its rate to 0. Power states call it.
+  /// @brief Switches the current of the motor off, and sets the rate of the motor to 0. The power
+  /// states call this method.
   /// @isr{yes}
   /// @satisfies FR-113
   void switchOff();
 
-  /// @brief Returns whether the time in which the motor settles has passed. Power states call it.
-  /// @return true when it has passed
+  /// @brief Returns whether the motor has settled. The power states call this method.
+  /// @return true if the time in which the motor settles has passed
   /// @isr{yes}
   /// @satisfies FR-107
   [[nodiscard]] bool settled() const;
 
-  /// @brief Executes one tick of the motor: lets it settle, or changes its rate towards the demand
-  /// and makes a step when it is due. Power states call it.
+  /// @brief Executes one tick of the motor. While the motor settles, only counts the tick.
+  /// Afterwards changes the rate towards the demand, and makes a step when the step is due. The
+  /// power states call this method.
   /// @isr{yes}
   /// @satisfies FR-103
   /// @satisfies FR-105
@@ -129,14 +133,15 @@ class SteeringDevice final {
   void advance();
 
  private:
-  /// @brief Changes the rate towards the demand; towards an end stop that is reached the rate is 0.
-  /// Sets the direction when a turn begins.
+  /// @brief Computes the next rate, which is closer to the demand. If the motor turns towards an
+  /// end stop that is reached, the rate becomes 0. Sets the direction when a turn begins.
   /// @satisfies FR-103
   /// @satisfies FR-104
   /// @satisfies FR-105
   void changeRate();
 
-  /// @brief Adds the rate to the remaining part of a step, and makes a step when it is due.
+  /// @brief Adds the rate to the completed part of the next step. When this part is a whole step,
+  /// makes the step.
   /// @satisfies FR-104
   void stepWhenDue();
 
@@ -149,7 +154,7 @@ class SteeringDevice final {
   std::int32_t demand_ = 0;    // steps/s
   std::int32_t rate_ = 0;      // steps/s
   std::int32_t part_ = 0;      // completed part of the next step, in thousandths
-  std::int32_t steps_ = 0;     // steps to the left since start
+  std::int32_t steps_ = 0;     // steps to the left minus steps to the right, since start
   std::int32_t settling_ = 0;  // ticks until the motor has settled
   bool pulse_ = false;         // the step output is on
 };

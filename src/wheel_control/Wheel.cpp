@@ -9,7 +9,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kFullDuty = 10000;  // [0.01 %] duty cycle of the whole supply
+constexpr std::int32_t kFullDuty = 10000;  // [0.01 %] duty cycle that applies the whole supply
 
 }  // namespace
 

@@ -10,46 +10,47 @@
 
 namespace wr {
 
-/// @brief One wheel: its motor behind a driver.
+/// @brief A wheel: a motor and its driver.
 ///
-/// @function Sets voltage and orientation of the motor, stops it, and switches its driver off when the
-/// current is too high: the overcurrent trip. An enabled driver applies the supply voltage times
-/// the duty cycle to the motor, in the present orientation. The motor can drive and brake in this
-/// orientation. Without
-/// duty cycle the motor is short-circuited and brakes. A disabled driver leaves the motor open, and
-/// the wheel coasts.
+/// @function Sets the voltage and the orientation of the motor, and stops the motor. Switches the
+/// driver off when the current is too high: this is the overcurrent trip. An enabled driver applies
+/// the supply voltage times the duty cycle to the motor, in the present orientation. The motor can
+/// drive and brake in this orientation. When the duty cycle is 0, the motor is short-circuited and
+/// brakes. When the driver is disabled, the motor is disconnected and the wheel coasts.
 ///
 /// @secret How the driver of a motor applies a voltage, how a tripped driver brakes, and how an
-/// interrupt and a thread share its state.
+/// interrupt and a thread share the state of the trip.
 ///
 /// @role{wheel-commands, Receiver}
 class Wheel final {
  public:
-  /// @brief Binds the wheel to its driver. The outputs are at their safe level: the driver is off, the
-  /// orientation is forwards.
+  /// @brief Binds the wheel to the outputs of its driver. At this time the outputs are at their
+  /// safe levels: the driver is off, and the orientation is forwards.
   /// @param pwm sets the duty cycle
-  /// @param orientation on means backwards
-  /// @param enable on means that the driver is enabled
+  /// @param orientation output that is on for backwards
+  /// @param enable output that is on to enable the driver
   Wheel(PwmOutput& pwm, DigitalOutput& orientation, DigitalOutput& enable);
 
   Wheel(const Wheel&) = delete;
   Wheel& operator=(const Wheel&) = delete;
 
-  /// @brief Removes all voltage from the motor: it is short-circuited and brakes. During an
-  /// overcurrent trip the caller calls this function once in each control cycle. The second call,
-  /// when the current has decayed, enables the driver for braking.
-  /// @post The driver is enabled, unless its overcurrent trip acted less than a cycle ago or acted twice.
+  /// @brief Removes all voltage from the motor, which is then short-circuited and brakes. After an
+  /// overcurrent trip the caller calls this function once in each control cycle. Before the second
+  /// call the current has decayed. Therefore the second call enables the driver, and the motor
+  /// brakes.
+  /// @post The driver is enabled, with two exceptions: this is the first call after an overcurrent
+  /// trip, or the trip acted again while the motor braked.
   /// @satisfies FR-88
   /// @satisfies FR-89
   /// @satisfies FR-221
   /// @isr{no}
   void stop();
 
-  /// @brief Sets the voltage, in the present orientation. The duty cycle is rounded to the nearest
+  /// @brief Sets the voltage in the present orientation. The duty cycle is rounded to the nearest
   /// 0.01 %.
   /// @param magnitude voltage [mV], 0 to 24000; a greater value counts as the limit
-  /// @post The driver is enabled; after an overcurrent trip the voltage and the driver do not
-  /// change.
+  /// @post The driver is enabled. After an overcurrent trip, however, this function changes neither
+  /// the voltage nor the driver.
   /// @satisfies FR-80
   /// @satisfies FR-86
   /// @isr{no}
@@ -61,8 +62,8 @@ class Wheel final {
   /// @isr{no}
   void setOrientation(bool backwards);
 
-  /// @brief Returns the command of the overcurrent trip, for an interrupt to execute. It switches the
-  /// driver off at once.
+  /// @brief Returns the command of the overcurrent trip. An interrupt executes this command, which
+  /// switches the driver off at once.
   /// @return command of this wheel; after its execution the motor has no voltage until release()
   /// @satisfies FR-89
   /// @isr{yes}
@@ -82,14 +83,14 @@ class Wheel final {
  private:
   /// State of the overcurrent trip.
   enum class Trip : std::uint8_t {
-    None,      ///< nothing
-    Tripped,   ///< the driver is off
-    Decaying,  ///< the driver is off, and the thread has detected this
+    None,      ///< the trip has not acted
+    Tripped,   ///< the trip has acted: the driver is off
+    Decaying,  ///< the driver is off, and stop() was called once after the trip
     Braking,   ///< the driver is on, without voltage
-    Off        ///< the trip acted again while braking: the driver stays off
+    Off        ///< the trip acted again while the motor braked: the driver stays off
   };
 
-  /// Switches the driver off.
+  /// Command that switches the driver off.
   class CutOff final : public Command {
    public:
     explicit CutOff(Wheel& wheel);

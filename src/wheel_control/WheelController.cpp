@@ -10,19 +10,19 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kMinEffortTension(2000);  // a voltage beyond this is expected to turn a wheel
+constexpr Tension kMinEffortTension(2000);  // a wheel is expected to turn at a higher voltage
 constexpr std::int32_t kMaxEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
 constexpr Tension kMovingTension(3200);     // an order of this voltage moves the robot on the flat
 constexpr Tension kStartingTension(14000);  // a voltage that starts a wheel on any slope
-constexpr std::int32_t kWeakShare = 16;     // counted part of a voltage that the current explains
-constexpr std::int32_t kStrongShare = 8;    // the same part above kStartingTension
+constexpr std::int32_t kWeakShare = 16;     // a voltage that the current explains counts with 1/16
+constexpr std::int32_t kStrongShare = 8;    // above kStartingTension it counts with 1/8
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kJitter = 1;  // edges forwards and backwards that one working sensor causes
-constexpr Tension kReversal(500);    // a demand below this does not change the orientation
-constexpr std::uint8_t kMaxReversalWait = 20;  // cycles that a reversal may wait for a slow wheel
+constexpr std::int32_t kJitter = 1;  // greatest change of the count if only one sensor works
+constexpr Tension kReversal(500);    // a reversal with a smaller demand does not count as waiting
+constexpr std::uint8_t kMaxReversalWait = 20;  // cycles for which a reversal may wait
 constexpr Microseconds kSameCycle = milliseconds(50);
 
-// Returns the value of a measurement, unless it is too old.
+// Returns the newest measured value; nothing if there is no value, or if the value is too old.
 template <class T>
 std::optional<T> fresh(Pipe<T>& pipe, Instant at) {
   const Stamped<T>* const newest = pipe.newest();
@@ -96,8 +96,8 @@ bool WheelController::reversalLate() const {
   return reversalLate_;
 }
 
-// On a slope, a wheel with the order to stand still may have voltage without motion. A motor that
-// turns undetected draws less current than a motor that its load keeps at rest.
+// Detects a wheel that has voltage but shows no motion. On a slope, a wheel with the velocity order
+// 0 may have voltage without motion. Therefore the voltage of such a wheel does not count.
 void WheelController::watchMotion(const WheelSetPoint& setPoint,
                                   const WheelMeasurements& measured) {
   const HallCount position = measured.position.value_or(HallCount());
@@ -114,7 +114,9 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint,
   blind_ = blind_ || effort_ >= kMaxEffort;
 }
 
-// Returns the counted part of a voltage while the wheel does not move.
+// Returns the part of a voltage that counts while the wheel shows no motion. A motor that turns
+// undetected draws less current than a motor that its load keeps at rest. Therefore only a small
+// part of the voltage of a motor with much current counts.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension,
                                      Current current) const {
   const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kMovingTension;
@@ -130,8 +132,10 @@ bool WheelController::isHeld(Current current) const {
   return applied > Tension() ? winding * 2 > applied : winding * 2 < applied;
 }
 
-// While a reversal waits for the wheel, its demand is not applied. A wheel that is dragged faster
-// than its set-point does not wait for a reversal.
+// Counts the cycles in which a reversal waits for a slow wheel. In such a cycle no voltage is
+// applied, although demand and set-point have the same sign. A wheel that is dragged faster than
+// its set-point has a demand with the other sign. Therefore the cycles of such a wheel do not
+// count.
 void WheelController::watchReversal(const WheelSetPoint& setPoint, Tension demand) {
   const bool ordered =
       (setPoint.value > 0 && demand >= kReversal) || (setPoint.value < 0 && demand <= -kReversal);

@@ -15,12 +15,11 @@
 
 namespace wr {
 
-/// @brief Controls one wheel.
+/// @brief The controller of one wheel.
 ///
-/// @function Reads the measured values of the wheel from their pipes, lets the algorithm of the
-/// ordered quantity calculate a voltage, and lets a behaviour apply it. It stops a wheel that
-/// cannot be
-/// controlled.
+/// @function Reads the measured values of the wheel from their pipes. Lets the algorithm of the
+/// ordered quantity calculate a voltage, and lets a behaviour apply this voltage. Stops a wheel
+/// that cannot be controlled.
 ///
 /// @secret The measured values that control needs, and how a wheel that cannot be controlled is
 /// detected.
@@ -30,28 +29,27 @@ namespace wr {
 /// @role{wheel-commands, Invoker}
 class WheelController final {
  public:
-  /// @brief Parts of the controller. Each part exists as long as the controller.
+  /// @brief Parts of the controller. Each part must exist for as long as the controller exists.
   /// @datatype
   struct Parts {
     Pipe<Velocity>& velocity;  ///< pipe of the measured velocity
     Pipe<Current>& current;    ///< pipe of the measured current
-    const Timebase& timebase;  ///< returns the time, for the age of a measured value
-    std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in the order of the
-                                                ///< enumeration
+    const Timebase& timebase;  ///< returns the time, to compute the age of a measured value
+    std::array<WheelAlgorithm*, 3> algorithms;  ///< the algorithm for each value of WheelQuantity
     WheelBehaviour& advance;                    ///< applies the demand of an algorithm
-    WheelBehaviour& stop;                       ///< stops the wheel
+    WheelBehaviour& stop;                       ///< lowers the voltage, then stops the wheel
     WheelCommand& stopWheel;                    ///< removes all voltage from the wheel at once
   };
 
   /// @brief Constructs the controller of a wheel at rest.
-  /// @param parts its parts
+  /// @param parts parts of the controller
   explicit WheelController(const Parts& parts);
 
   WheelController(const WheelController&) = delete;
   WheelController& operator=(const WheelController&) = delete;
 
-  /// @brief Controls the wheel towards its set-point for one cycle. Stops the wheel when its
-  /// velocity or current is missing, when it shows no motion, or when its reversal is late.
+  /// @brief Controls the wheel towards its set-point for one cycle. Stops the wheel if its velocity
+  /// or its current is missing, if the wheel shows no motion, or if its reversal is late.
   /// @param setPoint target of the wheel
   /// @param measured measured values of the wheel in this cycle
   /// @satisfies FR-80
@@ -63,21 +61,22 @@ class WheelController final {
   /// @isr{no}
   void control(const WheelSetPoint& setPoint, const WheelMeasurements& measured);
 
-  /// @brief Stops the wheel for one cycle. Latched faults stay.
+  /// @brief Stops the wheel: lowers its voltage for one cycle, or brakes the wheel if the voltage
+  /// is 0. Latched faults stay latched.
   /// @satisfies FR-88
   /// @satisfies FR-95
   /// @isr{no}
   void halt();
 
-  /// @brief Stops a wheel whose overcurrent trip has acted: no voltage is applied, and control
-  /// starts again without memory after the release. A cycle in which the wheel is controlled and
-  /// halted counts as one cycle.
+  /// @brief Stops a wheel whose overcurrent trip has acted: no voltage is applied. All values that
+  /// control stores are cleared. If this method is called twice in a control cycle, the second call
+  /// does not stop the wheel again.
   /// @satisfies FR-89
   /// @satisfies FR-221
   /// @isr{no}
   void driverOff();
 
-  /// @brief Releases the latched faults: no motion, and a late reversal.
+  /// @brief Releases the two latched faults: no motion feedback, and a late reversal.
   /// @satisfies FR-91
   /// @satisfies FR-222
   /// @isr{no}
@@ -85,7 +84,7 @@ class WheelController final {
 
   /// @brief Returns the measured velocity.
   /// @param at the present time
-  /// @return velocity [0.1 rpm]; nothing when it is older than the lifetime of a measurement
+  /// @return velocity [0.1 rpm]; nothing if it is older than the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}
@@ -93,26 +92,27 @@ class WheelController final {
 
   /// @brief Returns the measured current.
   /// @param at the present time
-  /// @return current [mA]; nothing when it is older than the lifetime of a measurement
+  /// @return current [mA]; nothing if it is older than the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}
   [[nodiscard]] std::optional<Current> current(Instant at) const;
 
-  /// @brief Returns the voltage of the wheel.
-  /// @return voltage [mV], positive forwards; nothing while none is applied
+  /// @brief Returns the applied voltage of the wheel.
+  /// @return voltage [mV], positive forwards; nothing before the first cycle and after an
+  /// overcurrent trip
   /// @satisfies FR-94
   /// @isr{no}
   [[nodiscard]] std::optional<Tension> applied() const;
 
-  /// @brief Checks whether the wheel had voltage and its Hall sensors showed no motion.
-  /// @return true until release()
+  /// @brief Checks whether the wheel had voltage while its Hall sensors showed no motion.
+  /// @return true from the detection of this fault until release()
   /// @satisfies FR-91
   /// @isr{no}
   [[nodiscard]] bool blind() const;
 
   /// @brief Checks whether the wheel could not change its orientation in time.
-  /// @return true until release()
+  /// @return true from the detection of this fault until release()
   /// @satisfies FR-222
   /// @isr{no}
   [[nodiscard]] bool reversalLate() const;
@@ -137,8 +137,8 @@ class WheelController final {
   WheelQuantity quantity_ = WheelQuantity::Velocity;  // quantity of the last set-point
   std::optional<Tension> applied_;
   HallCount seen_{};                  // position at the last detected motion of the wheel
-  std::int32_t effort_ = 0;           // [mV cycles] voltage times the time without motion
-  std::optional<Instant> driverOff_;  // time of the last stop of a wheel whose trip has acted
+  std::int32_t effort_ = 0;           // [mV cycles] sum of voltage times time without motion
+  std::optional<Instant> driverOff_;  // time at which driverOff() stopped the wheel last
   std::uint8_t waitingCycles_ = 0;    // cycles in a row in which a reversal waits without voltage
   bool blind_ = false;
   bool reversalLate_ = false;

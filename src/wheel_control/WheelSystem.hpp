@@ -19,46 +19,46 @@ namespace wr {
 ///
 /// @secret How orders of the main controller are converted to orders of a wheel, and the use of one
 /// thread for each wheel. This thread has a higher priority than the main thread. The main thread
-/// never runs while a wheel's thread is active, so each thread finds the work of the other thread
-/// complete.
+/// never runs while the thread of a wheel is active. Therefore each thread finds the work of the
+/// other thread complete.
 ///
 /// @role{control-system-orders, Concrete Class}
 /// @role{wheel-orders, Context}
 /// @role{wheel-system-construction, Product}
 class WheelSystem final : public ControlSystem {
  public:
-  /// @brief Parts of the system. Each part exists as long as the system.
+  /// @brief Parts of the system. Each part must exist for as long as the system exists.
   /// @datatype
   struct Parts {
     std::size_t wheel;             ///< number of the wheel, 0 to 3
     ControlThread& thread;         ///< executes the orders
     WheelOrder& readVelocity;      ///< the first order of a cycle
-    WheelOrder& registerPosition;  ///< the second order
-    WheelOrder& readCurrent;       ///< the third order
-    WheelOrder& applyControl;      ///< the last order of a cycle with a set-point
-    WheelOrder& haltWheel;         ///< the last order of a cycle without motion
+    WheelOrder& registerPosition;  ///< the second order of a cycle
+    WheelOrder& readCurrent;       ///< the third order of a cycle
+    WheelOrder& applyControl;      ///< the last order of a cycle that follows a set-point
+    WheelOrder& haltWheel;         ///< the last order of a cycle that halts the wheel
   };
 
   /// @brief Constructs the system. The system does nothing before start().
-  /// @param parts its parts
+  /// @param parts parts of the system
   explicit WheelSystem(const Parts& parts);
 
-  /// @brief Sets the body of the thread.
+  /// @brief Starts the thread. Each activation of the thread executes the orders of one cycle.
   /// @pre The method was not called before.
-  /// @errors Assertion ThreadStartedTwice at the second call.
+  /// @errors A second call fails with the assertion ThreadStartedTwice.
   /// @satisfies FR-92
   /// @isr{no}
   void start();
 
-  /// @brief Returns whether the orders of a cycle were executed.
+  /// @brief Checks whether the orders of a cycle were executed.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if the last executed orders are the orders of that cycle
+  /// @return true if the last executed orders are the orders of this cycle
   /// @satisfies FR-5
   /// @satisfies FR-74
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
-  /// @brief Adds the measured and applied values of this wheel.
+  /// @brief Writes the measured and applied values of this wheel.
   /// @param measurements receives the measured values; values of other systems do not change
   /// @param outputs receives the applied voltage; values of other systems do not change
   /// @satisfies FR-93
@@ -67,7 +67,7 @@ class WheelSystem final : public ControlSystem {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
  private:
-  /// Work of an activation of the thread.
+  /// Command that each activation of the thread executes.
   class Body final : public Command {
    public:
     explicit Body(WheelSystem& system);
@@ -93,8 +93,8 @@ class WheelSystem final : public ControlSystem {
   std::size_t count_ = 0;                // number of orders
   WheelWork work_;                       // the wheel's thread writes the results, the main thread
                                          // reads them
-  std::uint32_t cycle_ = 0;              // cycle of the written orders
-  std::atomic<std::uint32_t> completed_{0};  // last cycle whose orders were executed
+  std::uint32_t cycle_ = 0;              // number of the cycle of the written orders
+  std::atomic<std::uint32_t> completed_{0};  // number of the last cycle whose orders were executed
 };
 
 }  // namespace wr

@@ -28,7 +28,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
 
 }  // namespace wr::platform
 
-// The handler waits for its stores: see the handlers of the devices.
+// The handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void tickTimerInterrupt() {
   wr::platform::interruptWatch.tick(wr::platform::timebase.now(), wr::platform::hallEdgeWaits());

@@ -45,7 +45,7 @@ constinit const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilder
 
 }  // namespace wr::platform
 
-// Each handler waits until its stores are complete: platform.cpp states the reason.
+// Each handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void hallSensorInterrupt() {
   // bound: kWheelCount

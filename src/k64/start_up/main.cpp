@@ -34,7 +34,7 @@ RobotDirector director(platform::poolBuilder, controllerBuilder);
 
 }  // namespace wr
 
-// Each handler waits until its stores are complete: platform.cpp states the reason.
+// Each handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();

@@ -11,7 +11,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, systemBuilders);
 
 }  // namespace wr::platform
 
-// The handler waits until its stores are complete: platform.cpp states the reason.
+// The handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void tickTimerInterrupt() {
   wr::platform::poolBuilder.timer().expired();

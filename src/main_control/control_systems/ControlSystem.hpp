@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief A sub-system that measures, controls and actuates one part of the robot.
 ///
-/// @function Defines the same sequence of orders in each cycle for every control system. Subclasses define how they
-/// carry out each order.
+/// @function Defines the sequence of orders that every control system gets in each cycle. Each
+/// subclass carries out these orders in its own way.
 ///
 /// @secret The sequence of orders in one control cycle of a control system.
 ///
@@ -18,16 +18,16 @@ namespace wr {
 ///
 /// @patternapp{control-system-orders, Template Method, Main controller orders for control sub-systems}
 /// @why The main controller sends the same sequence of orders to all control systems. Each control
-/// system executes an order differently.
-/// @changes The way in which one system carries out an order may change. A new order is one more step of
-/// the sequence.
+/// system carries out an order in a different way.
+/// @changes The way in which one system carries out an order may change. A new order is one more
+/// step of the sequence.
 class ControlSystem {
  public:
   ControlSystem(const ControlSystem&) = delete;
   ControlSystem& operator=(const ControlSystem&) = delete;
 
   /// @brief Orders the system to measure, to follow the set-points and to start its work.
-  /// @param setPoints target of the system
+  /// @param setPoints set-points of all control systems; the system uses its own set-point
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
   void control(const SetPoints& setPoints, std::uint32_t cycle);
@@ -43,13 +43,13 @@ class ControlSystem {
   /// @isr{no}
   void acknowledge(std::uint32_t cycle);
 
-  /// @brief Returns whether the work that was ordered for a cycle is done.
+  /// @brief Checks whether the system has completed the work that was ordered in a cycle.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if the last work that was done is the work of that cycle.
+  /// @return true if the work that was completed last is the work of this cycle.
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Adds the measured and applied values of the system.
+  /// @brief Writes the measured and applied values of the system.
   /// @param measurements receives the measured values; values of other systems do not change
   /// @param outputs receives the applied values; values of other systems do not change
   /// @isr{no}

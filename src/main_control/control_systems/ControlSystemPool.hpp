@@ -13,8 +13,8 @@ namespace wr {
 
 /// @brief All control systems of the robot.
 ///
-/// @function Passes each order of the main controller to every control system, in the order in
-/// which they were added, and collects their measured and applied values.
+/// @function Passes each order of the main controller to all control systems, from the first added
+/// system to the last. Collects the measured and applied values of the systems.
 ///
 /// @secret How the control systems are stored, and the sequence in which they get orders.
 ///
@@ -30,14 +30,14 @@ class ControlSystemPool {
   ControlSystemPool& operator=(const ControlSystemPool&) = delete;
 
   /// @brief Adds a control system.
-  /// @param system control system that exists as long as the pool
-  /// @errors A pool that is full ends the program with the assertion PoolFull.
+  /// @param system control system; it must exist for as long as the pool exists
+  /// @errors If the pool is full, the assertion PoolFull ends the program.
   /// @isr{no}
   /// @satisfies FR-176
   void add(ControlSystem& system);
 
   /// @brief Orders all control systems to follow the set-points.
-  /// @param setPoints targets of the systems
+  /// @param setPoints set-points of the control systems
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
   void control(const SetPoints& setPoints, std::uint32_t cycle);
@@ -52,9 +52,9 @@ class ControlSystemPool {
   /// @isr{no}
   void acknowledge(std::uint32_t cycle);
 
-  /// @brief Returns whether all control systems have done the work of a cycle.
+  /// @brief Checks whether all control systems have completed the work of a cycle.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if every control system has done its work; also true for an empty pool.
+  /// @return true if every control system has completed its work, or if the pool is empty.
   /// @satisfies FR-5
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const;

@@ -5,10 +5,10 @@
 
 namespace wr {
 
-/// @brief The steps of reading that are the same for every source.
+/// @brief The reading mode with the steps that are the same for every source of orders.
 ///
-/// @function Reads one order from a Reader and saves its set-points. The modes wrap it and add the
-/// particular behaviour of their source.
+/// @function Reads one order from a Reader and saves the set-points of the order. Each other mode
+/// wraps a basic mode and adds the behaviour that only its source needs.
 ///
 /// @secret The object that passes the set-points of every source: one OrderMessage.
 ///
@@ -24,7 +24,7 @@ class BasicMode final : public Mode {
   void serve() override;
 
   /// @brief Returns whether the reader has an order that can be read now.
-  /// @return true if the order is the newest of its source, not too old, and was not read before.
+  /// @return true if the newest order of the source is not too old and was not read before.
   /// @satisfies FR-20
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
@@ -38,8 +38,8 @@ class BasicMode final : public Mode {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Does nothing: the basic part has no successor.
-  /// @param mCtrl controller, which is not changed
+  /// @brief Does nothing, because the basic mode has no successor.
+  /// @param mCtrl is not used
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 

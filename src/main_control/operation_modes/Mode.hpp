@@ -6,7 +6,7 @@ namespace wr {
 
 class MainController;
 
-/// @brief The reading modes, as they are numbered in reports.
+/// @brief The reading modes. Their values are the numbers of the modes in reports.
 /// @datatype
 enum class ModeId : std::uint8_t {
   RC = 0,     ///< the remote control
@@ -16,8 +16,9 @@ enum class ModeId : std::uint8_t {
 
 /// @brief A reading mode: the source from which orders are read.
 ///
-/// @function Provides one interface to check for a message, to read it and to change to the other
-/// source. Also returns, in every mode, whether its source ordered a stop.
+/// @function Provides one interface to check for a message, to read the message and to change to
+/// the other source. Each mode also returns whether its source orders a stop, even while orders are
+/// read from another source.
 ///
 /// @secret Which source belongs to a reading mode.
 ///
@@ -26,15 +27,17 @@ enum class ModeId : std::uint8_t {
 ///
 /// @patternapp{reading-modes, State, Reading modes}
 /// @why The steps that read an order depend on the source: the system reads orders from the PC or
-/// from the remote control. Each mode is a state, so no other module has to compare modes.
-/// @changes The way a mode reads may change. A new source of orders, such as a Bluetooth device, is
-/// a new subclass of this class and changes no other module of Main Control.
+/// from the remote control. Each mode is an object with its own steps. Therefore no other module
+/// has to check which mode is set.
+/// @changes The way in which a mode reads may change. A new source of orders, such as a Bluetooth
+/// device, needs a new subclass of this class. No other module of Main Control changes.
 class Mode {
  public:
   Mode(const Mode&) = delete;
   Mode& operator=(const Mode&) = delete;
 
-  /// @brief Processes the input of the source. It is called once in each cycle, in every mode.
+  /// @brief Processes the input of the source. In each cycle, the main controller calls this
+  /// function once for every mode.
   /// @isr{no}
   virtual void serve() = 0;
 
@@ -50,13 +53,13 @@ class Mode {
   /// @isr{no}
   virtual void read(MainController& mCtrl) = 0;
 
-  /// @brief Lets the controller read from the successor of this mode.
+  /// @brief Sets the reading mode of the controller to the successor of this mode.
   /// @param mCtrl controller whose mode changes
   /// @isr{no}
   virtual void changeMode(MainController& mCtrl) = 0;
 
   /// @brief Returns whether the source ordered a stop and has not released it.
-  /// @return true from a stop order until the same source sends an order without stop.
+  /// @return true from the stop order of the source until this source releases the stop.
   /// @isr{no}
   [[nodiscard]] virtual bool stopOrdered() const = 0;
 

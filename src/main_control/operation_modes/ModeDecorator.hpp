@@ -6,18 +6,18 @@ namespace wr {
 
 /// @brief A mode that extends another mode.
 ///
-/// @function Forwards each operation to the wrapped mode, unless a subclass extends it. Subclasses
-/// define the operations that they extend.
+/// @function Forwards each call to the wrapped mode. A subclass overrides the operations that it
+/// extends.
 ///
 /// @secret Which operations of the wrapped mode are forwarded unchanged.
 ///
 /// @role{mode-extensions, Decorator}
 ///
 /// @patternapp{mode-extensions, Decorator, Operation modes as extensions of a basic task}
-/// @why The source of the orders determines the mode. Reading has the same basic actions in each
-/// mode, and each mode adds other actions to them.
-/// @changes The additions of a mode to reading may change without change to the basic task. A new
-/// reading mode is one more decorator around it.
+/// @why The source of the orders determines the mode. The basic actions that read an order are the
+/// same in each mode. Each mode adds other actions to these basic actions.
+/// @changes The actions that a mode adds may change. This needs no change to the basic actions. A
+/// new reading mode is one more decorator around the basic mode.
 class ModeDecorator : public Mode {
  public:
   void serve() override;

@@ -5,11 +5,11 @@
 
 namespace wr {
 
-/// @brief The reading mode in which the PC on the robot commands it.
+/// @brief The reading mode in which the PC on the robot gives the orders.
 ///
 /// @function Extends the basic mode: an order is valid only while the PC is connected, and the PC
-/// is recorded as the source of its set-points. Changes to the other mode when the operation state
-/// demands it.
+/// is recorded as the source of the set-points. Changes to the other mode when the operation state
+/// demands this change.
 ///
 /// @secret The rule that an order of the PC is invalid without a connection, and how the PC is
 /// recorded as the source of set-points.
@@ -18,9 +18,9 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class PC final : public ModeDecorator {
  public:
-  /// @brief Binds the mode to the mode that it extends, to the mode that follows it and to the PC link.
+  /// @brief Binds the mode to the mode that it extends, to its successor and to the PC link.
   /// @param wrapped basic mode that reads the orders of the PC
-  /// @param other mode to change to; only its address is used before the first changeMode()
+  /// @param other successor of this mode; it need not be constructed before the first changeMode()
   /// @param connection link to the PC
   PC(Mode& wrapped, Mode& other, PcConnection& connection);
 
@@ -35,7 +35,7 @@ class PC final : public ModeDecorator {
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
-  /// @brief Saves the mode id of the PC, then lets the wrapped mode read.
+  /// @brief Records the PC as the source of the set-points. Then lets the wrapped mode read.
   /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
   /// @post The order cannot be read again.
@@ -44,7 +44,7 @@ class PC final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Lets the controller read from the other mode.
+  /// @brief Sets the reading mode of the controller to the other mode.
   /// @param mCtrl controller whose mode changes
   /// @satisfies FR-17
   /// @isr{no}

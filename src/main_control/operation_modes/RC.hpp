@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief The reading mode in which a person commands the robot with the remote control.
 ///
-/// @function Extends the basic mode: records the remote control as the source of the set-points,
-/// and changes to the other mode when the operation state demands it.
+/// @function Extends the basic mode: records the remote control as the source of the set-points.
+/// Changes to the other mode when the operation state demands this change.
 ///
 /// @secret How the remote control is recorded as the source of set-points.
 ///
@@ -15,12 +15,13 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class RC final : public ModeDecorator {
  public:
-  /// @brief Binds the mode to the mode that it extends and to the mode that follows it.
+  /// @brief Binds the mode to the mode that it extends and to its successor.
   /// @param wrapped basic mode that reads the signals of the remote control
-  /// @param other mode to change to; only its address is used before the first changeMode()
+  /// @param other successor of this mode; it need not be constructed before the first changeMode()
   RC(Mode& wrapped, Mode& other);
 
-  /// @brief Saves the mode id of the remote control, then lets the wrapped mode read.
+  /// @brief Records the remote control as the source of the set-points. Then lets the wrapped mode
+  /// read.
   /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
   /// @post The order cannot be read again.
@@ -29,7 +30,7 @@ class RC final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Lets the controller read from the other mode.
+  /// @brief Sets the reading mode of the controller to the other mode.
   /// @param mCtrl controller whose mode changes
   /// @satisfies FR-17
   /// @isr{no}

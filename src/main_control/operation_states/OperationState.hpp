@@ -7,7 +7,7 @@ namespace wr {
 class MainController;
 class Mode;
 
-/// @brief The operation states, as they are numbered in reports.
+/// @brief The operation states. Their values are the numbers of the states in reports.
 /// @datatype
 enum class OperationStateId : std::uint8_t {
   Working = 0,      ///< an order was read in this cycle
@@ -16,11 +16,11 @@ enum class OperationStateId : std::uint8_t {
   Reconnecting = 3  ///< more than N reads in a row failed
 };
 
-/// @brief A state of Main Control: decides the steps of a cycle.
+/// @brief A state of Main Control, which decides the actions of a cycle.
 ///
-/// @function Reads orders in the same steps in every state, and lets its subclasses define the
-/// reaction to a message or to a missing message. Orders the control systems and the report of the
-/// cycle.
+/// @function Reads orders with the same steps in every state. Subclasses define the reaction to a
+/// message and the reaction to a missing message. Also gives the orders to the control systems and
+/// the order to send the report of the cycle.
 ///
 /// @secret The steps of reading an order that all operation states share.
 ///
@@ -34,25 +34,26 @@ enum class OperationStateId : std::uint8_t {
 /// failed reads, is a new subclass of this class and does not change the other states.
 ///
 /// @patternapp{read-orders, Template Method, Read orders in the operation states}
-/// @why Reading an order has the same steps in every state: check for a message, then act with or
-/// without a message. Only the two actions differ.
-/// @changes The actions of one state with or without a message may change without change to the
-/// steps.
+/// @why Reading an order has the same steps in every state: check for a message, then execute one
+/// action if there is a message, and another action if there is none. Only these two actions differ
+/// from state to state.
+/// @changes The two actions of one state may change. This needs no change to the steps.
 class OperationState {
  public:
   OperationState(const OperationState&) = delete;
   OperationState& operator=(const OperationState&) = delete;
 
-  /// @brief Checks whether the present mode has a message, then acts with or without a message.
+  /// @brief Checks whether the present mode has a message. Then executes the action of this state
+  /// for a message or for a missing message.
   /// @param mCtrl controller that reads
-  /// @post The current state is the result of this read.
+  /// @post The operation state of the controller is the state that results from this read.
   /// @satisfies FR-13
   /// @satisfies FR-15
   /// @isr{no}
   void read(MainController& mCtrl);
 
   /// @brief Orders the control systems to follow the set-points that were read last.
-  /// @param mCtrl controller whose control systems are ordered
+  /// @param mCtrl controller whose control systems get the order
   /// @satisfies FR-14
   /// @isr{no}
   virtual void control(MainController& mCtrl);

@@ -4,13 +4,13 @@
 
 namespace wr {
 
-/// @brief No source sends orders: the robot is at rest and tries to read the sources alternately.
+/// @brief The state without orders: the robot is at rest and tries to read the sources alternately.
 ///
-/// @function Holds the control systems. Each failed read changes the reading mode; a message ends the
+/// @function Holds the control systems. Each failed read changes the reading mode. A message ends
+/// the search for a source of orders.
+///
+/// @secret How the system looks for a source of orders, and the behaviour of the robot during this
 /// search.
-///
-/// @secret How the system looks for a source of orders, and the behaviour of the robot in the
-/// meantime.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
@@ -18,11 +18,12 @@ namespace wr {
 class Reconnecting final : public OperationState {
  public:
   /// @brief Binds the state to its successor.
-  /// @param working state after a message; only its address is used before the first read()
+  /// @param working state that follows when a message arrives; it need not be constructed before
+  /// the first read()
   explicit Reconnecting(OperationState& working);
 
   /// @brief Orders the control systems to halt the wheels and to hold the steering.
-  /// @param mCtrl controller whose control systems are ordered
+  /// @param mCtrl controller whose control systems get the order
   /// @satisfies FR-18
   /// @isr{no}
   void control(MainController& mCtrl) override;
@@ -30,11 +31,11 @@ class Reconnecting final : public OperationState {
  private:
   /// @brief Reads the message and sets the working state.
   /// @param mCtrl controller that reads
-  /// @param md present mode
+  /// @param md present reading mode
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Changes the reading mode and keeps the state.
+  /// @brief Changes the reading mode. The operation state does not change.
   /// @param mCtrl controller that reads
   /// @satisfies FR-17
   void actionNoMsg(MainController& mCtrl) override;

@@ -6,10 +6,12 @@
 
 namespace wr {
 
-/// @brief Some reads failed: the system continues and counts the failed reads.
+/// @brief The state after the first failed reads: the robot continues, and further failed reads are
+/// counted.
 ///
-/// @function Counts failed reads up to a number, then sets the next state. A message ends
-/// the wait. Meanwhile the control systems follow the set-points that were read last.
+/// @function Counts failed reads. When their number reaches a limit, sets the next state. When a
+/// message arrives, sets the state Working. Meanwhile the control systems follow the set-points
+/// that were read last.
 ///
 /// @secret How failed reads are counted, and when this state ends.
 ///
@@ -19,20 +21,22 @@ namespace wr {
 class Waiting final : public OperationState {
  public:
   /// @brief Binds the state to its successors.
-  /// @param working state after a message; only its address is used before the first read()
-  /// @param next state after the failed reads; only its address is used before the first read()
-  /// @param failedReads number of successive failed reads that set the next state; the read that
-  /// led to this state is the first of them [2 to 255]
+  /// @param working state that follows when a message arrives; it need not be constructed before
+  /// the first read()
+  /// @param next state that follows when the number of failed reads reaches its limit; it need not
+  /// be constructed before the first read()
+  /// @param failedReads limit of the number of successive failed reads [2 to 255]; the failed read
+  /// that set this state counts as the first
   Waiting(OperationState& working, OperationState& next, std::uint8_t failedReads);
 
  private:
   /// @brief Reads the message and sets the working state.
   /// @param mCtrl controller that reads
-  /// @param md present mode
+  /// @param md present reading mode
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Counts the failed read, and sets the next state after the last permitted failed read.
+  /// @brief Counts the failed read, and sets the next state when the number reaches its limit.
   /// @param mCtrl controller that reads
   /// @satisfies FR-15
   /// @satisfies FR-16
@@ -42,7 +46,7 @@ class Waiting final : public OperationState {
   OperationState& working_;
   OperationState& next_;
   std::uint8_t limit_;
-  std::uint8_t failedReads_ = 1;  // the read that led to this state is the first
+  std::uint8_t failedReads_ = 1;  // the failed read that set this state counts as the first
 };
 
 }  // namespace wr

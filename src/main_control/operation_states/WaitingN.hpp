@@ -6,11 +6,11 @@ namespace wr {
 
 /// @brief The last waiting state: N reads in a row failed.
 ///
-/// @function Waits one more cycle for the present source. A message ends the wait; a failed read starts the
-/// search for another source. Meanwhile the control systems follow the set-points that were read
-/// last.
+/// @function Waits one more cycle for an order of the present source. When a message arrives, sets
+/// the state Working. When the read fails, starts the search for another source. Meanwhile the
+/// control systems follow the set-points that were read last.
 ///
-/// @secret The action at the end of the wait.
+/// @secret The action that follows when the last wait brings no message.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
@@ -18,14 +18,16 @@ namespace wr {
 class WaitingN final : public OperationState {
  public:
   /// @brief Binds the state to its successors.
-  /// @param working state after a message; only its address is used before the first read()
-  /// @param reconnecting state after a failed read; only its address is used before the first read()
+  /// @param working state that follows when a message arrives; it need not be constructed before
+  /// the first read()
+  /// @param reconnecting state that follows when a read fails; it need not be constructed before
+  /// the first read()
   WaitingN(OperationState& working, OperationState& reconnecting);
 
  private:
   /// @brief Reads the message and sets the working state.
   /// @param mCtrl controller that reads
-  /// @param md present mode
+  /// @param md present reading mode
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 

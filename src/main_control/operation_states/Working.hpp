@@ -4,9 +4,9 @@
 
 namespace wr {
 
-/// @brief Orders arrive: the last read found an order.
+/// @brief The normal state, in which orders arrive.
 ///
-/// @function Reads a message if a message is available. Otherwise it sets the waiting state.
+/// @function Reads a message if a message is available. Otherwise sets the first waiting state.
 ///
 /// @secret The reaction to the first failed read.
 ///
@@ -16,17 +16,18 @@ namespace wr {
 class Working final : public OperationState {
  public:
   /// @brief Binds the state to its successor.
-  /// @param waiting state after a failed read; only its address is used before the first read()
+  /// @param waiting state that follows when a read fails; it need not be constructed before the
+  /// first read()
   explicit Working(OperationState& waiting);
 
  private:
-  /// @brief Reads the message and keeps the state.
+  /// @brief Reads the message. The operation state does not change.
   /// @param mCtrl controller that reads
-  /// @param md present mode
+  /// @param md present reading mode
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Sets the waiting state.
+  /// @brief Sets the first waiting state.
   /// @param mCtrl controller that reads
   /// @satisfies FR-15
   void actionNoMsg(MainController& mCtrl) override;

@@ -11,11 +11,13 @@ namespace wr {
 
 namespace {
 
-// The range of 4096 is 3300 mV, and the sensor outputs 0.1 mV per mA: 33000 mA over the range.
+// The 4096 steps of the converter are 3300 mV. The sensor outputs 0.1 mV per mA. Therefore the
+// range of the converter is 33000 mA.
 constexpr std::int32_t kMilliamperes = 33000;
 constexpr std::int32_t kRange = 4096;
 
-// The range of the sensor ends at 16.5 A: a mean beyond this value is not a measurement [mA].
+// Greatest mean that counts as a measurement [mA]. The range of the converter ends at 16.5 A in
+// each direction.
 constexpr std::int32_t kMaxCurrent = 16000;
 
 }  // namespace

@@ -8,25 +8,25 @@
 namespace wr {
 
 /// @brief Sensor for the current of a wheel.
-/// @function Measures the mean current once a cycle and writes it to a pipe.
+/// @function Measures the mean current once in each cycle, and writes this current to a pipe.
 /// @secret The computation of a current as the mean of the samples of a cycle, and the scale of the
 /// sensor.
 /// @role{functions, Context}
 class CntSensor final {
  public:
-  /// @brief Binds the sensor.
+  /// @brief Binds the sensor to its collector, its function and its pipe.
   /// @param collector returns the samples
   /// @param function calculates the current; it rejects an impossible value
-  /// @param current receives the current, with the time of its newest sample
+  /// @param current pipe that receives the current and the time of its newest sample
   CntSensor(ValueCollector& collector, const Function& function, Pipe<Current>& current);
 
   CntSensor(const CntSensor&) = delete;
   CntSensor& operator=(const CntSensor&) = delete;
 
-  /// @brief Writes the mean of the samples since the last call to the pipe.
-  /// @pre No more than 500000 samples were taken since the last call.
-  /// @errors Without samples, or with a mean beyond 16 A, nothing is written: the value in the pipe
-  /// becomes old.
+  /// @brief Computes the mean of the samples since the last call, and writes this mean to the pipe.
+  /// @pre At most 500000 samples were taken since the last call.
+  /// @errors If there are no samples, or if the mean is beyond 16 A, writes nothing. The previous
+  /// value stays in the pipe and becomes old.
   /// @isr{no}
   /// @satisfies FR-125
   void measure();

@@ -6,26 +6,27 @@
 
 namespace wr {
 
-/// @brief Command of a tick: samples the current of a wheel.
-/// @function Reads the sample that the previous tick requested, passes it to the collector, and
-/// requests the next sample.
-/// @secret How sampling is spread over two ticks, so that no interrupt waits for a conversion.
+/// @brief Command that samples the current of a wheel at each tick.
+/// @function Reads the sample that the previous tick requested, passes this sample to the
+/// collector, and requests the next sample.
+/// @secret The rule that one tick requests a sample and the next tick reads this sample. Therefore
+/// no interrupt waits for a conversion.
 /// @role{wheel-timer-interrupt, Concrete Command}
 ///
 /// @patternapp{wheel-timer-interrupt, Command, Process timer interruptions for the wheel control
 /// system}
 /// @why The current of a wheel is sampled at each interrupt of a timer. The timer executes a
-/// command object, so it names no module of the wheels.
-/// @changes The actions at a tick, or the modules that they affect, may change without change to
-/// the timer.
+/// command object. Therefore the timer names no module of the wheels.
+/// @changes The actions at a tick may change, and so may the modules that these actions affect.
+/// This needs no change to the timer.
 class ReadCnt final : public Command {
  public:
-  /// @brief Binds the command.
+  /// @brief Binds the command to its input and its collector.
   /// @param input converts the voltage of the sensor
   /// @param collector receives the samples
   ReadCnt(AnalogInput& input, ValueCollector& collector);
 
-  /// @brief Passes a sample to the collector, if a sample is ready, and requests the next sample.
+  /// @brief Requests the next sample. If the previous sample is ready, passes it to the collector.
   /// @isr{yes}
   /// @satisfies FR-100
   /// @satisfies FR-125

@@ -9,9 +9,9 @@
 
 namespace wr {
 
-/// @brief Record of the samples of a current. Sum and number count from start and can overflow: a
-/// reader subtracts two records to get the values between them. The difference is correct for at
-/// most 500000 samples, with the sum read as a signed number.
+/// @brief Record of the samples of a current. Sum and number include all samples since start, and
+/// both can overflow. A reader subtracts an earlier record from a later record. The differences are
+/// correct for at most 500000 samples, if the difference of the sums is read as a signed number.
 /// @datatype
 struct CurrentRecord {
   std::uint32_t sum =
@@ -20,11 +20,11 @@ struct CurrentRecord {
   Instant at{};              ///< time of the newest sample
 };
 
-/// @brief Collects the samples of the current of a wheel.
-/// @function Measures the zero of the sensor at start, adds up the samples for the thread of the
-/// wheel, and executes a command as soon as the current is too high.
-/// @secret The conversion of a sample to a current: the zero of the sensor, and the limit beyond which the
-/// motor must be switched off.
+/// @brief A collector of the samples of the current of a wheel.
+/// @function Measures the zero of the sensor at start. Adds up the samples for the thread of the
+/// wheel. Executes a command as soon as the current is too high.
+/// @secret The zero of the sensor, which is subtracted from each sample, and the limit beyond which
+/// the motor must be switched off.
 /// @hides{ValueCollector::kGroupSize}
 /// @hides{ValueCollector::kZeroSamples}
 /// @role{wheel-timer-interrupt, Receiver}
@@ -36,19 +36,19 @@ class ValueCollector final {
   /// @brief Number of samples between two writes of the record.
   static constexpr std::uint32_t kGroupSize = 8;
 
-  /// @brief Binds the command that ends an overcurrent.
+  /// @brief Binds the collector to the command that ends an overcurrent.
   /// @param overcurrent is executed in the interrupt, at the fifth successive sample that is too
-  /// high and at each further sample that is too high
+  /// high and at each further successive sample that is too high
   /// @param timebase returns the time of a sample
   ValueCollector(Command& overcurrent, const Timebase& timebase);
 
   ValueCollector(const ValueCollector&) = delete;
   ValueCollector& operator=(const ValueCollector&) = delete;
 
-  /// @brief Processes a sample. The mean of the first 64 samples is the zero of the sensor. When
-  /// the zero differs from the middle of the range by more than 5 % of the range, all later samples
-  /// are ignored. Later samples are added to the record. A sample beyond 15 A, or at an end of the
-  /// range, is too high.
+  /// @brief Processes a sample. The mean of the first 64 samples is the zero of the sensor. If the
+  /// zero differs from the middle of the range by more than 5 % of the range, all later samples are
+  /// ignored. Otherwise each later sample is added to the record. A sample is too high if it is
+  /// beyond 15 A or at an end of the range.
   /// @param raw present sample [1/4096 of the range, 0 to 4095]
   /// @pre The motor has no current until the zero is computed.
   /// @isr{yes}
@@ -58,21 +58,23 @@ class ValueCollector final {
   void collect(std::uint16_t raw);
 
   /// @brief Returns the record of the samples, up to the last complete group of 8.
-  /// @return the record, unchanged until the next call; empty before the eighth sample after the
-  /// zero
-  /// @pre No other call of record() is active: only the thread of the wheel calls this function.
+  /// @return the record, which does not change before the next call; it is empty before the eighth
+  /// sample after the samples of the zero
+  /// @pre Only the thread of the wheel calls this function.
   /// @isr{no}
   /// @satisfies FR-125
   [[nodiscard]] const CurrentRecord& record();
 
  private:
-  /// @brief Adds a sample to the mean that calibrates the zero of the sensor.
+  /// @brief Adds a sample to the sum from which the zero of the sensor is computed. Computes the
+  /// zero after the last of these samples.
   void learnZero(std::int32_t raw);
 
-  /// @brief Executes the command when the samples are too high.
+  /// @brief Counts the successive samples that are too high, and executes the command from the
+  /// fifth of them on.
   void guard(std::int32_t raw);
 
-  /// @brief Writes the samples up to now for the thread.
+  /// @brief Writes the record of all samples up to now for the thread of the wheel.
   void publish();
 
   Command& overcurrent_;

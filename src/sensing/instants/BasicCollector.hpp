@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief The collector that all other collectors extend.
 /// @function Records the time of the last edge.
-/// @secret The choice to store only the last edge.
+/// @secret The rule that only the time of the last edge is stored.
 /// @role{instant-collectors, Concrete Component}
 class BasicCollector final : public InstantCollector {
  public:
@@ -21,8 +21,8 @@ class BasicCollector final : public InstantCollector {
   /// @satisfies FR-120
   void collect(const Edge& edge) override;
 
-  /// @brief Adds to the record the time of the last edge.
-  /// @param instants receives `last`; unchanged before the first edge
+  /// @brief Writes the time of the last edge to the record.
+  /// @param instants receives `last`, which is empty before the first edge
   /// @isr{yes}
   /// @satisfies FR-120
   void fill(Instants& instants) const override;

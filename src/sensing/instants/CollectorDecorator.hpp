@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief A collector that extends another collector.
-/// @function Forwards each call to the wrapped collector. Each subclass adds a value.
+/// @function Forwards each call to the wrapped collector. Each subclass adds a value to the record.
 /// @secret Which operations of the wrapped collector are forwarded unchanged.
 /// @role{instant-collectors, Decorator}
 class CollectorDecorator : public InstantCollector {

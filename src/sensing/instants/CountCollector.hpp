@@ -6,18 +6,19 @@
 
 namespace wr {
 
-/// @brief Adds the number of edges.
-/// @function Counts the forward edges minus the backward edges.
+/// @brief A collector that adds the number of edges to the record.
+/// @function Counts up at each forward edge, and down at each backward edge.
 /// @secret How edges are counted, and the overflow of the count.
 /// @role{instant-collectors, Concrete Decorator}
 class CountCollector final : public CollectorDecorator {
  public:
-  /// @brief Extends a collector.
+  /// @brief Binds the decorator to the collector that it extends.
   /// @param wrapped the extended collector
   explicit CountCollector(InstantCollector& wrapped);
 
-  /// @brief Forwards the edge and adds its direction to the count. The count overflows from its
-  /// greatest number to its least, so that differences stay correct.
+  /// @brief Forwards the edge, and adds its direction (1, -1 or 0) to the count. After its greatest
+  /// value the count continues with its least value. Therefore the difference of two counts stays
+  /// correct.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-121
@@ -30,7 +31,7 @@ class CountCollector final : public CollectorDecorator {
   void fill(Instants& instants) const override;
 
  private:
-  std::uint32_t count_ = 0;  // a negative count in two's complement
+  std::uint32_t count_ = 0;  // a negative count is stored in two's complement
 };
 
 }  // namespace wr

@@ -12,29 +12,29 @@ namespace wr {
 struct Edge {
   Instant at{};               ///< time of the edge
   bool rising = false;        ///< the level is high after the edge
-  std::int8_t direction = 0;  ///< 1 forwards, -1 backwards, 0 when the signal has no direction
+  std::int8_t direction = 0;  ///< 1 forwards, -1 backwards; 0 if the signal has no direction
 };
 
-/// @brief Record of the edges of a signal. An absent value was not collected.
+/// @brief Record of the edges of a signal. A value that no collector measures is empty.
 /// @datatype
 struct Instants {
   std::optional<Instant> last;         ///< time of the last edge
   std::optional<Microseconds> period;  ///< time between the two last rising edges
   std::optional<Microseconds> width;   ///< length of the last pulse, from rising to falling edge
-  std::int32_t count = 0;              ///< forward edges minus backward edges
+  std::int32_t count = 0;              ///< number of forward edges minus number of backward edges
 };
 
-/// @brief Collects instants of the edges of a signal.
-/// @function Processes each edge of a signal, and computes values from all of them.
-/// @secret The stored times of the edges, and the values that are computed from them.
+/// @brief A collector of instants, which are the times of the edges of a signal.
+/// @function Processes each edge of a signal, and computes values from the edges.
+/// @secret Which times of edges are stored, and which values are computed from these times.
 /// @role{instant-collectors, Component}
 ///
 /// @patternapp{instant-collectors, Decorator, Collectors of time instants}
 /// @why The signals of the remote control and of the Hall sensors are measured by the times of
-/// their edges. Each signal needs different values, and each collector of values extends a basic
-/// collector.
-/// @changes A value that is calculated may change. A new value is one more decorator, and only the
-/// signals that need it are wrapped in it.
+/// their edges. Each signal needs different values. Each value has its own collector, which extends
+/// a basic collector.
+/// @changes The calculation of a value may change. A new value needs one more decorator, which
+/// wraps only the collectors of the signals that need this value.
 class InstantCollector {
  public:
   InstantCollector(const InstantCollector&) = delete;
@@ -45,7 +45,8 @@ class InstantCollector {
   /// @isr{yes}
   virtual void collect(const Edge& edge) = 0;
 
-  /// @brief Writes the values of this collector, and no others.
+  /// @brief Writes the values of this collector and of the collectors that it wraps. Other values
+  /// do not change.
   /// @param instants receives the values
   /// @isr{yes}
   virtual void fill(Instants& instants) const = 0;

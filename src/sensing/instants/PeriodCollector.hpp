@@ -6,24 +6,24 @@
 
 namespace wr {
 
-/// @brief Adds the period of the signal.
+/// @brief A collector that adds the period of the signal to the record.
 /// @function Measures the time between the two last rising edges.
 /// @secret The edges that begin and end a period.
 /// @role{instant-collectors, Concrete Decorator}
 class PeriodCollector final : public CollectorDecorator {
  public:
-  /// @brief Extends a collector.
+  /// @brief Binds the decorator to the collector that it extends.
   /// @param wrapped the extended collector
   explicit PeriodCollector(InstantCollector& wrapped);
 
-  /// @brief Forwards the edge; a rising edge ends a period and begins the next period.
+  /// @brief Forwards the edge. A rising edge ends a period and begins the next period.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-55
   void collect(const Edge& edge) override;
 
   /// @brief Adds the period to the record of the wrapped collector.
-  /// @param instants receives `period` [us]; unchanged before the second rising edge
+  /// @param instants receives `period` [us], which is empty before the second rising edge
   /// @isr{yes}
   /// @satisfies FR-55
   void fill(Instants& instants) const override;

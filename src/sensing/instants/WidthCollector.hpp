@@ -6,31 +6,32 @@
 
 namespace wr {
 
-/// @brief Adds the width of a pulse.
+/// @brief A collector that adds the width of the last pulse to the record.
 /// @function Measures the width of the last pulse.
 /// @secret The condition for a rising and a falling edge to form one pulse.
 /// @role{instant-collectors, Concrete Decorator}
 class WidthCollector final : public CollectorDecorator {
  public:
-  /// @brief Extends a collector.
+  /// @brief Binds the decorator to the collector that it extends.
   /// @param wrapped the extended collector
   explicit WidthCollector(InstantCollector& wrapped);
 
-  /// @brief Forwards the edge; a rising edge begins a pulse, and the next falling edge ends it. A
-  /// falling edge without a rising edge before it ends no pulse, and the width is then unknown.
+  /// @brief Forwards the edge. A rising edge begins a pulse, and the next falling edge ends this
+  /// pulse. If no rising edge came before a falling edge, the falling edge ends no pulse, and the
+  /// width becomes empty.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-52
   void collect(const Edge& edge) override;
 
   /// @brief Adds the width to the record of the wrapped collector.
-  /// @param instants receives `width` [us]; unchanged without a complete pulse
+  /// @param instants receives `width` [us], which is empty if no complete pulse was measured
   /// @isr{yes}
   /// @satisfies FR-52
   void fill(Instants& instants) const override;
 
  private:
-  std::optional<Instant> rise_;  // beginning of the pulse that has not ended
+  std::optional<Instant> rise_;  // time at which the present pulse began; empty between pulses
   std::optional<Microseconds> width_;
 };
 

@@ -8,11 +8,12 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kFullAngle = 8000;  // over the whole range [0.01 degree]
+constexpr std::int32_t kFullAngle = 8000;  // [0.01 degree] angle of the whole range
 constexpr std::int32_t kRange = 4096;
 constexpr std::int32_t kMiddleCount = 2048;
 
-// A broken or shorted cable moves the sample beyond these limits: 2 % of the range at each end.
+// A broken or short-circuited cable moves the sample beyond these limits. The distance between a
+// limit and the end of the range is 2 % of the range.
 constexpr std::int32_t kLowestCount = 82;
 constexpr std::int32_t kHighestCount = 4013;
 

@@ -8,35 +8,38 @@
 namespace wr {
 
 /// @brief The two Hall sensors of a wheel.
-/// @function Causes an interrupt at each edge of either sensor, executes its command, and returns
-/// the present levels of both.
+/// @function Causes an interrupt at each edge of one of the sensors, and executes a command in this
+/// interrupt. Returns the present levels of both sensors.
 /// @secret The hardware that detects the rotation of a wheel.
 /// @role{hall-interrupt, Invoker}
 class ActiveSensor final {
  public:
-  /// @brief Binds the inputs of both sensors and the command.
-  /// @param a first sensor
-  /// @param b second sensor, a quarter of a period behind the first when the wheel turns forwards
+  /// @brief Binds the sensors to their inputs and to the command.
+  /// @param a input of the first sensor
+  /// @param b input of the second sensor; when the wheel turns forwards, the signal of this sensor
+  /// is a quarter of a period behind the signal of the first sensor
   /// @param command is executed at each edge
   ActiveSensor(EdgeInput& a, EdgeInput& b, Command& command);
 
   ActiveSensor(const ActiveSensor&) = delete;
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
-  /// @brief Enables the interrupts of both sensors. First executes the command once, so that the
-  /// counter has the position of the wheel.
+  /// @brief Executes the command once, which records the present levels of both sensors. Then
+  /// enables the interrupts of both sensors.
   /// @isr{no}
   /// @satisfies FR-120
   void start();
 
-  /// @brief Serves an interrupt: acknowledges each sensor that had an edge, and executes the
-  /// command once if any sensor had an edge. The vector of the port calls this function.
+  /// @brief Serves an interrupt. Acknowledges the edge of each sensor that had an edge. If at least
+  /// one sensor had an edge, executes the command once. The interrupt handler of the port calls
+  /// this function.
   /// @isr{yes}
   /// @satisfies FR-120
   void serve();
 
-  /// @brief Returns the present levels.
-  /// @return bit 0 is set when the first sensor is high, bit 1 when the second is [0 to 3]
+  /// @brief Returns the present levels of both sensors.
+  /// @return levels [0 to 3]; bit 0 is 1 if the first sensor is high, and bit 1 is 1 if the second
+  /// sensor is high
   /// @isr{yes}
   /// @satisfies FR-120
   [[nodiscard]] std::uint8_t phase() const;

@@ -7,23 +7,22 @@
 
 namespace wr {
 
-/// @brief Command of an edge of a Hall sensor: collects the edge.
-/// @function Passes the levels after an edge, with their time, to the collector.
-/// @secret Which module acts on an edge of a Hall sensor, and the values that it gets.
+/// @brief Command that is executed at each edge of a Hall sensor.
+/// @function Passes the levels after an edge, and the time of the edge, to the collector.
+/// @secret Which module reacts to an edge of a Hall sensor, and the values that this module gets.
 /// @role{hall-interrupt, Concrete Command}
 ///
 /// @patternapp{hall-interrupt, Command, Process Hall sensor interruptions}
-/// @why An edge of a Hall sensor causes an interrupt. The sensor executes a command object, so it
-/// names no
-/// module that acts on the edge.
-/// @changes The actions at an edge, or the modules that they affect, may change without change to
-/// the sensor.
+/// @why An edge of a Hall sensor causes an interrupt. In this interrupt, the sensor executes a
+/// command object. Therefore the sensor names no module that reacts to the edge.
+/// @changes The actions at an edge may change, and so may the modules that these actions affect.
+/// This needs no change to the sensor.
 class CountSignal final : public Command {
  public:
-  /// @brief Binds the command to sensor and collector.
+  /// @brief Binds the command to the collector and the sensor.
   /// @param collector receives the edges
   /// @param sensor returns the levels
-  /// @param timebase returns the time of an edge
+  /// @param timebase returns the present time, which counts as the time of the edge
   CountSignal(SensorCollector& collector, const ActiveSensor& sensor, const Timebase& timebase);
 
   /// @brief Passes the present levels and the time to the collector.

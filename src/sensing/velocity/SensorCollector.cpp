@@ -6,8 +6,8 @@ namespace wr {
 
 namespace {
 
-// Returns the direction of an edge from the levels before and after it; 0 when no level or both
-// levels changed.
+// Direction of an edge. The first index is the levels before the edge, the second index is the
+// levels after it. The direction is 0 if no level or both levels changed.
 constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, 1, -1, 0},
     {-1, 0, 0, 1},
@@ -15,7 +15,8 @@ constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, -1, 1, 0},
 }};
 
-// A turning wheel needs more time than this to pass an edge, stop, and pass it again.
+// A turning wheel needs more than this time to pass an edge, stop, and pass the same edge
+// backwards.
 constexpr Microseconds kMinReversalTime = milliseconds(25);
 
 }  // namespace

@@ -20,11 +20,12 @@ constexpr Velocity kMaxVelocity{6000};
 // A wheel that turns at least this fast cannot come to rest within a cycle.
 constexpr Velocity kMoving{300};
 
-// Greatest number of implausible edges in a cycle. One short disturbance of a line causes two.
+// Greatest permitted number of implausible edges in a cycle. One short disturbance on the wire of a
+// sensor causes two implausible edges.
 constexpr std::uint32_t kMaxImplausible = 3;
 
-// One turn in one microsecond is 600000000 [0.1 rpm]. One edge in one microsecond is this number
-// divided by the edges per turn.
+// The velocity of one turn in a microsecond is 600000000 [0.1 rpm]. The velocity of one edge in a
+// microsecond is this number divided by the number of edges per turn.
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
 constexpr std::int32_t kEdgesPerTurn = SystemConstants::instance().hallEdgesPerTurn();
 constexpr std::int32_t kEdgePerMicrosecond = kTurnPerMicrosecond / kEdgesPerTurn;
@@ -33,8 +34,8 @@ static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond, "the d
 // A wheel without an edge for this time counts as being at rest.
 constexpr Microseconds kStandstill = milliseconds(500);
 
-// Returns the number of edges between two counts. Counts can overflow; their difference cannot,
-// because it is small.
+// Returns the number of edges between two counts. The counts can overflow. Their difference cannot
+// overflow, because it is small.
 std::int32_t difference(std::int32_t later, std::int32_t earlier) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(later) -
                                    static_cast<std::uint32_t>(earlier));
@@ -102,7 +103,7 @@ Velocity VelSensor::withoutEdges(Instant now) {
 
 Velocity VelSensor::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
   const std::int32_t most = std::abs(edges) + 1;
-  // A value below the bound needs no division.
+  // This comparison shows without a division that the value is below the bound.
   if (std::abs(value.count()) * elapsed.count() <= std::int64_t{most} * kEdgePerMicrosecond) {
     return value;
   }

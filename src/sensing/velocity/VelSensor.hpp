@@ -12,34 +12,37 @@
 namespace wr {
 
 /// @brief Sensor for velocity and position of a wheel.
-/// @function Measures the velocity once per cycle from the edges since the last measurement and
-/// writes it to a pipe; returns position and implausible edges of the same time.
-/// @secret The time interval of a measurement, the velocity without edges, and the number of
-/// implausible edges that makes it invalid.
+/// @function In each cycle, measures the velocity from the edges since the last measurement, and
+/// writes the velocity to a pipe. Returns the position and the number of implausible edges at the
+/// time of the last measurement.
+/// @secret The time interval of a measurement, the velocity of a cycle without edges, and the
+/// number of implausible edges that makes a measurement invalid.
 /// @role{functions, Context}
 class VelSensor final {
  public:
-  /// @brief Binds the sensor.
+  /// @brief Binds the sensor to its collector, its function and its pipe.
   /// @param collector returns the edges
   /// @param function calculates the velocity; it rejects an impossible value
   /// @param timebase returns the time
-  /// @param velocity receives the velocity, with the time of the measurement
+  /// @param velocity pipe that receives the velocity and the time of the measurement
   VelSensor(SensorCollector& collector, const Function& function, const Timebase& timebase,
             Pipe<Velocity>& velocity);
 
   VelSensor(const VelSensor&) = delete;
   VelSensor& operator=(const VelSensor&) = delete;
 
-  /// @brief Reads the record of the edges, measures the velocity and writes it to the pipe. With
-  /// new edges the velocity is the number of forward edges minus backward edges, divided by the
-  /// time from the last old edge to the newest edge. After a standstill it is this number minus
-  /// half an edge, divided by the time since the previous measurement. Without new edges it is the
-  /// previous velocity. In all cases it is at most the velocity at which the next edge would come
-  /// now. A falling velocity then does not jump when an edge comes at the moment of the
-  /// measurement. It is 0 when no edge came for 500 ms.
-  /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases.
-  /// The function rejects the velocity. More than 3 edges of the cycle were unclear. The wheel
-  /// turned with 30 rpm or more, and more than 3 edges were unclear or reversed its direction.
+  /// @brief Reads the record of the edges, measures the velocity and writes the velocity to the
+  /// pipe. If edges came since the previous measurement, the velocity is a number of edges divided
+  /// by a time. The number is the new forward edges minus the new backward edges. The time is the
+  /// time from the last edge of the previous measurement to the newest edge. If the wheel was at
+  /// rest at the previous measurement, half an edge is subtracted from the number, and the time is
+  /// the time since the previous measurement. If no new edge came, the velocity is the previous
+  /// velocity. The velocity is limited to the velocity at which the next edge would come exactly
+  /// now. Because of this limit, a falling velocity does not jump when an edge comes at the moment
+  /// of the measurement. The velocity is 0 when no edge came for 500 ms.
+  /// @errors In each of three cases the velocity is not written, and the value in the pipe becomes
+  /// old. The function rejects the velocity. More than 3 edges of the cycle were unclear. The wheel
+  /// turned at 30 rpm or more, and more than 3 edges of the cycle were unclear or were reversals.
   /// @return time of the measurement
   /// @isr{no}
   /// @satisfies FR-120
@@ -49,7 +52,7 @@ class VelSensor final {
   Instant measure();
 
   /// @brief Returns the position of the wheel at the last measurement.
-  /// @return Hall edges since start, increasing forwards
+  /// @return number of forward Hall edges minus number of backward Hall edges, since start
   /// @isr{no}
   /// @satisfies FR-121
   [[nodiscard]] HallCount position() const;
@@ -61,8 +64,8 @@ class VelSensor final {
   [[nodiscard]] std::uint16_t rejectedEdges() const;
 
  private:
-  /// @brief Checks whether the edges of a record since the previous measurement are sufficient to
-  /// measure a velocity.
+  /// @brief Checks whether a velocity can be measured in spite of the implausible edges since the
+  /// previous measurement.
   [[nodiscard]] bool plausible(const HallRecord& record) const;
 
   /// @brief Returns the velocity that the function calculates from a number of edges in a time;
@@ -72,24 +75,24 @@ class VelSensor final {
   /// @brief Returns the velocity when edges came since the previous measurement.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
-  /// @brief Returns the velocity when the wheel was at rest at the previous measurement. The
-  /// wheel rested somewhere between two edges: on average the distance to the first edge is half of
-  /// the distance between two edges.
+  /// @brief Returns the velocity when the wheel was at rest at the previous measurement. The wheel
+  /// rested at an unknown position between two edges. On average, the distance to the first edge
+  /// was half of the distance between two edges.
   [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
                                                        Microseconds elapsed) const;
 
   /// @brief Returns the velocity when no edge came since the previous measurement.
   [[nodiscard]] Velocity withoutEdges(Instant now);
 
-  /// @brief Limits a velocity to the velocity that one more edge would give: a faster wheel would
-  /// have caused this edge.
+  /// @brief Computes a limited velocity. The limit is the velocity of a wheel that caused one more
+  /// edge in the same time. A faster wheel would have caused this edge.
   [[nodiscard]] Velocity bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const;
 
   SensorCollector& collector_;
   const Function& function_;
   const Timebase& timebase_;
   Pipe<Velocity>& pipe_;
-  bool standing_ = true;         // no edge for so long that the wheel counts as being at rest
+  bool standing_ = true;         // the wheel counts as being at rest
   Instant measuredAt_{};         // time of the previous measurement
   std::optional<Instant> edge_;  // newest edge at the previous measurement
   std::int32_t count_ = 0;       // count of edges at the previous measurement

@@ -10,8 +10,9 @@ namespace {
 
 constexpr StepRate kFullRate = SystemConstants::instance().steeringRate();
 
-// Braking from v steps/s with a steps/s^2 takes v^2 / 2a steps. Braking begins when half of the
-// acceleration is sufficient, so that the motor can follow in spite of the noise of the position.
+// A motor that brakes from v steps/s with a deceleration of a steps/s^2 makes v^2 / 2a steps. The
+// motor begins to brake early, at the point from which half of its deceleration is sufficient.
+// Therefore it can follow the curve in spite of the noise of the position.
 // v^2 = 2 * (a / 2) * steps = a / step * angle = 200 * angle.
 constexpr std::int32_t kBraking = SystemConstants::instance().steeringAcceleration() /
                                   SystemConstants::instance().steeringStep().count();

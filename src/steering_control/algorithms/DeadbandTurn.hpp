@@ -4,11 +4,12 @@
 
 namespace wr {
 
-/// @brief Turns when the position is out of a dead band, and brakes in time.
+/// @brief A rule that turns the steering when its position is outside a dead band, and brakes in
+/// time.
 ///
-/// @function Starts to turn at the full rate when the position differs from the target by more than the
-/// dead band. Brakes, so that the steering is slow when it arrives, and stops just before the
-/// target. Noise of the position alone does not start a turn.
+/// @function Starts to turn at the full rate when the position differs from the target by more than
+/// the dead band. Brakes early, because the steering must be slow when it arrives. Stops just
+/// before the target. The noise of the position alone does not start a turn.
 ///
 /// @secret The widths of the dead band, and the curve along which the steering brakes.
 /// @hides{DeadbandTurn::kDeadband}
@@ -17,19 +18,21 @@ namespace wr {
 /// @role{steering-control-algorithm, Concrete Strategy}
 class DeadbandTurn final : public SteeringAlgorithm {
  public:
-  /// @brief Greatest difference at which a steering at rest stays at rest.
+  /// @brief Greatest difference between position and target at which a steering at rest stays at
+  /// rest.
   static constexpr Angle kDeadband{20};
 
-  /// @brief A steering that turns towards the target stops at this difference. It comes to rest
-  /// about one step later.
+  /// @brief Difference between position and target at which a steering that turns towards the
+  /// target is stopped. The steering comes to rest about one step later.
   static constexpr Angle kArrived{10};
 
   /// @brief Constructs the rule. The rule has no state.
   DeadbandTurn() = default;
 
-  /// @brief Computes the turn: 0 within the dead band, 0 while the motor is too fast to brake in
-  /// time, otherwise the full rate towards the target. The motor follows with its limited
-  /// acceleration, so it stays on the braking curve.
+  /// @brief Computes the target speed of the motor. This speed is 0 within the dead band, and 0
+  /// while the motor is too fast to brake in time. Otherwise it is the full rate towards the
+  /// target. The motor changes its speed with a limited acceleration. Therefore its speed stays
+  /// close to the braking curve.
   /// @satisfies FR-101
   /// @satisfies FR-102
   /// @satisfies FR-103
@@ -37,7 +40,7 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @param target target angle [0.01 degree], -4000 to 4000
   /// @param position present angle [0.01 degree], -4000 to 4000
   /// @param now present speed of the motor [steps/s], -500 to 500
-  /// @return full rate to the left, full rate to the right, or 0 [steps/s]
+  /// @return target speed [steps/s]: the full rate to the left, the full rate to the right, or 0
   /// @isr{yes}
   [[nodiscard]] StepRate turn(Angle target, Angle position, StepRate now) override;
 };

@@ -13,11 +13,11 @@ class SteeringDevice;
 class DisableSteering final : public SteeringCommand {
  public:
   /// @brief Binds the command to the device.
-  /// @param device steering device that it acts on
+  /// @param device steering device on which the command acts
   explicit DisableSteering(SteeringDevice& device);
 
   /// @brief Switches the steering device off.
-  /// @param rate has no meaning here
+  /// @param rate is not used
   /// @isr{yes}
   /// @satisfies FR-109
   void execute(StepRate rate) override;

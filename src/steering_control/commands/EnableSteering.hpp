@@ -13,11 +13,11 @@ class SteeringDevice;
 class EnableSteering final : public SteeringCommand {
  public:
   /// @brief Binds the command to the device.
-  /// @param device steering device that it acts on
+  /// @param device steering device on which the command acts
   explicit EnableSteering(SteeringDevice& device);
 
   /// @brief Switches the steering device on.
-  /// @param rate has no meaning here
+  /// @param rate is not used
   /// @isr{yes}
   /// @satisfies FR-106
   void execute(StepRate rate) override;

@@ -13,7 +13,7 @@ class SteeringDevice;
 class SetTurn final : public SteeringCommand {
  public:
   /// @brief Binds the command to the device.
-  /// @param device steering device that it acts on
+  /// @param device steering device on which the command acts
   explicit SetTurn(SteeringDevice& device);
 
   /// @brief Sets the target speed of the motor.

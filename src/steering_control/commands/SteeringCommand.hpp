@@ -4,23 +4,25 @@
 
 namespace wr {
 
-/// @brief One action on the steering, which the controller orders without naming the device.
+/// @brief An action on the steering that the controller orders without naming the steering device.
 /// @function Lets the steering controller order an action that may need a rate.
 /// @secret The element of the steering on which a command acts.
 /// @role{steering-commands, Command}
 ///
 /// @patternapp{steering-commands, Command, Commands to control the steering device}
 /// @why Switching the steering on or off, and setting its turn, need actions on several elements.
-/// The controller executes command objects, so it does not depend on these elements.
-/// @changes The elements on which a command acts, or the actions. A new command.
+/// The controller executes command objects. Therefore the controller does not depend on these
+/// elements.
+/// @changes The elements on which a command acts may change, and so may its actions. A new command
+/// may be needed.
 class SteeringCommand {
  public:
   SteeringCommand(const SteeringCommand&) = delete;
   SteeringCommand& operator=(const SteeringCommand&) = delete;
 
   /// @brief Executes the action.
-  /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left; a command that needs
-  /// no rate ignores it
+  /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left; a command that
+  /// needs no speed does not use this argument
   /// @isr{yes}
   virtual void execute(StepRate rate) = 0;
 

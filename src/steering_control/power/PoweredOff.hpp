@@ -4,14 +4,15 @@
 
 namespace wr {
 
-/// @brief The motor is off: a force from outside can move the steering.
-/// @function Switches the motor on when an order demands it, and makes no step.
+/// @brief The state of a motor that is off: a force from outside can move the steering.
+/// @function Makes no step. Switches the motor on when an order demands this.
 /// @secret The event that switches the motor on.
 /// @role{steering-switch, Concrete State}
 class PoweredOff final : public SteeringPower {
  public:
   /// @brief Binds the state to its successor.
-  /// @param on state after the motor was switched on; only its address is used before the first call
+  /// @param on state that follows when the motor is switched on; it need not be constructed before
+  /// the first call
   explicit PoweredOff(SteeringPower& on);
 
   /// @brief Switches the motor on.
@@ -20,19 +21,19 @@ class PoweredOff final : public SteeringPower {
   /// @satisfies FR-106
   void enable(SteeringDevice& device) override;
 
-  /// @brief Does nothing: the motor is off.
+  /// @brief Does nothing, because the motor is already off.
   /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-113
   void disable(SteeringDevice& device) override;
 
-  /// @brief Does nothing: a motor that is off makes no step.
+  /// @brief Does nothing, because a motor that is off makes no step.
   /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-113
   void tick(SteeringDevice& device) override;
 
-  /// @brief Returns false: the motor cannot step.
+  /// @brief Returns false, because a motor that is off cannot make steps.
   /// @param device steering device
   /// @return false
   /// @isr{yes}

@@ -4,17 +4,18 @@
 
 namespace wr {
 
-/// @brief The motor is on: it holds the steering, or turns it.
-/// @function Lets the motor step at each tick, and switches it off when an order demands it.
+/// @brief The state of a motor that is on: the motor holds the steering or turns the steering.
+/// @function Lets the motor work at each tick. Switches the motor off when an order demands this.
 /// @secret The event that switches the motor off, and the work of each tick while the motor is on.
 /// @role{steering-switch, Concrete State}
 class PoweredOn final : public SteeringPower {
  public:
   /// @brief Binds the state to its successor.
-  /// @param off state after the motor was switched off; only its address is used before the first call
+  /// @param off state that follows when the motor is switched off; it need not be constructed
+  /// before the first call
   explicit PoweredOn(SteeringPower& off);
 
-  /// @brief Does nothing: the motor is on.
+  /// @brief Does nothing, because the motor is already on.
   /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-107
@@ -26,7 +27,7 @@ class PoweredOn final : public SteeringPower {
   /// @satisfies FR-113
   void disable(SteeringDevice& device) override;
 
-  /// @brief Lets the motor settle, then move.
+  /// @brief Executes one tick of the motor, which first settles and then moves.
   /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-107
@@ -34,7 +35,7 @@ class PoweredOn final : public SteeringPower {
 
   /// @brief Returns whether the motor has settled.
   /// @param device steering device
-  /// @return true when it has settled
+  /// @return true if the motor has settled
   /// @isr{yes}
   /// @satisfies FR-107
   [[nodiscard]] bool ready(const SteeringDevice& device) const override;

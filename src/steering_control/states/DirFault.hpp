@@ -4,18 +4,19 @@
 
 namespace wr {
 
-/// @brief The steering cannot be controlled: its motor stays off.
-/// @function Keeps the motor off, with any order, until an order releases the fault.
+/// @brief The fault state: the steering cannot be controlled, and its motor stays off.
+/// @function Keeps the motor off, whatever is ordered, until an order releases the fault.
 /// @secret The event that ends a fault.
 /// @role{steering-controller-states, Concrete State}
 class DirFault final : public DirState {
  public:
   /// @brief Binds the state to its successor.
-  /// @param off state after the fault; only its address is used before the first tick
+  /// @param off state that follows when the fault ends; it need not be constructed before the first
+  /// tick
   explicit DirFault(DirState& off);
 
   /// @brief Ends the fault if a release was ordered after the fault began.
-  /// @param controller controller that ticks
+  /// @param controller controller whose state changes
   /// @isr{yes}
   /// @satisfies FR-112
   void tick(DirController& controller) override;

@@ -4,20 +4,24 @@
 
 namespace wr {
 
-/// @brief The motor is on, and the steering keeps its position.
-/// @function Keeps the position until the algorithm demands a turn, and then begins the turn.
+/// @brief The state in which the motor is on and the steering keeps its position.
+/// @function Keeps the position until the algorithm demands a turn. Then begins the turn.
 /// @secret The event that begins a turn.
 /// @role{steering-controller-states, Concrete State}
 class DirHolding final : public DirState {
  public:
   /// @brief Binds the state to its successors.
-  /// @param turning state that turns; only its address is used before the first tick
-  /// @param off state after the orders ended; only its address is used before the first tick
-  /// @param fault state after a fault; only its address is used before the first tick
+  /// @param turning state that follows when a turn begins; it need not be constructed before the
+  /// first tick
+  /// @param off state that follows when orders no longer arrive; it need not be constructed before
+  /// the first tick
+  /// @param fault state that follows when a fault occurs; it need not be constructed before the
+  /// first tick
   DirHolding(DirState& turning, DirState& off, DirState& fault);
 
-  /// @brief Begins a turn, or leaves the state when there are no orders or no position.
-  /// @param controller controller that ticks
+  /// @brief Begins a turn when the algorithm demands a turn. Leaves the state when orders no longer
+  /// arrive, or when the steering cannot be controlled.
+  /// @param controller controller whose state changes
   /// @isr{yes}
   /// @satisfies FR-101
   /// @satisfies FR-108

@@ -4,18 +4,19 @@
 
 namespace wr {
 
-/// @brief The motor is off: there are no orders.
+/// @brief The state in which the motor is off, because there are no orders.
 /// @function Waits with the motor off. An order to follow a set-point switches the motor on.
 /// @secret The event that switches the steering on.
 /// @role{steering-controller-states, Concrete State}
 class DirOff final : public DirState {
  public:
   /// @brief Binds the state to its successor.
-  /// @param holding state after an order to follow; only its address is used before the first tick
+  /// @param holding state that follows when an order to follow arrives; it need not be constructed
+  /// before the first tick
   explicit DirOff(DirState& holding);
 
   /// @brief Switches the motor on when an order to follow a set-point is in force.
-  /// @param controller controller that ticks
+  /// @param controller controller whose state changes
   /// @isr{yes}
   /// @satisfies FR-106
   void tick(DirController& controller) override;

@@ -6,23 +6,23 @@ namespace wr {
 
 class DirController;
 
-/// @brief A state of the steering: defines the work of the controller at a tick.
+/// @brief A state of the steering, which defines the work of the controller at a tick.
 /// @function Defines one interface for the tick of the steering controller in all states.
 /// @secret The differences between the states of the steering.
 /// @role{steering-controller-states, State}
 ///
 /// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
 /// @why The work of the steering controller at a tick depends on the state of the steering. Each
-/// state is a module, so the rules of one state are in one place.
-/// @changes The actions of a state, or its transitions. A new state, such as a state that searches
-/// the middle after start.
+/// state is a module. Therefore one module contains all rules of one state.
+/// @changes The actions of a state may change, and so may its transitions. A new state may be
+/// needed, such as a state that looks for the middle position after start.
 class DirState {
  public:
   DirState(const DirState&) = delete;
   DirState& operator=(const DirState&) = delete;
 
-  /// @brief Runs one tick, and changes the state when necessary.
-  /// @param controller controller that ticks
+  /// @brief Executes one tick, and changes the state of the controller if necessary.
+  /// @param controller controller whose state changes
   /// @isr{yes}
   virtual void tick(DirController& controller) = 0;
 
@@ -38,12 +38,13 @@ class DirState {
   explicit DirState(SteeringState id);
   ~DirState() = default;
 
-  /// @brief Leaves a state in which the motor is on, when necessary. Without orders the next state
-  /// is off. When the steering cannot be controlled, the next state is fault.
-  /// @param controller controller that ticks
-  /// @param off state after the orders ended
-  /// @param fault state after a fault
-  /// @return true when the state was left
+  /// @brief Leaves a state in which the motor is on, if necessary, and switches the motor off. If
+  /// orders no longer arrive, the next state is off. Otherwise, if the steering cannot be
+  /// controlled, the next state is fault.
+  /// @param controller controller whose state changes
+  /// @param off state that follows when orders no longer arrive
+  /// @param fault state that follows when a fault occurs
+  /// @return true if the state was left
   static bool leave(DirController& controller, DirState& off, DirState& fault);
 
  private:

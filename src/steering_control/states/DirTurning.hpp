@@ -4,22 +4,25 @@
 
 namespace wr {
 
-/// @brief The steering turns towards its target.
-/// @function Lets the motor turn as the algorithm demands, until it has come to rest; monitors
-/// whether the steering moves.
-/// @secret How a turn is controlled and monitored, and the event that ends it.
+/// @brief The state in which the steering turns towards its target.
+/// @function Lets the motor turn as the algorithm demands, until the motor has come to rest.
+/// Monitors whether the steering moves.
+/// @secret How a turn is controlled and monitored, and the event that ends a turn.
 /// @role{steering-controller-states, Concrete State}
 class DirTurning final : public DirState {
  public:
   /// @brief Binds the state to its successors.
-  /// @param holding state after the turn; only its address is used before the first tick
-  /// @param off state after the orders ended; only its address is used before the first tick
-  /// @param fault state after a fault; only its address is used before the first tick
+  /// @param holding state that follows when the turn ends; it need not be constructed before the
+  /// first tick
+  /// @param off state that follows when orders no longer arrive; it need not be constructed before
+  /// the first tick
+  /// @param fault state that follows when a fault occurs; it need not be constructed before the
+  /// first tick
   DirTurning(DirState& holding, DirState& off, DirState& fault);
 
-  /// @brief Sets the turn, and leaves the state when the steering is at rest, has no orders or cannot
-  /// be controlled.
-  /// @param controller controller that ticks
+  /// @brief Sets the speed of the motor. Leaves the state when the steering is at rest, when orders
+  /// no longer arrive, or when the steering cannot be controlled.
+  /// @param controller controller whose state changes
   /// @isr{yes}
   /// @satisfies FR-101
   /// @satisfies FR-108

@@ -8,12 +8,13 @@
 
 namespace wr {
 
-/// @brief Controls the current of a wheel to its set-point, which is a torque.
+/// @brief The algorithm that controls the current of a wheel, and thus its torque.
 ///
-/// @function Computes the voltage that drives the current through the winding, plus the voltage
-/// that the turning motor induces against it, and regulates the error of this model.
+/// @function Computes the voltage that drives the current through the winding. Adds the voltage
+/// that the turning motor induces against this current. A regulator corrects the error of this
+/// model.
 ///
-/// @secret The model of the motor's winding, and how its velocity is predicted.
+/// @secret The model of the motor's winding, and how the velocity of the motor is predicted.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentAlgorithm final : public WheelAlgorithm {
@@ -23,19 +24,19 @@ class CurrentAlgorithm final : public WheelAlgorithm {
 
   /// @brief Calculates the voltage. All quotients are rounded towards zero.
   /// @param setPoint current [mA], -10000 to 10000
-  /// @param feedback its velocity and its current are used
+  /// @param feedback measured velocity and measured current
   /// @return voltage [mV], positive forwards
   /// @satisfies FR-85
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Receives the applied voltage.
+  /// @brief Records the difference between the calculated and the applied voltage.
   /// @param tension voltage of the wheel [mV], positive forwards
   /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Clears the velocity of the previous cycle and the errors.
+  /// @brief Clears the velocity of the previous cycle and the sum of the errors.
   /// @isr{no}
   void reset() override;
 

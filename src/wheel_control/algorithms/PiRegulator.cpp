@@ -8,14 +8,15 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kMicrovolts = 1000;  // in a millivolt
+constexpr std::int32_t kMicrovolts = 1000;  // number of microvolts in a millivolt
 constexpr std::int32_t kMaxIntegral = SystemConstants::instance().supply().count() * kMicrovolts;
 
-// A smaller missing voltage does not explain an error. A demand of less than 0.1 V may wait for a
-// change of orientation, and the integral must be able to raise this demand.
+// Least missing voltage that explains an error. A demand of less than 0.1 V against the orientation
+// of the wheel is not applied. The integral must be able to raise such a demand.
 constexpr Tension kMinShortfall(100);
 
-// A wheel with less voltage than calculated is too slow, and a wheel with more voltage is too fast.
+// Returns whether a missing voltage explains an error. A wheel with less voltage than calculated is
+// too slow, and a wheel with more voltage than calculated is too fast.
 bool explains(Tension shortfall, std::int32_t error) {
   return (shortfall >= kMinShortfall && error > 0) || (shortfall <= -kMinShortfall && error < 0);
 }

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief Sets the voltage of a wheel to its set-point.
+/// @brief The algorithm that sets the voltage of a wheel to the set-point.
 ///
 /// @function Returns the set-point as the voltage.
 ///
@@ -16,7 +16,7 @@ class TensionAlgorithm final : public WheelAlgorithm {
   /// @brief Constructs the algorithm. The algorithm has no state.
   TensionAlgorithm() = default;
 
-  /// @brief Calculates the voltage of the set-point.
+  /// @brief Returns the set-point as the voltage.
   /// @param setPoint voltage [mV]
   /// @param feedback is not used
   /// @return the set-point [mV]
@@ -24,12 +24,12 @@ class TensionAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Does nothing: the algorithm needs no applied voltage.
+  /// @brief Does nothing, because the algorithm does not use the applied voltage.
   /// @param tension is not used
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Does nothing: the algorithm has no state.
+  /// @brief Does nothing, because the algorithm has no state.
   /// @isr{no}
   void reset() override;
 };

@@ -13,21 +13,22 @@ namespace {
 // docs/wheel_control.rst derives these values.
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kDecay = 637;  // [1/1000] remaining part of a deviation after a cycle
-constexpr std::int32_t kMean = 806;   // [1/1000] mean of a deviation during a cycle
+constexpr std::int32_t kMean = 806;   // [1/1000] mean part of a deviation during a cycle
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
 // Lost edges make the measured velocity too low. The velocity is doubtful when the motor induces
 // more voltage than this velocity explains, and the tolerances of supply, winding and motor
 // constant do not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
-constexpr std::int32_t kModelToleranceDivisor = 3;  // the voltage divided by this value is added
-constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // number of successive cycles
+constexpr std::int32_t kModelToleranceDivisor = 3;  // 1/3 of the voltage is added to the tolerance
+constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of successive cycles
 
-// Velocity of the model before the model has begun.
+// Value of the model while the model has no velocity.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
-// Returns a part of a deviation. The core divides numbers of more than 32 bits slowly, so thousands
-// and remainder are computed separately. A set-point and a measured velocity have at most 16 bits.
+// Returns a part of a deviation. The processor divides numbers of more than 32 bits slowly.
+// Therefore the thousands of the deviation and the remainder are computed separately. The products
+// fit into 32 bits, because a set-point and a measured velocity have at most 16 bits.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
   return deviation / kThousand * thousandths + deviation % kThousand * thousandths / kThousand;
 }

@@ -8,13 +8,14 @@
 
 namespace wr {
 
-/// @brief Controls the velocity of a wheel.
+/// @brief The algorithm that controls the velocity of a wheel.
 ///
-/// @function Computes the voltage that the wheel needs at the set-point without load, and regulates
-/// the effect of a load.
+/// @function Computes the voltage that the wheel needs at the set-point without load. A regulator
+/// corrects the effect of a load.
 ///
 /// @secret The model of a wheel that follows its set-point, the gains that correct a difference
-/// from it, and how voltage and current verify a measured velocity.
+/// between wheel and model, and how a measured velocity is verified by means of voltage and
+/// current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class VelocityAlgorithm final : public WheelAlgorithm {
@@ -22,9 +23,9 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @brief Constructs the algorithm for a wheel at rest.
   VelocityAlgorithm();
 
-  /// @brief Calculates the voltage. All quotients are rounded towards zero. When the measured
-  /// velocity does not agree with voltage and current, the velocity of the model replaces it for up
-  /// to 5 cycles in a row.
+  /// @brief Calculates the voltage. All quotients are rounded towards zero. If the measured
+  /// velocity does not agree with voltage and current, the velocity of the model is used instead,
+  /// for at most 5 cycles in a row.
   /// @param setPoint velocity [0.1 rpm], -3000 to 3000
   /// @param feedback velocity and current of the cycle that ends
   /// @return voltage [mV], positive forwards
@@ -37,14 +38,15 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Receives the applied voltage. When the applied voltage differs from the calculated
+  /// @brief Records the applied voltage. If the applied voltage differs from the calculated
   /// voltage, the model continues from the measured velocity.
   /// @param tension voltage of the wheel [mV], positive forwards
   /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Clears load and model. The model begins at the next measured velocity.
+  /// @brief Clears the sum of the errors and the model. The model begins again at the next measured
+  /// velocity.
   /// @isr{no}
   void reset() override;
 
@@ -57,7 +59,7 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   Velocity measured_{};             // velocity that the last calculation used
   Tension calculated_{};            // result of the last calculation
   std::optional<Tension> applied_;  // voltage of the cycle that ends; nothing after a reset
-  std::uint8_t doubts_ = 0;         // doubtful velocities in a row
+  std::uint8_t doubts_ = 0;         // number of successive doubtful velocities
 };
 
 }  // namespace wr

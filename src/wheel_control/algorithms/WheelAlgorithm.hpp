@@ -15,15 +15,15 @@ struct WheelFeedback {
 
 /// @brief A rule for the voltage of a wheel.
 ///
-/// @function Calculates a voltage in each cycle, and receives the applied voltage.
+/// @function Calculates a voltage in each cycle. Then records the voltage that was applied.
 ///
-/// @secret The quantity that is set, and its control law.
+/// @secret The quantity that the rule sets, and its control law.
 ///
 /// @role{wheel-control-algorithms, Strategy}
 ///
 /// @patternapp{wheel-control-algorithms, Strategy, Control algorithms for wheels}
-/// @why An order sets a voltage, a current or a velocity of a wheel. Each kind needs a different
-/// algorithm to calculate the voltage.
+/// @why An order sets the voltage, the current or the velocity of a wheel. Each of these quantities
+/// needs a different algorithm to calculate the voltage.
 /// @changes An algorithm may change, or a new algorithm may be needed.
 class WheelAlgorithm {
  public:
@@ -37,13 +37,14 @@ class WheelAlgorithm {
   /// @isr{no}
   virtual Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) = 0;
 
-  /// @brief Receives the voltage that was applied after the last calculation.
+  /// @brief Records the voltage that was applied after the last calculation.
   /// @param tension voltage of the wheel [mV], positive forwards
   /// @pre calculate() was called in this cycle.
   /// @isr{no}
   virtual void applied(Tension tension) = 0;
 
-  /// @brief Clears all state, because another algorithm, or none, has controlled the wheel.
+  /// @brief Clears all stored values. The caller calls this method when another algorithm controls
+  /// the wheel, or when no algorithm controls the wheel.
   /// @isr{no}
   virtual void reset() = 0;
 

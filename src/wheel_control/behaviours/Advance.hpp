@@ -5,11 +5,11 @@
 
 namespace wr {
 
-/// @brief Lets a wheel advance.
+/// @brief The behaviour that lets a wheel advance.
 ///
-/// @function Applies the demand at once.
+/// @function Applies the demanded voltage at once.
 ///
-/// @secret The rule that the demand is not changed.
+/// @secret The rule that the demanded voltage is not changed.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Component}
@@ -27,7 +27,7 @@ class Advance final : public WheelBehaviour {
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Does nothing: the previous voltage has no influence.
+  /// @brief Does nothing, because the previous voltage has no influence.
   /// @param applied is not used
   /// @satisfies FR-80
   /// @isr{no}

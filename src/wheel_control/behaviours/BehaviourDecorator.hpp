@@ -6,17 +6,18 @@ namespace wr {
 
 /// @brief A behaviour that extends another behaviour.
 ///
-/// @function Forwards each operation to the wrapped behaviour, unless a subclass extends it.
+/// @function Forwards each call to the wrapped behaviour. A subclass overrides the operations that
+/// it extends.
 ///
 /// @secret Which operations of the wrapped behaviour are forwarded unchanged.
 ///
 /// @role{behaviour-extensions, Decorator}
 ///
 /// @patternapp{behaviour-extensions, Decorator, Algorithm extensions to establish the wheels' behaviour}
-/// @why Some movements of a wheel combine or extend simpler movements: a reversal is a stop, and
-/// then an advance in the other orientation.
-/// @changes An extension may change, or a new extension may be needed, without change to the extended
-/// behaviour.
+/// @why Some movements of a wheel combine or extend simpler movements. For example, a reversal is a
+/// stop that is followed by an advance in the other orientation.
+/// @changes An extension may change, or a new extension may be needed. This needs no change to the
+/// extended behaviour.
 class BehaviourDecorator : public WheelBehaviour {
  public:
   Tension apply(Tension demand, Velocity velocity) override;

@@ -10,10 +10,10 @@ namespace {
 
 constexpr Tension kReverseDeadband(100);  // least voltage for which the orientation changes
 
-constexpr std::uint8_t kSlowCycles = 2;  // number of successive slow cycles that show that a wheel
-                                         // is slow
+constexpr std::uint8_t kSlowCycles = 2;  // successive slow cycles before a change of orientation
 
-// A short-circuited wheel that a slope turns does not get slower.
+// A slope can keep a short-circuited wheel turning. After this number of cycles without voltage, a
+// wheel below kCreepVelocity counts as slow.
 constexpr std::uint8_t kBrakedCycles = 10;
 constexpr Velocity kCreepVelocity(800);
 
@@ -22,7 +22,8 @@ bool isSlow(Velocity velocity, bool braked) {
   return velocity < slow && velocity > -slow;
 }
 
-// A wheel that turns in the direction of a demand need not slow down first.
+// Returns whether a wheel already turns in the direction of a demand. Such a wheel need not slow
+// down before its orientation changes.
 bool turnsAlong(Tension demand, Velocity velocity) {
   return demand > Tension() ? velocity > Velocity() : velocity < Velocity();
 }

@@ -7,10 +7,10 @@
 
 namespace wr {
 
-/// @brief Changes the orientation of a wheel when it is slow.
+/// @brief The behaviour that changes the orientation of a wheel when the wheel is slow.
 ///
-/// @function Extends a behaviour: when the demand opposes the present orientation, stops the wheel,
-/// then changes its orientation, and then lets the extended behaviour continue.
+/// @function Extends another behaviour. If the demand opposes the present orientation, stops the
+/// wheel, then changes the orientation of the wheel, and then lets the extended behaviour continue.
 ///
 /// @secret How a slow wheel is detected, and the conditions for a change of its orientation.
 ///
@@ -18,17 +18,19 @@ namespace wr {
 /// @role{behaviour-extensions, Concrete Decorator}
 class Reverse final : public BehaviourDecorator {
  public:
-  /// @brief Binds the behaviour to its parts. The orientation of the wheel is forwards.
-  /// @param wrapped behaviour within one orientation
+  /// @brief Binds the behaviour to its parts. At this time the orientation of the wheel is
+  /// forwards.
+  /// @param wrapped behaviour that applies a voltage in the present orientation
   /// @param stop stops the wheel
   /// @param setOrientation changes the orientation
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
-  /// @brief Applies the demand when it agrees with the orientation. Otherwise stops the wheel, and
-  /// changes the orientation when the wheel has no voltage and was slow in two cycles in a row. A
-  /// wheel is slow below 40 rpm, and after ten cycles without voltage below 80 rpm. A wheel that
-  /// turns in the direction of the demand counts as slow. A demand of less than 0.1 V against the
-  /// orientation counts as 0, because the noise of a measurement must not turn a wheel at rest.
+  /// @brief Applies the demand if it agrees with the present orientation. Otherwise stops the
+  /// wheel. When the wheel has no voltage and was slow in two cycles in a row, changes the
+  /// orientation. A wheel is slow below 40 rpm. After ten cycles without voltage, a wheel is also
+  /// slow below 80 rpm. A wheel that turns in the direction of the demand counts as slow. A demand
+  /// of less than 0.1 V against the orientation counts as 0, because the noise of a measurement
+  /// must not turn a wheel at rest.
   /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards
@@ -36,7 +38,7 @@ class Reverse final : public BehaviourDecorator {
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Records a voltage that must fall to 0 before the orientation changes.
+  /// @brief Records the present voltage, which must fall to 0 before the orientation changes.
   /// @param applied voltage of the wheel [mV], positive forwards
   /// @satisfies FR-87
   /// @isr{no}
@@ -51,8 +53,8 @@ class Reverse final : public BehaviourDecorator {
   WheelCommand& setOrientation_;
   bool backwards_ = false;
   Tension applied_{};
-  std::uint8_t slowCycles_ = 0;    // slow cycles in a row, while stopped
-  std::uint8_t brakedCycles_ = 0;  // cycles without voltage, while it waits
+  std::uint8_t slowCycles_ = 0;    // successive slow cycles while a change of orientation waits
+  std::uint8_t brakedCycles_ = 0;  // cycles without voltage while a change of orientation waits
 };
 
 }  // namespace wr

@@ -4,10 +4,10 @@
 
 namespace wr {
 
-/// @brief Limits the rise of the voltage of a wheel.
+/// @brief The behaviour that limits the rise of the voltage of a wheel.
 ///
-/// @function Extends a behaviour: limits how much the magnitude of the voltage rises in a cycle. A
-/// lower magnitude is applied at once.
+/// @function Extends another behaviour: limits how much the magnitude of the voltage rises in a
+/// cycle. A lower magnitude is applied at once.
 ///
 /// @secret How fast the voltage of a wheel may rise.
 ///
@@ -18,8 +18,8 @@ class SoftStart final : public BehaviourDecorator {
   /// @param wrapped behaviour that applies the limited voltage
   explicit SoftStart(WheelBehaviour& wrapped);
 
-  /// @brief Applies the demand, and raises its magnitude by at most 12 V per cycle. A demand of the
-  /// other sign starts again from 0.
+  /// @brief Applies the demand. The magnitude of the voltage rises by at most 12 V in a cycle. If
+  /// the sign of the voltage changes, the magnitude rises from 0.
   /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards

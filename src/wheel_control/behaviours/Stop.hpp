@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief Stops a wheel without a jerk.
+/// @brief The behaviour that stops a wheel without a jerk.
 ///
 /// @function Lowers the voltage cycle by cycle, then stops the wheel.
 ///
@@ -29,7 +29,7 @@ class Stop final : public WheelBehaviour {
   /// @isr{no}
   Tension apply(Tension applied, Velocity velocity) override;
 
-  /// @brief Stores nothing: each call gets the voltage of the wheel.
+  /// @brief Does nothing, because each call of apply() gets the voltage of the wheel.
   /// @param applied is not used
   /// @satisfies FR-88
   /// @isr{no}

@@ -6,7 +6,8 @@ namespace wr {
 
 /// @brief A rule that applies a demanded voltage to a wheel.
 ///
-/// @function Applies a voltage in each cycle through commands of the wheel, and returns the applied voltage.
+/// @function In each cycle, applies a voltage by means of the commands of the wheel, and returns
+/// the applied voltage.
 ///
 /// @secret The steps in a cycle that make a wheel move as demanded.
 ///
@@ -15,7 +16,7 @@ namespace wr {
 ///
 /// @patternapp{wheel-behaviours, Strategy, Algorithms for wheel behaviour}
 /// @why Controlled movements of a wheel, such as to advance, to stop and to reverse, need different
-/// algorithms. The controller uses each of them in the same way.
+/// algorithms. The controller uses all these algorithms in the same way.
 /// @changes One of the algorithms may change, or a new movement may be needed.
 class WheelBehaviour {
  public:
@@ -29,7 +30,7 @@ class WheelBehaviour {
   /// @isr{no}
   virtual Tension apply(Tension demand, Velocity velocity) = 0;
 
-  /// @brief Records the voltage that another behaviour applied, to continue from it.
+  /// @brief Records the voltage that another behaviour applied, to continue from this voltage.
   /// @param applied voltage of the wheel [mV], positive forwards
   /// @isr{no}
   virtual void resume(Tension applied) = 0;

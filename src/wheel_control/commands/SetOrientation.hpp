@@ -5,9 +5,10 @@
 
 namespace wr {
 
-/// @brief Sets the orientation of a wheel.
+/// @brief The command that sets the orientation of a wheel.
 ///
-/// @function Sets the wheel to turn forwards or backwards, by the sign of a voltage.
+/// @function Sets the orientation of a wheel to forwards or backwards. The sign of a voltage
+/// decides.
 ///
 /// @secret How the orientation is determined from a voltage.
 ///
@@ -19,7 +20,8 @@ class SetOrientation final : public WheelCommand {
   explicit SetOrientation(Wheel& wheel);
 
   /// @brief Sets the orientation.
-  /// @param tension backwards when it is less than 0 [mV]
+  /// @param tension voltage [mV]; the orientation becomes backwards if the voltage is less than 0,
+  /// and forwards otherwise
   /// @satisfies FR-87
   /// @isr{no}
   void execute(Tension tension) override;

@@ -5,9 +5,10 @@
 
 namespace wr {
 
-/// @brief Sets the voltage of a wheel.
+/// @brief The command that sets the voltage of a wheel.
 ///
-/// @function Sets the magnitude of the wheel's voltage; its orientation does not change.
+/// @function Sets the magnitude of the wheel's voltage. The orientation of the wheel does not
+/// change.
 ///
 /// @secret The rule that the voltage of a wheel has no sign.
 ///

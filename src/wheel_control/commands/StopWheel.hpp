@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief Stops a wheel.
+/// @brief The command that stops a wheel.
 ///
 /// @function Sets the voltage of the wheel to 0, and ignores its argument.
 ///

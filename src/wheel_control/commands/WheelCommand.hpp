@@ -4,9 +4,9 @@
 
 namespace wr {
 
-/// @brief One action on a wheel, whose caller does not name the wheel.
+/// @brief An action on a wheel that the caller executes without naming the wheel.
 ///
-/// @function Lets the controller and the behaviours of a wheel act on it.
+/// @function Lets the controller and the behaviours of a wheel act on this wheel.
 ///
 /// @secret The common part of the actions on a wheel: each has a voltage as its argument.
 ///
@@ -15,7 +15,8 @@ namespace wr {
 /// @patternapp{wheel-commands, Command, Commands to control wheel behaviour}
 /// @why Stopping a wheel, setting its voltage and changing its orientation can affect several
 /// elements of the system. The caller does not name these elements.
-/// @changes The actions that carry out an order may change, and so may the elements on which they act.
+/// @changes The actions that carry out an order may change, and so may the elements on which these
+/// actions have an effect.
 class WheelCommand {
  public:
   WheelCommand(const WheelCommand&) = delete;

@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to follow the set-point.
 ///
-/// @function Lets the controller control the wheel, unless its overcurrent trip has acted, and writes the
-/// applied voltage into the work of the cycle.
+/// @function Lets the controller control the wheel, unless the overcurrent trip of the wheel has
+/// acted. Writes the applied voltage into the record of the cycle.
 ///
 /// @secret The control of a wheel after an overcurrent trip.
 ///
@@ -21,8 +21,9 @@ class ApplyControl final : public WheelOrder {
   /// @param wheel wheel with the overcurrent trip
   ApplyControl(WheelController& controller, Wheel& wheel);
 
-  /// @brief Controls the wheel. A missing position counts as an unchanged position.
-  /// @param work contains set-point and position; receives voltage and state of the wheel
+  /// @brief Controls the wheel.
+  /// @param work contains the set-point and the measured values; receives the applied voltage and
+  /// the faults of the wheel
   /// @satisfies FR-80
   /// @satisfies FR-89
   /// @satisfies FR-94

@@ -8,10 +8,10 @@ namespace wr {
 
 /// @brief The order to stand still.
 ///
-/// @function Lets the controller stop the wheel, and releases its latched faults when the order
-/// demands it.
+/// @function Lets the controller stop the wheel. Releases the latched faults of the wheel if the
+/// order demands this.
 ///
-/// @secret The condition for the use of a driver after its overcurrent trip.
+/// @secret The condition under which a driver is used again after its overcurrent trip.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class HaltWheel final : public WheelOrder {
@@ -21,9 +21,10 @@ class HaltWheel final : public WheelOrder {
   /// @param wheel wheel with the overcurrent trip
   HaltWheel(WheelController& controller, Wheel& wheel);
 
-  /// @brief Stops the wheel. An order to release ends the faults of the controller. It also ends an
-  /// overcurrent trip if the velocity is valid and below 40 rpm.
-  /// @param work order to release; receives voltage and state of the wheel
+  /// @brief Stops the wheel. An order to release ends the latched faults of the controller. This
+  /// order also ends an overcurrent trip, if the velocity of the wheel is known and below 40 rpm.
+  /// @param work contains the order to release; receives the applied voltage and the faults of the
+  /// wheel
   /// @satisfies FR-88
   /// @satisfies FR-89
   /// @satisfies FR-91

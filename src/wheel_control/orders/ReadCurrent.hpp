@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to read the current of a wheel.
 ///
-/// @function Triggers the measurement of the current, and writes the value that the controller uses into
-/// the work of the cycle.
+/// @function Triggers the measurement of the current. Writes the value that the controller uses
+/// into the record of the cycle.
 ///
 /// @secret Which module measures a current, and the rule that the report shows the value that
 /// control uses.
@@ -23,7 +23,7 @@ class ReadCurrent final : public WheelOrder {
   ReadCurrent(CntSensor& sensor, WheelController& controller);
 
   /// @brief Reads the current.
-  /// @param work receives the current; nothing when it is missing
+  /// @param work receives the current, which is empty if it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to read the velocity of a wheel.
 ///
-/// @function Triggers the measurement of the velocity, and writes the value that the controller uses into
-/// the work of the cycle.
+/// @function Triggers the measurement of the velocity. Writes the value that the controller uses
+/// into the record of the cycle.
 ///
 /// @secret Which module measures a velocity, and the rule that the report shows the value that
 /// control uses.
@@ -23,7 +23,7 @@ class ReadVelocity final : public WheelOrder {
   ReadVelocity(VelSensor& sensor, WheelController& controller);
 
   /// @brief Reads the velocity.
-  /// @param work receives the velocity; nothing when it is missing
+  /// @param work receives the velocity, which is empty if it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief The order to register the position of a wheel.
 ///
-/// @function Adds the position of the wheel, and the number of edges that its sensor rejected, to the work of
+/// @function Writes the position of the wheel and the number of rejected edges into the record of
 /// the cycle.
 ///
 /// @secret Which sensor counts the position of a wheel.
@@ -16,11 +16,11 @@ namespace wr {
 class RegisterPosition final : public WheelOrder {
  public:
   /// @brief Binds the order to a sensor.
-  /// @param sensor sensor of the wheel's velocity and position
+  /// @param sensor sensor for velocity and position of the wheel
   explicit RegisterPosition(VelSensor& sensor);
 
   /// @brief Registers the position.
-  /// @param work receives position and rejected edges
+  /// @param work receives the position and the number of rejected edges
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

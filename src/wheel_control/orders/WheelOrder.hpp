@@ -8,16 +8,16 @@
 
 namespace wr {
 
-/// @brief The work of one wheel in one cycle: order, measured values, applied voltage.
+/// @brief The record of one wheel for one cycle: order, measured values, applied voltage.
 /// @datatype
 struct WheelWork {
   WheelSetPoint setPoint{};        ///< target of the wheel
   Instant at{};                    ///< time at which the wheel was measured
   WheelMeasurements measured{};    ///< measured values of the wheel
-  std::optional<Tension> applied;  ///< voltage of the wheel; nothing while none is applied
+  std::optional<Tension> applied;  ///< voltage of the wheel; nothing after an overcurrent trip
   bool release = false;            ///< the order releases latched faults of the wheel
 
-  /// @brief Clears each value in its place.
+  /// @brief Clears all values.
   constexpr void clear() {
     setPoint = {};
     at = {};
@@ -36,8 +36,9 @@ struct WheelWork {
 /// @role{wheel-orders, Strategy}
 ///
 /// @patternapp{wheel-orders, Strategy, Orders for wheel control system}
-/// @why The main controller orders a wheel system to register the position of the wheel, to read the value of a
-/// sensor, to control or to halt. The system executes each order in the same way.
+/// @why The main controller orders a wheel system to register the position of the wheel, to read
+/// the value of a sensor, to control the wheel or to halt it. The system treats all orders in the
+/// same way.
 /// @changes The way in which an order is carried out may change, or a new order may be needed.
 class WheelOrder {
  public:
@@ -45,7 +46,7 @@ class WheelOrder {
   WheelOrder& operator=(const WheelOrder&) = delete;
 
   /// @brief Carries out the order.
-  /// @param work work of this cycle; the order sets the values that it computes
+  /// @param work record of this cycle; the order sets the values that it computes
   /// @isr{no}
   virtual void execute(WheelWork& work) = 0;
 

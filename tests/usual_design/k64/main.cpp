@@ -32,7 +32,7 @@ Design design({.pwm = platform::wheels[0].pwm,
 
 }  // namespace wr
 
-// Each handler waits until its stores are complete, like the handlers of the devices.
+// Each handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void cycleTimerInterrupt() {
   wr::design.cycleTimerExpired();
