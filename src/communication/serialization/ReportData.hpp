@@ -47,7 +47,7 @@ struct CycleCosts {
 /// @brief Values of one control cycle that a report contains.
 /// @datatype
 struct ReportData {
-  /// @brief Value of `source` until the first order is read.
+  /// @brief Value of the member source until the first order is read.
   static constexpr std::uint8_t kNoSource = 255;
 
   std::uint32_t cycle = 0;          ///< number of the cycle since start, the first is 1
