@@ -6,7 +6,8 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kMiddleHalfWidth = 20;  // distance to each side [us]
+constexpr std::int32_t kMiddleHalfWidth = 20;  // greatest distance from the middle at which the
+                                               // angle is 0 [us]
 
 }  // namespace
 
