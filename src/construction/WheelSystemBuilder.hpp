@@ -51,7 +51,8 @@ namespace wr {
 ///
 /// @function Builds the control system of a wheel in four steps. The first step builds the wheel
 /// with its commands. The next steps build the sensors of velocity and current, then the controller
-/// with its algorithms and behaviours, and last the control system itself with its orders.
+/// with its algorithms and behaviours, and last the control system itself with the order objects
+/// that it executes.
 ///
 /// @secret The parts of the control system of a wheel, the references between these parts, and
 /// their storage.

@@ -42,7 +42,7 @@ class Connected final : public ConnectionState {
 
   /// @brief Ends the connection and drops the newest order if the PC has been silent for the link
   /// timeout or longer.
-  /// @param connection the connection whose time is checked
+  /// @param connection the connection whose time limits are checked
   /// @isr{no}
   /// @satisfies FR-33
   void checkTime(PcConnection& connection) override;

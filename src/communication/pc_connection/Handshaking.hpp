@@ -32,7 +32,7 @@ class Handshaking final : public ConnectionState {
   bool confirm(PcConnection& connection, std::uint8_t session) override;
 
   /// @brief Ends the handshake if the newest Welcome is more than 1 s old.
-  /// @param connection the connection whose time is checked
+  /// @param connection the connection whose time limits are checked
   /// @isr{no}
   /// @satisfies FR-32
   void checkTime(PcConnection& connection) override;

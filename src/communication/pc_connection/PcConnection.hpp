@@ -17,7 +17,7 @@
 
 namespace wr {
 
-/// @brief The link with the PC.
+/// @brief The serial link with the PC.
 /// @function Receives frames from the PC, lets the state of the connection handle them, sends
 /// frames to the PC, and counts errors.
 /// @secret The steps by which the frames of one cycle are read from the serial line and passed to

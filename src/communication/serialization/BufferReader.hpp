@@ -11,13 +11,13 @@
 namespace wr {
 
 /// @brief Reader of the newest order of the remote control.
-/// @function Builds one order from the velocity signal and the direction signal of the remote control.
-/// The remote control cannot order a stop.
+/// @function Builds each order from two signals of the remote control: velocity and direction. The
+/// remote control cannot order a stop.
 /// @secret The rules by which the two signals of the remote control form a complete order.
 /// @role{serializer, Concrete Reader}
 class BufferReader final : public Reader {
  public:
-  /// @brief Connects the reader to the signals.
+  /// @brief Stores references to the two signals and the clock.
   /// @param velocity velocity signal; a value beyond the velocity limit is read as the limit
   /// @param direction direction signal; a value beyond the steering limit is read as the limit
   /// @param clock returns the present time, from which the age of the signals is computed

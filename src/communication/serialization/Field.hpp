@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief Meaning of a field of an order, a report or a welcome.
+/// @brief Meaning of a field of an order, a report or a Welcome.
 /// @datatype
 enum class FieldName : std::uint8_t {
   OrderId,           ///< number of the order, assigned by its sender
@@ -15,8 +15,8 @@ enum class FieldName : std::uint8_t {
   Commands,          ///< bits that order stop and acknowledge
   Cycle,             ///< number of the control cycle since start
   Time,              ///< time of the clock pulse
-  OperationState,    ///< operation state after the read
-  ReadingMode,       ///< reading mode after the read
+  OperationState,    ///< operation state after the read step of the cycle
+  ReadingMode,       ///< reading mode after the read step of the cycle
   Source,            ///< source of the set-points in force
   Flags,             ///< bits for the conditions of this control cycle, such as stop and overrun
   SteeringPosition,  ///< measured position of the steering
@@ -29,7 +29,7 @@ enum class FieldName : std::uint8_t {
   Applied,           ///< one bit for each applied value: 1 if the value is valid
   Overruns,          ///< count of control cycles that overran
   LostBytes,         ///< count of bytes that the serial port lost
-  Damaged,           ///< count of damaged frames
+  Damaged,           ///< count of frames with bad COBS, a bad CRC or too few bytes
   TooLong,           ///< count of frames that were too long
   UnknownVersion,    ///< count of frames of another protocol version
   UnknownType,       ///< count of received frames of an unknown type
@@ -58,7 +58,8 @@ enum class FieldName : std::uint8_t {
   FirmwareVersion,   ///< major, minor or patch number of the firmware version
   BuildId,           ///< one character of the build id
   CyclePeriod,       ///< period of the control cycle
-  WaitingCycles,     ///< the constant N of the operation states
+  WaitingCycles,     ///< the constant N: number of failed reads in a row that lead to the last
+                     ///< waiting state
   ResetCause,        ///< cause of the last reset
   FaultKind,         ///< fault that ended the firmware before this start
   FaultNumber,       ///< number whose meaning depends on the kind of fault

@@ -57,7 +57,8 @@ class OrderMessage final : public Serializable {
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:
-  static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field Commands
+  static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field Commands that acknowledges
+                                                   // latched faults
 
   SetPoints setPoints_{};
   std::uint8_t commands_ = 0;

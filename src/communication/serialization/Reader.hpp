@@ -6,7 +6,7 @@
 
 namespace wr {
 
-/// @brief A source of orders.
+/// @brief A source from which orders are read.
 /// @function Reports whether a source has an order that can be read, and returns the fields of this
 /// order by their names.
 /// @secret The source of an order, and the form of the order at this source.

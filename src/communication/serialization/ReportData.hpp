@@ -11,7 +11,7 @@ namespace wr {
 /// @brief Counts of errors on the PC link since start. Each count stops at 65535.
 /// @datatype
 struct LinkCounts {
-  std::uint16_t lostBytes = 0;       ///< bytes that the serial port could not store
+  std::uint16_t lostBytes = 0;       ///< bytes that the serial port received but did not store
   std::uint16_t damaged = 0;         ///< frames with bad COBS, a bad CRC or a body of fewer than 5
                                      ///< bytes
   std::uint16_t tooLong = 0;         ///< frames with a body of more than 205 bytes
@@ -22,7 +22,7 @@ struct LinkCounts {
   std::uint16_t unexpected = 0;      ///< frames that the state of the connection did not expect
   std::uint16_t sequenceGaps = 0;    ///< accepted frames whose sequence number is not the successor
                                      ///< of the previous accepted number
-  std::uint16_t reportsNotSent = 0;  ///< reports for which the port had no space
+  std::uint16_t reportsNotSent = 0;  ///< reports for which the serial port had no space
   std::uint16_t staleOrders = 0;     ///< orders that were repeated, or overtaken by a newer frame
 
   /// @brief Returns whether two sets of counts are equal.
@@ -40,7 +40,7 @@ struct CycleCosts {
   std::uint32_t start = 0;   ///< processor cycles from the present clock pulse until the firmware
                              ///< began the control cycle
 
-  /// @brief Returns whether all values of two costs are equal.
+  /// @brief Returns whether all values of two objects are equal.
   friend constexpr bool operator==(const CycleCosts&, const CycleCosts&) = default;
 };
 
@@ -64,7 +64,7 @@ struct ReportData {
   Outputs outputs{};                ///< applied values
   std::uint16_t overruns = 0;       ///< number of cycles that overran, at most 65535
   LinkCounts link{};                ///< errors on the PC link
-  CycleCosts costs{};               ///< costs of the cycles
+  CycleCosts costs{};               ///< processor cycles that control cycles needed
 
   /// @brief Returns whether two reports have the same values.
   friend constexpr bool operator==(const ReportData&, const ReportData&) = default;

@@ -11,7 +11,7 @@ namespace wr {
 /// @role{serializer, Concrete Element}
 class ReportMessage final : public Serializable {
  public:
-  /// @brief Binds the report to its data.
+  /// @brief Stores a reference to the data of the report.
   /// @param data values of the report, which must exist as long as the report
   explicit ReportMessage(ReportData& data);
 
