@@ -26,7 +26,7 @@ namespace wr {
 /// @brief Calculates (Raw - Offset) * Scale / Divisor.
 /// @param values arguments of the calculation, with Raw, Offset, Scale and Divisor
 /// @return the result, rounded to the nearest integer; nothing when Raw, Offset, Scale or Divisor
-/// is missing
+/// is missing, or when quotient() returns nothing
 [[nodiscard]] std::optional<std::int32_t> scaled(const ArgumentValues& values);
 
 /// @brief Calculates the value of a lever of the remote control: (Raw - Offset) * Scale / Divisor,
@@ -35,7 +35,7 @@ namespace wr {
 /// limits of Raw as Lowest and Highest
 /// @param middle greatest distance between Raw and Offset at which the result is 0
 /// @return the result, rounded to the nearest integer; nothing when Raw, Offset, Scale or Divisor
-/// is missing, or when Raw is outside its limits
+/// is missing, when Raw is outside its limits, or when quotient() returns nothing
 [[nodiscard]] std::optional<std::int32_t> deflected(const ArgumentValues& values,
                                                     std::int32_t middle);
 

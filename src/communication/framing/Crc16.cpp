@@ -15,8 +15,8 @@ using Table = std::array<std::uint16_t, kBytes>;
 // Returns the CRC remainder of each byte that can be shifted out of the check sum. The polynomial
 // is x^16 + x^12 + x^5 + 1: the byte is added (exclusive or) at the bit positions 12, 5 and 0. At
 // position 12 its upper 4 bits overflow, and these bits are therefore shifted out a second time. In
-// this file the two bytes of a check sum are swapped: the byte that is shifted out next is the
-// lowest byte, and no byte has to be moved.
+// this file the two bytes of a check sum are swapped. Thus the byte that is shifted out next is the
+// lowest byte, and the code does not have to move it.
 consteval Table remainders() {
   Table table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {

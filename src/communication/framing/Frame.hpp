@@ -17,7 +17,7 @@ enum class FrameType : std::uint8_t {
   Report = 0x82      ///< the firmware reports one control cycle
 };
 
-/// @brief The content of a frame, without protocol version, check sum and byte stuffing.
+/// @brief The content of a frame: type, sequence number and payload.
 /// @datatype
 struct Frame {
   FrameType type = FrameType::Hello;        ///< kind of the payload; a received frame may contain a
@@ -31,7 +31,7 @@ struct Frame {
 inline constexpr std::uint8_t kProtocolVersion = 2;
 
 /// @brief Lowest protocol version that the firmware accepts. Frames of other versions are dropped,
-/// except a Hello: it is always answered.
+/// except a Hello: the firmware answers a Hello of any version.
 inline constexpr std::uint8_t kLowestVersion = kProtocolVersion;
 
 /// @brief Highest protocol version that the firmware accepts.

@@ -192,7 +192,7 @@ class PcConnection final {
   void writeStart();
 
   /// @brief Sends a frame with the payload that the writer contains. Before the first frame, also
-  /// sends a zero byte. It ends a frame that the last reset may have interrupted.
+  /// sends a zero byte, which ends a frame that the last reset may have interrupted.
   /// @return false when the serial port has no space for the frame; then the frame is not sent
   /// @satisfies FR-247
   /// @satisfies FR-252
