@@ -6,8 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kMiddleHalfWidth = 20;  // greatest distance from the middle at which the
-                                               // angle is 0 [us]
+constexpr std::int32_t kMiddleHalfWidth = 20;  // distance from the middle with angle 0 [us]
 
 }  // namespace
 

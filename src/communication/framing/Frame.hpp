@@ -37,17 +37,17 @@ inline constexpr std::uint8_t kLowestVersion = kProtocolVersion;
 /// @brief Highest protocol version that the firmware accepts.
 inline constexpr std::uint8_t kHighestVersion = kProtocolVersion;
 
-/// @brief Least length of a frame body [bytes]: version, type, sequence number and check sum,
+/// @brief Least number of bytes of a frame body: version, type, sequence number and check sum,
 /// without a payload.
 inline constexpr std::size_t kMinBody = 5;
 
-/// @brief Greatest length of a frame body [bytes].
+/// @brief Greatest number of bytes of a frame body.
 inline constexpr std::size_t kMaxBody = 205;
 
-/// @brief Greatest length of the payload of a frame [bytes].
+/// @brief Greatest number of bytes of the payload of a frame.
 inline constexpr std::size_t kMaxPayload = kMaxBody - kMinBody;
 
-/// @brief Greatest length of a frame on the serial line [bytes]: the body, one byte of the byte
+/// @brief Greatest number of bytes of a frame on the serial line: the body, one byte of the byte
 /// stuffing, and the zero byte that ends the frame.
 inline constexpr std::size_t kMaxCoded = kMaxBody + 2;
 
