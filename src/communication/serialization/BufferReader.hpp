@@ -54,7 +54,7 @@ class BufferReader final : public Reader {
   /// @brief Reads the steering angle or the velocity of a wheel. The velocity is the same for all
   /// wheels.
   /// @param field name of the field
-  /// @return value of the field; 0 when the order has no such field
+  /// @return value of the field; 0 when the order does not have this field
   /// @isr{no}
   /// @satisfies FR-51
   std::int16_t readI16(Field field) override;

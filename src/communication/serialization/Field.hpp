@@ -33,7 +33,7 @@ enum class FieldName : std::uint8_t {
   TooLong,           ///< count of frames that were too long
   UnknownVersion,    ///< count of frames of another protocol version
   UnknownType,       ///< count of received frames of an unknown type
-  WrongLength,       ///< count of frames whose payload is too short
+  WrongLength,       ///< count of frames with a payload that is too short
   OutOfRange,        ///< count of orders with a field out of range
   Unexpected,        ///< count of frames that the state of the connection did not expect
   SequenceGaps,      ///< count of gaps in the sequence numbers

@@ -31,32 +31,32 @@ class Reader {
 
   /// @brief Reads an unsigned field of 8 bits.
   /// @param field name of the field
-  /// @return value of the field; 0 when the order has no such field
+  /// @return value of the field; 0 when the order does not have this field
   /// @isr{no}
   virtual std::uint8_t readU8(Field field) = 0;
 
   /// @brief Reads an unsigned field of 16 bits.
   /// @param field name of the field
-  /// @return value of the field; 0 when the order has no such field
+  /// @return value of the field; 0 when the order does not have this field
   /// @isr{no}
   virtual std::uint16_t readU16(Field field) = 0;
 
   /// @brief Reads a signed field of 16 bits.
   /// @param field name of the field
-  /// @return value of the field; 0 when the order has no such field
+  /// @return value of the field; 0 when the order does not have this field
   /// @isr{no}
   virtual std::int16_t readI16(Field field) = 0;
 
   /// @brief Reads an unsigned field of 32 bits.
   /// @param field name of the field
-  /// @return value of the field; 0 when the order has no such field
+  /// @return value of the field; 0 when the order does not have this field
   /// @isr{no}
   /// @satisfies FR-170
   virtual std::uint32_t readU32(Field field) = 0;
 
   /// @brief Reads a signed field of 32 bits.
   /// @param field name of the field
-  /// @return value of the field; 0 when the order has no such field
+  /// @return value of the field; 0 when the order does not have this field
   /// @isr{no}
   /// @satisfies FR-170
   virtual std::int32_t readI32(Field field) = 0;

@@ -17,7 +17,7 @@ struct LinkCounts {
   std::uint16_t tooLong = 0;         ///< frames with a body of more than 205 bytes
   std::uint16_t unknownVersion = 0;  ///< frames of another protocol version, except Hello
   std::uint16_t unknownType = 0;     ///< received frames of an unknown type
-  std::uint16_t wrongLength = 0;     ///< frames whose payload is too short
+  std::uint16_t wrongLength = 0;     ///< frames with a payload that is too short
   std::uint16_t outOfRange = 0;      ///< orders with a field out of range
   std::uint16_t unexpected = 0;      ///< frames that the state of the connection did not expect
   std::uint16_t sequenceGaps = 0;    ///< accepted frames whose sequence number is not the successor

@@ -21,7 +21,7 @@ class SerialWriter final : public Writer {
   /// @brief Constructs a writer without bytes.
   SerialWriter() = default;
 
-  /// @brief Clears all bytes, so that a new object can be written.
+  /// @brief Clears all bytes. Then a new object can be written.
   /// @isr{no}
   /// @satisfies FR-170
   void clear();
