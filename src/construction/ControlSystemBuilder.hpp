@@ -5,12 +5,12 @@
 
 namespace wr {
 
-/// @brief Builds one control system.
+/// @brief Builder of one control system.
 ///
-/// @function Defines the same steps of construction for every control system: its sensors, its
-/// actuator, its controller, and the system itself.
+/// @function Declares the build steps that every control system needs: for its actuator, its
+/// sensors, its controller, and the control system itself.
 ///
-/// @secret Which parts a control system has, and how they are bound to each other.
+/// @secret The parts of a control system, and the references between these parts.
 ///
 /// @role{wheel-system-construction, Builder}
 /// @role{steering-system-construction, Builder}
@@ -19,54 +19,54 @@ class ControlSystemBuilder {
   ControlSystemBuilder(const ControlSystemBuilder&) = delete;
   ControlSystemBuilder& operator=(const ControlSystemBuilder&) = delete;
 
-  /// @brief Builds the actuator, with the commands that move it.
-  /// @errors A part that is built twice ends the program with the assertion PartBuiltTwice.
+  /// @brief Builds the actuator and the commands that move the actuator.
+  /// @errors If the actuator is built twice, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildActuator() = 0;
 
   /// @brief Builds the sensors.
   /// @pre The actuator is built.
-  /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
-  /// twice ends the program with PartBuiltTwice.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing. If this step is
+  /// called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSensors() = 0;
 
   /// @brief Builds the controller.
   /// @pre The actuator and the sensors are built.
-  /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
-  /// twice ends the program with PartBuiltTwice.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing. If this step is
+  /// called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildController() = 0;
 
-  /// @brief Builds the system.
-  /// @pre All its parts are built.
-  /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
-  /// twice ends the program with PartBuiltTwice.
+  /// @brief Builds the control system from its parts.
+  /// @pre The actuator, the sensors and the controller are built.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing. If this step is
+  /// called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSystem() = 0;
 
-  /// @brief Starts the interrupts and the thread of the system.
-  /// @pre The system is built.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @brief Starts the interrupts and the thread of the control system, if it has any.
+  /// @pre The control system is built.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing.
   /// @isr{no}
   /// @satisfies FR-92
   virtual void start() = 0;
 
-  /// @brief Returns the system that was built.
-  /// @return the system; it exists as long as the builder
+  /// @brief Returns the control system that was built.
+  /// @return the control system; it exists as long as the builder
   /// @pre buildSystem() was called.
-  /// @errors Without a system the program ends with the assertion PartMissing.
+  /// @errors If the control system is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] virtual ControlSystem& system() = 0;
 
-  /// @brief Returns the command that does the work of the system at each tick of the second timer.
+  /// @brief Returns the command that SecondTimer executes for this control system at each tick.
   /// @return the command; it exists as long as the builder
   /// @pre All parts are built.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] virtual Command& tickCommand() = 0;
 

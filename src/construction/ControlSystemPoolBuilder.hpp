@@ -10,13 +10,13 @@
 
 namespace wr {
 
-/// @brief Builds the pool of control systems.
+/// @brief Builder of the pool of control systems.
 ///
-/// @function Builds each control system, adds it to the pool, and passes its command to the second
-/// timer.
+/// @function Builds each control system and adds this system to the pool. Passes the tick command
+/// of each system to SecondTimer, the timer of the ticks.
 ///
-/// @secret The sequence in which the control systems are built and put into the pool, and where the
-/// pool is stored.
+/// @secret The sequence in which the control systems are built and added to the pool, and the
+/// storage of the pool.
 ///
 /// @role{pool-construction, Builder}
 /// @role{pool-construction, Concrete Builder}
@@ -24,47 +24,48 @@ namespace wr {
 /// @role{steering-system-construction, Director}
 ///
 /// @patternapp{pool-construction, Builder, Building a control system pool}
-/// @why The pool that gets the orders of the main controller contains several control systems.
-/// The user of the pool does not depend on how it is filled.
-/// @changes New control systems may have to be added to the pool, without change to the main controller.
+/// @why The pool contains several control systems and receives the orders of the main controller
+/// for them. The main controller does not depend on the steps that fill the pool.
+/// @changes New control systems may have to be added to the pool. Adding them does not change the
+/// main controller.
 class ControlSystemPoolBuilder {
  public:
-  /// @brief Binds the builder to the builders of the control systems. Nothing is built yet.
-  /// @param tickTimer generates the ticks of the second timer
-  /// @param builders build the control systems, in the sequence of the pool; they exist as long as
-  /// this builder
+  /// @brief Stores references to the builders of the control systems. Nothing is built yet.
+  /// @param tickTimer generates the ticks of SecondTimer
+  /// @param builders builders of the control systems, in the sequence in which the systems are
+  /// added to the pool; these builders must exist as long as this object
   ControlSystemPoolBuilder(PeriodicTimer& tickTimer,
                            std::span<ControlSystemBuilder* const> builders);
   ControlSystemPoolBuilder(const ControlSystemPoolBuilder&) = delete;
   ControlSystemPoolBuilder& operator=(const ControlSystemPoolBuilder&) = delete;
 
   /// @brief Builds each control system.
-  /// @errors A part that is built twice ends the program with the assertion PartBuiltTwice.
+  /// @errors If a part is built twice, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildSystems();
 
-  /// @brief Builds the pool and puts all control systems into it.
+  /// @brief Builds the pool and adds all control systems to it.
   /// @pre The control systems are built.
   /// @post pool() can be called.
-  /// @errors A missing system ends the program with the assertion PartMissing. A second pool ends
-  /// the program with PartBuiltTwice.
+  /// @errors If a control system is missing, the program ends with the assertion PartMissing. If
+  /// the pool is built twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPool();
 
-  /// @brief Builds the second timer and passes it the command of each control system.
+  /// @brief Builds SecondTimer and adds the tick command of each control system to it.
   /// @pre The control systems are built.
-  /// @errors A missing system ends the program with the assertion PartMissing. A second timer ends
-  /// the program with PartBuiltTwice.
+  /// @errors If a control system is missing, the program ends with the assertion PartMissing. If
+  /// SecondTimer is built twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-100
   /// @satisfies FR-78
   /// @isr{no}
   void buildTimer();
 
-  /// @brief Starts the control systems, then the second timer.
-  /// @pre The control systems and the timer are built.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @brief Starts the control systems, and then SecondTimer.
+  /// @pre The control systems and SecondTimer are built.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing.
   /// @satisfies FR-100
   /// @isr{no}
   void start();
@@ -72,15 +73,15 @@ class ControlSystemPoolBuilder {
   /// @brief Returns the pool that was built.
   /// @return the pool; it exists as long as the builder.
   /// @pre buildPool() was called.
-  /// @errors Without a pool the program ends with the assertion PartMissing.
+  /// @errors If the pool is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   /// @satisfies FR-78
   [[nodiscard]] ControlSystemPool& pool();
 
-  /// @brief Returns the second timer that was built.
+  /// @brief Returns the SecondTimer that was built.
   /// @return the timer; it exists as long as the builder.
   /// @pre buildTimer() was called.
-  /// @errors Without a timer the program ends with the assertion PartMissing.
+  /// @errors If the timer is not built, the program ends with the assertion PartMissing.
   /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] SecondTimer& timer();

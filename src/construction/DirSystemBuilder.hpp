@@ -28,27 +28,29 @@
 
 namespace wr {
 
-/// @brief Builds the control system of the steering.
+/// @brief Builder of the control system of the steering.
 ///
-/// @function Builds the steering device with its power states and commands, the sensor of its
-/// position, the controller with its states and its algorithm, and the system. Each of these parts
-/// has one step.
+/// @function Builds the control system of the steering in four steps. The first step builds the
+/// steering device with its power states and commands. The next steps build the position sensor,
+/// then the controller with its states and its algorithm, and last the control system itself.
 ///
-/// @secret Which parts the control system of the steering has, how they are bound to each other, and
-/// where they are stored.
+/// @secret The parts of the control system of the steering, the references between these parts, and
+/// their storage.
 ///
 /// @role{steering-system-construction, Concrete Builder}
 /// @role{steering-commands, Client}
 /// @role{steering-timer-interrupt, Client}
 ///
 /// @patternapp{steering-system-construction, Builder, Building a steering device control system}
-/// @why The control system of the steering consists of many parts that refer to each other. The
-/// module that collects the control systems does not depend on these parts.
-/// @changes The parts of the system and the relations among them may change, such as one more state or
-/// another sensor.
+/// @why The control system of the steering consists of many parts that refer to each other.
+/// ControlSystemPoolBuilder, which adds the control system to the pool, does not depend on these
+/// parts.
+/// @changes The parts of the control system and the references between them may change. Examples
+/// are an additional state and a different sensor.
 class DirSystemBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Devices that the platform provides for the steering. Each device exists as long as the builder.
+  /// @brief Devices that the platform provides for the steering. Each device must exist as long as
+  /// the builder.
   /// @datatype
   struct Devices {
     DigitalOutput& step;        ///< the motor makes a step each time this output is switched on
@@ -60,8 +62,8 @@ class DirSystemBuilder final : public ControlSystemBuilder {
     const Timebase& timebase;   ///< returns the time
   };
 
-  /// @brief Binds the builder to the devices of the steering.
-  /// @param devices devices of the platform
+  /// @brief Stores references to the devices of the steering.
+  /// @param devices devices that the platform provides for the steering
   explicit DirSystemBuilder(const Devices& devices);
 
   void buildActuator() override;

@@ -46,15 +46,15 @@
 
 namespace wr {
 
-/// @brief Builds the main controller and all its parts.
+/// @brief Builder of the main controller and all its parts.
 ///
-/// @function Builds the link to the PC, the remote control, the reading modes, the operation
-/// states, the controller and its clock, with one step for each, and binds them. The sequence of
-/// the steps is the sequence of their declarations. A product without a part omits its step. An
-/// extension can build modes and states.
+/// @function Builds and connects the link to the PC, the remote control, the reading modes, the
+/// operation states, the controller and the timer of its cycles. Each of these parts has one build
+/// step. The steps are declared in the sequence in which they are called. A variant of the robot
+/// that does not need a part omits the step of this part. An extension can build the reading modes
+/// and the operation states itself.
 ///
-/// @secret Which parts the main controller has, how they are bound to each other, and where they are
-/// stored.
+/// @secret The parts of the main controller, the references between these parts, and their storage.
 ///
 /// @role{main-controller-construction, Builder}
 /// @role{main-controller-construction, Concrete Builder}
@@ -62,120 +62,128 @@ namespace wr {
 /// @role{rc-pin-interrupt, Client}
 ///
 /// @patternapp{main-controller-construction, Builder, Building a main controller}
-/// @why The main controller consists of many parts that refer to each other. The module that starts
-/// the robot does not depend on these parts.
-/// @changes The set of parts or the relations among them may change: a new device adds new parts to
-/// the controller.
+/// @why The main controller consists of many parts that refer to each other. RobotDirector, which
+/// calls the build steps, does not depend on these parts.
+/// @changes The parts of the main controller and the references between them may change. For
+/// example, a new device adds new parts to the controller.
 class MainControllerBuilder {
  public:
-  /// @brief Devices that the platform provides for the remote control. Each device exists as long as the builder.
+  /// @brief Devices that the platform provides for the remote control. Each device must exist as
+  /// long as the builder.
   /// @datatype
   struct RemoteControlDevices {
-    EdgeInput& velocityPin;    ///< pulses of the velocity lever
-    EdgeInput& directionPin;   ///< pulses of the direction lever
-    Pipe<Velocity>& velocity;  ///< velocity from the pulses
-    Pipe<Angle>& direction;    ///< direction from the pulses
-    const Timebase* edgeTime =
-        nullptr;  ///< returns the time of an edge; null: the timebase of all devices returns it
+    EdgeInput& velocityPin;    ///< input that receives the pulses of the velocity lever
+    EdgeInput& directionPin;   ///< input that receives the pulses of the direction lever
+    Pipe<Velocity>& velocity;  ///< pipe for the velocity that is computed from the pulses
+    Pipe<Angle>& direction;    ///< pipe for the steering angle that is computed from the pulses
+    const Timebase* edgeTime = nullptr;  ///< returns the time of an edge; if this pointer is null,
+                                         ///< the timebase of the main controller is used
   };
 
-  /// @brief Devices that the platform provides for the main controller. Each device exists as long as the builder.
+  /// @brief Devices that the platform provides for the main controller. Each device must exist as
+  /// long as the builder.
   /// @datatype
   struct Devices {
     ControlThread& thread;      ///< runs the control cycles
     PeriodicTimer& cycleTimer;  ///< generates the clock pulses
     const Timebase& timebase;   ///< returns the time
-    SerialPort& pcPort;         ///< line to the PC
-    Watchdog& watchdog;         ///< resets the system when cycles no longer complete
+    SerialPort& pcPort;         ///< serial line to the PC
+    Watchdog& watchdog;         ///< resets the microcontroller if the control cycles are no longer
+                                ///< completed
     const StartRecord& start;   ///< cause of the start of the firmware
-    std::optional<RemoteControlDevices> remoteControl{};  ///< nothing in a product without remote
-                                                          ///< control
+    std::optional<RemoteControlDevices> remoteControl{};  ///< empty in a variant of the robot
+                                                          ///< without remote control
   };
 
-  /// @brief Binds the builder to the devices.
-  /// @param devices devices of the platform
+  /// @brief Stores references to the devices.
+  /// @param devices devices that the platform provides for the main controller
   explicit MainControllerBuilder(Devices devices);
   MainControllerBuilder(const MainControllerBuilder&) = delete;
   MainControllerBuilder& operator=(const MainControllerBuilder&) = delete;
 
-  /// @brief Builds the reader of the PC's orders, and the link to the PC with its states. The link
-  /// begins disconnected.
-  /// @errors A link that is built twice ends the program with the assertion PartBuiltTwice.
+  /// @brief Builds the reader of the orders of the PC, and the link to the PC with the states of
+  /// the connection. At first no PC is connected.
+  /// @errors If the link is built twice, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildConnection();
 
-  /// @brief Builds the remote control: its pins, their interrupt handlers, and the reader of its orders.
-  /// The interrupts of the pins are enabled from now on.
+  /// @brief Builds the modules of the remote control: the pins, the interrupt handlers of the pins,
+  /// and the reader of its orders. Enables the interrupts of the pins.
   /// @pre The platform provides the devices of the remote control.
-  /// @errors Without devices the program ends with the assertion PartMissing. A second call ends
-  /// the program with PartBuiltTwice.
+  /// @errors If the platform does not provide the devices, the program ends with the assertion
+  /// PartMissing. If this step is called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-51
   /// @satisfies FR-78
   /// @isr{no}
   void buildRemoteControl();
 
-  /// @brief Builds the reading modes PC and RC; each is the successor of the other. RC is the first.
+  /// @brief Builds the reading modes RC and PC. A change of the mode leads to the other mode. The
+  /// firmware starts in RC.
   /// @pre The link and the remote control are built.
-  /// @errors A missing part ends the program with the assertion PartMissing. Modes that are already
-  /// built end the program with PartBuiltTwice.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing. If modes are
+  /// already built, the program ends with PartBuiltTwice.
   /// @satisfies FR-17
   /// @satisfies FR-78
   /// @isr{no}
   void buildModes();
 
-  /// @brief Builds the reading mode PC for a product without other modes: a change of the mode
-  /// leads to PC again.
+  /// @brief Builds the reading mode PC for a variant of the robot without other modes. A change of
+  /// the mode leads to PC again.
   /// @pre The link is built.
-  /// @errors A missing part ends the program with the assertion PartMissing. Modes that are already
-  /// built end the program with PartBuiltTwice.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing. If modes are
+  /// already built, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPcMode();
 
   /// @brief Sets reading modes that an extension built.
-  /// @param first mode at start
-  /// @param all every mode; storage and modes exist as long as the builder
-  /// @errors Modes that are already built end the program with the assertion PartBuiltTwice.
+  /// @param first reading mode in which the firmware starts
+  /// @param all all modes; the modes and this array must exist as long as the builder
+  /// @errors If modes are already built, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void useModes(Mode& first, std::span<Mode* const> all);
 
-  /// @brief Builds the operation states and binds each to its successors. Working is the first.
-  /// @errors States that are already built end the program with the assertion PartBuiltTwice.
+  /// @brief Builds the operation states and connects each state to the states that can follow it.
+  /// The firmware starts in Working.
+  /// @errors If states are already built, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildStates();
 
   /// @brief Sets operation states that an extension built.
-  /// @param first state at start; it exists as long as the builder
-  /// @errors States that are already built end the program with the assertion PartBuiltTwice.
+  /// @param first operation state in which the firmware starts; it must exist as long as the
+  /// builder
+  /// @errors If states are already built, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void useStates(OperationState& first);
 
-  /// @brief Builds the controller; it begins in the first state and the first mode.
-  /// @param systems the control systems of the controller
+  /// @brief Builds the main controller. It starts in the first operation state and the first
+  /// reading mode.
+  /// @param systems the control systems that the controller commands
   /// @pre The link, the modes and the states are built.
-  /// @errors A missing part ends the program with the assertion PartMissing. A second controller ends
-  /// the program with PartBuiltTwice.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing. If the
+  /// controller is built twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-10
   /// @satisfies FR-78
   /// @isr{no}
   void buildController(ControlSystemPool& systems);
 
-  /// @brief Builds the timer that begins the control cycles, and its command.
+  /// @brief Builds the timer that begins the control cycles, and the command that this timer
+  /// executes.
   /// @pre The controller is built.
-  /// @errors A missing part ends the program with the assertion PartMissing. A second timer ends
-  /// the program with PartBuiltTwice.
+  /// @errors If the controller is missing, the program ends with the assertion PartMissing. If the
+  /// timer is built twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-1
   /// @satisfies FR-78
   /// @isr{no}
   void buildClock();
 
-  /// @brief Starts the controller, then the timer that begins its cycles.
-  /// @pre The controller and its clock are built.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @brief Starts the controller, and then the timer that begins the control cycles.
+  /// @pre The controller and the timer are built.
+  /// @errors If a part is missing, the program ends with the assertion PartMissing.
   /// @satisfies FR-1
   /// @isr{no}
   void start();
@@ -183,7 +191,7 @@ class MainControllerBuilder {
   /// @brief Returns the controller that was built.
   /// @return the controller; it exists as long as the builder.
   /// @pre buildController() was called.
-  /// @errors Without a controller the program ends with the assertion PartMissing.
+  /// @errors If the controller is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   /// @satisfies FR-78
   [[nodiscard]] MainController& controller();
@@ -191,23 +199,23 @@ class MainControllerBuilder {
   /// @brief Returns the timer that begins the control cycles.
   /// @return the timer; it exists as long as the builder.
   /// @pre buildClock() was called.
-  /// @errors Without a timer the program ends with the assertion PartMissing.
+  /// @errors If the timer is not built, the program ends with the assertion PartMissing.
   /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] FirstTimer& clock();
 
-  /// @brief Returns the reader of the PC's orders.
+  /// @brief Returns the reader of the orders of the PC.
   /// @return the reader; it exists as long as the builder.
   /// @pre buildConnection() was called.
-  /// @errors Without a reader the program ends with the assertion PartMissing.
+  /// @errors If the reader is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   /// @satisfies FR-78
   [[nodiscard]] Reader& pcReader();
 
-  /// @brief Returns the reader of the remote control's orders.
+  /// @brief Returns the reader of the orders of the remote control.
   /// @return the reader; it exists as long as the builder.
   /// @pre buildRemoteControl() was called.
-  /// @errors Without a remote control the program ends with the assertion PartMissing.
+  /// @errors If the remote control is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   /// @satisfies FR-78
   [[nodiscard]] Reader& rcReader();
@@ -215,7 +223,7 @@ class MainControllerBuilder {
   /// @brief Returns the link to the PC.
   /// @return the link; it exists as long as the builder.
   /// @pre buildConnection() was called.
-  /// @errors Without a link the program ends with the assertion PartMissing.
+  /// @errors If the link is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   /// @satisfies FR-78
   [[nodiscard]] PcConnection& connection();
@@ -223,7 +231,7 @@ class MainControllerBuilder {
   /// @brief Returns the handler of the interrupts of the velocity pin.
   /// @return the pin; it exists as long as the builder.
   /// @pre buildRemoteControl() was called.
-  /// @errors Without a remote control the program ends with the assertion PartMissing.
+  /// @errors If the remote control is not built, the program ends with the assertion PartMissing.
   /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] RcPin& velocityPin();
@@ -231,7 +239,7 @@ class MainControllerBuilder {
   /// @brief Returns the handler of the interrupts of the direction pin.
   /// @return the pin; it exists as long as the builder.
   /// @pre buildRemoteControl() was called.
-  /// @errors Without a remote control the program ends with the assertion PartMissing.
+  /// @errors If the remote control is not built, the program ends with the assertion PartMissing.
   /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] RcPin& directionPin();

@@ -5,10 +5,10 @@
 
 namespace wr {
 
-/// @brief Builds the whole robot, and starts it.
+/// @brief Director that builds and starts the whole robot.
 ///
-/// @function Calls the steps of the builders in the required sequence, then starts the control
-/// systems, the controller and the clocks.
+/// @function Calls the build steps of the builders in the required sequence. Then starts the
+/// control systems, the main controller and their timers.
 ///
 /// @secret The sequence in which the parts of the robot are built and started.
 ///
@@ -16,7 +16,7 @@ namespace wr {
 /// @role{main-controller-construction, Director}
 class RobotDirector {
  public:
-  /// @brief Binds the director to the builders.
+  /// @brief Stores references to the builders.
   /// @param poolBuilder builds the control systems
   /// @param controllerBuilder builds the main controller
   RobotDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder);
@@ -32,9 +32,9 @@ class RobotDirector {
   /// @satisfies NFR-1
   void constructForPc();
 
-  /// @brief Starts the control cycles.
-  /// @pre construct() was called.
-  /// @errors A robot that was not built ends the program with the assertion PartMissing.
+  /// @brief Starts the control systems and the control cycles.
+  /// @pre construct() or constructForPc() was called.
+  /// @errors If the robot was not built, the program ends with the assertion PartMissing.
   /// @satisfies FR-1
   /// @satisfies FR-10
   /// @isr{no}

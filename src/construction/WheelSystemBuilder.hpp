@@ -47,14 +47,15 @@
 
 namespace wr {
 
-/// @brief Builds the control system of one wheel.
+/// @brief Builder of the control system of one wheel.
 ///
-/// @function Builds the wheel with its commands, the sensors of its velocity and its current, the
-/// controller with its algorithms and behaviours, and the system with its orders. Each of these
-/// parts has one step.
+/// @function Builds the control system of a wheel in four steps. The first step builds the wheel
+/// with its commands. The next steps build the sensors of velocity and current, then the controller
+/// with its algorithms and behaviours, and last the control system itself with the order objects
+/// that it executes.
 ///
-/// @secret Which parts the control system of a wheel has, how they are bound to each other, and where
-/// they are stored.
+/// @secret The parts of the control system of a wheel, the references between these parts, and
+/// their storage.
 ///
 /// @role{wheel-system-construction, Concrete Builder}
 /// @role{wheel-commands, Client}
@@ -62,16 +63,18 @@ namespace wr {
 /// @role{wheel-timer-interrupt, Client}
 ///
 /// @patternapp{wheel-system-construction, Builder, Building a wheel control system}
-/// @why The control system of a wheel consists of many parts that refer to each other. The module
-/// that collects the control systems does not depend on these parts.
-/// @changes The parts of the system and the relations among them may change, such as a filter around a
-/// sensor or one more algorithm.
+/// @why The control system of a wheel consists of many parts that refer to each other.
+/// ControlSystemPoolBuilder, which adds the control system to the pool, does not depend on these
+/// parts.
+/// @changes The parts of the control system and the references between them may change. Examples
+/// are a filter around a sensor and an additional algorithm.
 class WheelSystemBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Devices that the platform provides for a wheel. Each device exists as long as the builder.
+  /// @brief Devices that the platform provides for a wheel. Each device must exist as long as the
+  /// builder.
   /// @datatype
   struct Devices {
-    PwmOutput& pwm;              ///< voltage of the wheel
+    PwmOutput& pwm;              ///< sets the voltage of the wheel
     DigitalOutput& orientation;  ///< on: the wheel turns backwards
     DigitalOutput& enable;       ///< on: the driver of the motor is enabled
     EdgeInput& hallA;            ///< first Hall sensor
@@ -82,8 +85,8 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
     std::size_t wheel;           ///< number of the wheel, 0 to 3
   };
 
-  /// @brief Binds the builder to the devices of its wheel.
-  /// @param devices devices of the platform
+  /// @brief Stores references to the devices of the wheel.
+  /// @param devices devices that the platform provides for the wheel
   explicit WheelSystemBuilder(const Devices& devices);
 
   void buildActuator() override;
@@ -94,19 +97,20 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   [[nodiscard]] ControlSystem& system() override;
   [[nodiscard]] Command& tickCommand() override;
 
-  /// @brief Sets the algorithms of the controller, instead of the algorithms of the builder.
-  /// @param algorithms an algorithm for each WheelQuantity, in the order of the enumeration; they
-  /// exist as long as the builder
+  /// @brief Sets algorithms that the controller uses in place of the builder's own algorithms.
+  /// @param algorithms one algorithm for each WheelQuantity, in the sequence of the enumeration;
+  /// the algorithms must exist as long as the builder
   /// @pre buildController() was not called.
-  /// @errors With a controller the program ends with the assertion PartBuiltTwice.
+  /// @errors If the controller is already built, the program ends with the assertion
+  /// PartBuiltTwice.
   /// @isr{no}
   /// @satisfies FR-78
   void useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms);
 
   /// @brief Returns the handler of the interrupts of the Hall sensors.
-  /// @return the sensor; it exists as long as the builder
+  /// @return the handler; it exists as long as the builder
   /// @pre buildSensors() was called.
-  /// @errors Without a sensor the program ends with the assertion PartMissing.
+  /// @errors If the sensors are not built, the program ends with the assertion PartMissing.
   /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] ActiveSensor& sensor();
@@ -160,7 +164,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   Devices devices_;
   Pipe<Velocity> velocities_;
   Pipe<Current> currents_;
-  std::optional<std::array<WheelAlgorithm*, 3>> algorithms_;  // instead of the builder's algorithms
+  std::optional<std::array<WheelAlgorithm*, 3>> algorithms_;  // algorithms that useAlgorithms() set
   std::optional<Actuator> actuator_;
   std::optional<Sensors> sensors_;
   std::optional<Control> control_;

@@ -7,16 +7,18 @@
 
 namespace wr {
 
-/// @brief A calculation.
-/// @function Calculates one value from its arguments, with integers, so that the host and the
-/// microcontroller calculate equal numbers.
-/// @secret Which formula is used.
+/// @brief Calculation of a physical value.
+/// @function Calculates one value from its arguments. All calculations use integers, because the
+/// host and the microcontroller must calculate exactly the same value.
+/// @secret The formula of the calculation.
 /// @role{functions, Strategy}
 ///
 /// @patternapp{functions, Strategy, Functions}
-/// @why The values of sensors and of the remote control must be converted into physical values,
-/// each by a different formula. A sensor gets a function, and does not depend on its formula.
-/// @changes A formula may change with the sensor. A new calculation is a new subclass of this class.
+/// @why The values of sensors and of the remote control must be converted to physical values, each
+/// with a different formula. A sensor uses a function only through this interface, and does not
+/// depend on the formula.
+/// @changes The formula may change when a different sensor is used. A new calculation is a new
+/// subclass of this class.
 class Function {
  public:
   Function(const Function&) = delete;
@@ -24,8 +26,8 @@ class Function {
 
   /// @brief Calculates the value.
   /// @param arguments inputs of the calculation
-  /// @return the value, in the unit of the function; nothing when an argument is missing, out of
-  /// its range, or when the value would be out of range
+  /// @return the value, in the unit that the subclass states; nothing when an argument is missing
+  /// or out of range, or when the value would be out of range
   /// @isr{yes}
   [[nodiscard]] virtual std::optional<std::int32_t> calculate(const Arguments& arguments) const = 0;
 

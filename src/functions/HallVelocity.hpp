@@ -8,20 +8,21 @@
 namespace wr {
 
 /// @brief Velocity of a wheel from its Hall edges.
-/// @function Calculates the velocity from a number of edges and their time: Raw * Scale / (Divisor
-/// * Elapsed).
-/// @secret The formula for a velocity from edges and time.
+/// @function Calculates the velocity from a number of Hall edges and the time between them: Raw *
+/// Scale / (Divisor * Elapsed).
+/// @secret The formula that converts edges and time to a velocity.
 /// @role{functions, Concrete Strategy}
 class HallVelocity final : public Function {
  public:
   /// @brief Constructs the function.
   HallVelocity() = default;
 
-  /// @brief Calculates the velocity, rounded to the nearest number.
-  /// @param arguments Raw [edges], Elapsed [us, greater than 0], Scale [0.1 rpm * us * edges a turn
-  /// / edge] and Divisor [edges a turn]; Lowest and Highest bound the velocity [0.1 rpm]
-  /// @return velocity [0.1 rpm]; nothing when an argument is missing or the velocity is out of
-  /// bounds
+  /// @brief Calculates the velocity, rounded to the nearest integer.
+  /// @param arguments Raw [edges], Elapsed [us, greater than 0], Scale [0.1 rpm * us * edges per
+  /// turn / edge] and Divisor [edges per turn]; Lowest and Highest are the limits of the velocity
+  /// [0.1 rpm]
+  /// @return velocity [0.1 rpm]; nothing when an argument is missing or the velocity is outside its
+  /// limits
   /// @isr{yes}
   /// @satisfies FR-120
   /// @satisfies FR-124

@@ -7,23 +7,26 @@
 
 namespace wr {
 
-/// @brief The steering angle from a pulse of the remote control.
+/// @brief Steering angle from a pulse of the remote control.
 /// @function Calculates the steering angle from the width of a pulse. Near the middle position of
 /// the lever the angle is 0.
 /// @secret The relation between the width of a pulse and the steering angle, and the range around
-/// the middle.
+/// the middle in which the angle is 0.
 /// @role{functions, Concrete Strategy}
 class RcDirection final : public Function {
  public:
   /// @brief Constructs the function.
   RcDirection() = default;
 
-  /// @brief Calculates the steering angle, rounded to the nearest number. Up to 20 us from the
-  /// middle the angle is 0: the robot shall go straight when its lever is released.
-  /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
-  /// [steering angle at full deflection, 0.01 degree]; Lowest and Highest bound the width [us]
-  /// @return steering angle [0.01 degree], positive to the left; beyond full deflection the angle
-  /// of full deflection; nothing when an argument is missing or the width is out of bounds
+  /// @brief Calculates the steering angle, rounded to the nearest integer. If the width differs
+  /// from the middle by at most 20 us, the angle is 0, because the robot must drive straight ahead
+  /// when the lever is released.
+  /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
+  /// Divisor: difference from Offset at full deflection [us]; Scale: steering angle at full
+  /// deflection [0.01 degree]; Lowest and Highest: limits of the width [us]
+  /// @return steering angle [0.01 degree], positive to the left; nothing when an argument is
+  /// missing or the width is outside its limits. Beyond full deflection, the result is the angle of
+  /// full deflection.
   /// @isr{yes}
   /// @satisfies FR-52
   /// @satisfies FR-53

@@ -7,23 +7,26 @@
 
 namespace wr {
 
-/// @brief The velocity from a pulse of the remote control.
+/// @brief Velocity from a pulse of the remote control.
 /// @function Calculates the velocity from the width of a pulse. Near the middle position of the
 /// lever the velocity is 0.
 /// @secret The relation between the width of a pulse and the velocity, and the range around the
-/// middle.
+/// middle in which the velocity is 0.
 /// @role{functions, Concrete Strategy}
 class RcVelocity final : public Function {
  public:
   /// @brief Constructs the function.
   RcVelocity() = default;
 
-  /// @brief Calculates the velocity, rounded to the nearest number. Up to 20 us from the middle the
-  /// velocity is 0: the robot shall be at rest when its lever is released.
-  /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
-  /// [velocity at full deflection, 0.1 rpm]; Lowest and Highest bound the width [us]
-  /// @return velocity [0.1 rpm], positive forwards; beyond full deflection the velocity of full
-  /// deflection; nothing when an argument is missing or the width is out of bounds
+  /// @brief Calculates the velocity, rounded to the nearest integer. If the width differs from the
+  /// middle by at most 20 us, the velocity is 0, because the robot must be at rest when the lever
+  /// is released.
+  /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
+  /// Divisor: difference from Offset at full deflection [us]; Scale: velocity at full deflection
+  /// [0.1 rpm]; Lowest and Highest: limits of the width [us]
+  /// @return velocity [0.1 rpm], positive forwards; nothing when an argument is missing or the
+  /// width is outside its limits. Beyond full deflection, the result is the velocity of full
+  /// deflection.
   /// @isr{yes}
   /// @satisfies FR-52
   /// @satisfies FR-53

@@ -8,17 +8,17 @@
 namespace wr {
 
 /// @brief Angle of the steering device from samples of its sensor.
-/// @function Calculates the mean angle of samples: (Raw - Offset) * Scale / Divisor.
-/// @secret The formula for an angle from samples.
+/// @function Calculates the mean angle from a sum of samples: (Raw - Offset) * Scale / Divisor.
+/// @secret The formula that converts a sum of samples to an angle.
 /// @role{functions, Concrete Strategy}
 class SampledAngle final : public Function {
  public:
   /// @brief Constructs the function.
   SampledAngle() = default;
 
-  /// @brief Calculates the angle, rounded to the nearest number.
-  /// @param arguments Raw [sum of samples], Scale of the sensor, and Divisor and Offset for this
-  /// number of samples
+  /// @brief Calculates the angle, rounded to the nearest integer.
+  /// @param arguments Raw: sum of the samples; Scale: factor of the sensor; Divisor and Offset:
+  /// parameters for this number of samples
   /// @return angle [0.01 degree]; nothing when an argument is missing
   /// @isr{yes}
   /// @satisfies FR-129

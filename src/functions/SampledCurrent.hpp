@@ -9,17 +9,17 @@ namespace wr {
 
 /// @brief Current of a wheel motor from samples of its sensor.
 /// @function Calculates the current from a sum of samples: (Raw - Offset) * Scale / Divisor.
-/// @secret The formula for a current from samples.
+/// @secret The formula that converts a sum of samples to a current.
 /// @role{functions, Concrete Strategy}
 class SampledCurrent final : public Function {
  public:
   /// @brief Constructs the function.
   SampledCurrent() = default;
 
-  /// @brief Calculates the current, rounded to the nearest number.
-  /// @param arguments Raw [sum of samples], Scale, Divisor and Offset of the sensor; Lowest and
-  /// Highest bound the current [mA]
-  /// @return current [mA]; nothing when an argument is missing or the current is out of bounds
+  /// @brief Calculates the current, rounded to the nearest integer.
+  /// @param arguments Raw: sum of the samples; Scale, Divisor and Offset: parameters of the sensor;
+  /// Lowest and Highest: limits of the current [mA]
+  /// @return current [mA]; nothing when an argument is missing or the current is outside its limits
   /// @isr{yes}
   /// @satisfies FR-125
   [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;

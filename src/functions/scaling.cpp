@@ -7,7 +7,8 @@ namespace wr {
 
 namespace {
 
-// The core divides 32 bits with one instruction, and 64 bits with a loop.
+// Returns dividend / divisor. If both numbers have 32 bits, the processor divides them with one
+// instruction. A division of 64 bits needs a loop.
 std::int64_t divided(std::int64_t dividend, std::int64_t divisor) {
   if (std::in_range<std::int32_t>(dividend) && std::in_range<std::int32_t>(divisor)) {
     return static_cast<std::int32_t>(dividend) / static_cast<std::int32_t>(divisor);
@@ -19,7 +20,7 @@ bool hasScaledRaw(const ArgumentValues& values) {
   return values.has(ArgumentId::Raw, ArgumentId::Offset, ArgumentId::Scale, ArgumentId::Divisor);
 }
 
-// Returns the distance of the raw value from the raw value of zero.
+// Returns Raw - Offset.
 std::int64_t distance(const ArgumentValues& values) {
   return std::int64_t{values[ArgumentId::Raw]} - values[ArgumentId::Offset];
 }

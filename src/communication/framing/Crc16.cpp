@@ -12,10 +12,11 @@ namespace {
 constexpr std::size_t kBytes = 256;
 using Table = std::array<std::uint16_t, kBytes>;
 
-// Remainder of each byte that leaves the check sum at its upper end. The polynomial is x^16 + x^12
-// + x^5 + 1: each bit is added at the positions 12, 5 and 0, and the bits at the upper 4 positions
-// are shifted out once more. The bytes of the check sum are swapped here, so that no byte has to
-// move when another byte is shifted out.
+// Returns the CRC remainder of each byte that can be shifted out of the check sum. The polynomial
+// is x^16 + x^12 + x^5 + 1: the byte is added (exclusive or) at the bit positions 12, 5 and 0. At
+// position 12 its upper 4 bits overflow, and these bits are therefore shifted out a second time. In
+// this file the two bytes of a check sum are swapped. Thus the byte that is shifted out next is the
+// lowest byte, and the code does not have to move it.
 consteval Table remainders() {
   Table table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {
@@ -27,7 +28,8 @@ consteval Table remainders() {
 
 constexpr Table kRemainders = remainders();
 
-// Returns the remainders of bytes that n + 1 bytes follow. In the other table, n bytes follow.
+// Returns a table of CRC remainders. `other` is the table for a byte that n more bytes follow. The
+// result is the table for a byte that n + 1 more bytes follow.
 consteval Table beforeByte(const Table& other) {
   Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {
@@ -41,9 +43,10 @@ constexpr Table kBeforeOne = beforeByte(kRemainders);
 constexpr Table kBeforeTwo = beforeByte(kBeforeOne);
 constexpr Table kBeforeThree = beforeByte(kBeforeTwo);
 
-static_assert(std::endian::native == std::endian::little, "the first byte is the lowest one");
+static_assert(std::endian::native == std::endian::little,
+              "the first byte in memory is the least significant byte");
 
-// Adds two bytes to a check sum.
+// Returns the check sum after two more bytes.
 std::uint32_t afterTwo(std::uint32_t value, const std::uint8_t* bytes) {
   std::uint16_t both = 0;
   std::memcpy(&both, bytes, sizeof(both));
@@ -51,7 +54,7 @@ std::uint32_t afterTwo(std::uint32_t value, const std::uint8_t* bytes) {
   return std::uint32_t{kBeforeOne[value & 0xFFU]} ^ kRemainders[value >> 8U];
 }
 
-// Adds four bytes to a check sum.
+// Returns the check sum after four more bytes.
 std::uint32_t afterFour(std::uint32_t value, const std::uint8_t* bytes) {
   std::uint32_t four = 0;
   std::memcpy(&four, bytes, sizeof(four));

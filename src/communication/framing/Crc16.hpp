@@ -7,16 +7,16 @@
 namespace wr {
 
 /// @brief Check sum of the bytes of a frame.
-/// @function Computes the number that shows whether a frame is damaged.
-/// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed with tables, two bytes
-/// at a time.
+/// @function Computes the check sum by which a receiver detects a damaged frame.
+/// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed with tables, four bytes at
+/// a time.
 class Crc16 final {
  public:
-  /// @brief Constructs the check sum of zero bytes.
+  /// @brief Constructs the check sum of an empty sequence of bytes.
   Crc16() = default;
 
   /// @brief Adds bytes to the check sum.
-  /// @param bytes the bytes, in the order of the line
+  /// @param bytes the bytes, in the sequence in which the serial line transfers them
   /// @isr{yes}
   /// @satisfies FR-40
   void add(std::span<const std::uint8_t> bytes);
@@ -28,7 +28,7 @@ class Crc16 final {
   [[nodiscard]] std::uint16_t value() const { return std::rotl(swapped_, 8); }
 
  private:
-  std::uint16_t swapped_ = 0xFFFF;  // the check sum with swapped bytes
+  std::uint16_t swapped_ = 0xFFFF;  // the check sum; its two bytes are swapped
 };
 
 }  // namespace wr

@@ -9,7 +9,7 @@ namespace wr {
 
 namespace {
 
-// The body follows the first code.
+// The body begins after the first COBS code, which is one byte.
 constexpr std::size_t kBodyAt = 1;
 constexpr std::size_t kVersionAt = kBodyAt;
 constexpr std::size_t kTypeAt = kBodyAt + 1;

@@ -9,35 +9,35 @@
 
 namespace wr {
 
-/// @brief The result of bytes from the line.
+/// @brief Result of the decoding of received bytes.
 /// @datatype
 enum class Decoded : std::uint8_t {
-  Nothing,        ///< no frame has ended
-  Whole,          ///< a frame without an error
-  Damaged,        ///< a frame with bad COBS or CRC or less than 5 bytes
+  Nothing,        ///< the bytes do not end a frame
+  Whole,          ///< the bytes end a frame without an error
+  Damaged,        ///< a frame with bad COBS, a bad CRC or a body of fewer than 5 bytes
   TooLong,        ///< a frame with a body of more than 205 bytes
   UnknownVersion  ///< a frame of another protocol version
 };
 
-/// @brief Extracts frames from the bytes of the line.
-/// @function Collects bytes until a frame ends, and checks whether the frame has an error. After
-/// any
-/// damage it finds the next frame.
-/// @secret How a frame is collected and checked, and how the decoder finds the next frame after
-/// damage.
+/// @brief Decoder of the received frames.
+/// @function Collects received bytes until a frame ends, and checks the frame for errors. After
+/// damaged bytes, the decoder continues with the next frame.
+/// @secret The storage of an incomplete frame, the checks of a complete frame, and the method to
+/// find the next frame after damaged bytes.
 class FrameDecoder final {
  public:
   /// @brief Constructs a decoder that waits for the first byte of a frame.
   FrameDecoder() = default;
 
-  /// @brief Returns the storage for the next bytes from the line.
+  /// @brief Returns the storage into which the caller writes the next received bytes.
   /// @return storage for at least one byte, valid until the next push
   /// @isr{no}
   [[nodiscard]] std::span<std::uint8_t> storage();
 
-  /// @brief Processes bytes at the beginning of the storage. Only the last of them may be zero.
+  /// @brief Processes the bytes that the caller has written to the beginning of the storage. Only
+  /// the last of these bytes may be zero.
   /// @param number number of these bytes, at least 1
-  /// @return the frame that ended, if any
+  /// @return result of these bytes
   /// @pre The bytes fit into the storage.
   /// @isr{no}
   /// @satisfies FR-40
@@ -46,36 +46,38 @@ class FrameDecoder final {
   /// @satisfies FR-43
   Decoded push(std::size_t number);
 
-  /// @brief Returns the frame that was received.
+  /// @brief Returns the frame that the last push completed.
   /// @return the frame, valid until the next push
   /// @pre The last push returned Whole or UnknownVersion.
   /// @isr{no}
   [[nodiscard]] Frame frame() const;
 
  private:
-  /// @brief Checks the collected bytes at the end of a frame.
+  /// @brief Checks the collected bytes after the zero byte that ends a frame was received.
   /// @param coded number of bytes before the zero byte, at least 1
-  /// @return the result of the zero byte
+  /// @return Whole, UnknownVersion or Damaged
   /// @satisfies FR-41
   /// @satisfies FR-43
   Decoded end(std::size_t coded);
 
-  /// @brief Replaces each code by the zero that it encodes: the body is then in place.
+  /// @brief Replaces each COBS code by the zero byte that it encodes. The first code is not
+  /// replaced: it is before the body.
   /// @param end number of coded bytes
-  /// @return false when the COBS is bad
+  /// @return false when a code points beyond the zero byte that ends the frame
   /// @satisfies FR-41
   bool removeStuffing(std::size_t end);
 
   /// @brief Returns whether the CRC at the end of the body matches the bytes before it.
-  /// @return true when it matches
+  /// @return true when the CRC matches
   /// @satisfies FR-41
   [[nodiscard]] bool crcIsRight() const;
 
-  std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes; after the end of the frame, the
-                                                 // first code and the body
-  std::size_t count_ = 0;                        // bytes of the frame that has not ended
-  std::size_t length_ = 0;                       // length of the last complete body
-  bool tooLong_ = false;                         // bytes of this frame were dropped
+  std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes of an incomplete frame; after the
+                                                 // frame ended, the first code and the decoded body
+  std::size_t count_ = 0;                        // number of bytes of the incomplete frame
+  std::size_t length_ = 0;                       // length of the last complete body [bytes]
+  bool tooLong_ = false;                         // the incomplete frame is too long, and its first
+                                                 // bytes were dropped
 };
 
 }  // namespace wr

@@ -10,14 +10,14 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kHead = 3;  // version, type, sequence
+constexpr std::size_t kHead = 3;  // bytes before the payload: version, type, sequence number
 
 }  // namespace
 
 std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   require(frame.payload.size() <= kMaxPayload, AssertId::FrameTooLarge);
 
-  // The body is stored one byte after the first code.
+  // The body begins after the first COBS code, which is one byte.
   const auto body = std::span(coded_).subspan(1);
   body[0] = kProtocolVersion;
   body[1] = static_cast<std::uint8_t>(frame.type);
@@ -33,7 +33,8 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   body[checked + 1] = static_cast<std::uint8_t>(crc.value() >> 8U);
   const std::size_t end = 1 + checked + 2;
 
-  // Each zero is replaced by the distance to the next zero. The last zero ends the frame and stays.
+  // COBS replaces each zero byte of the body by the distance to the next zero byte. The last zero
+  // byte is not replaced, because it ends the frame.
   coded_[end] = 0;
   std::uint8_t* code = coded_.data();
   std::uint8_t* next = code;
@@ -48,7 +49,8 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   for (std::size_t rest = end % 4; rest != 0; --rest) {
     encodeNext();
   }
-  // A round processes four bytes, because the branch back costs as much as the work on a byte.
+  // The loop encodes four bytes before each jump back, because the jump takes as much time as the
+  // encoding of one byte.
   // bound: (kMaxBody + 1) / 4
   for (std::size_t rounds = end / 4; rounds != 0; --rounds) {
     encodeNext();

@@ -9,20 +9,22 @@
 
 namespace wr {
 
-/// @brief Builds frames for the line.
-/// @function Converts type, sequence number and payload to the bytes to send.
-/// @secret How the bytes to send are built in one buffer.
+/// @brief Encoder of the frames that are sent.
+/// @function Converts the type, the sequence number and the payload of a frame to the bytes that
+/// are sent.
+/// @secret The steps that build the coded bytes of a frame in a single buffer.
 class FrameEncoder final {
  public:
   /// @brief Greatest number of bytes that encode() returns.
   static constexpr std::size_t kMaxBytes = kMaxCoded;
 
-  /// @brief Constructs an encoder without a frame.
+  /// @brief Constructs an encoder with an empty buffer.
   FrameEncoder() = default;
 
-  /// @brief Builds one frame.
+  /// @brief Returns the coded bytes of one frame.
   /// @param frame type, sequence number and payload of at most 200 bytes
-  /// @return the bytes for the line, with the zero that ends them; valid until the next call
+  /// @return the bytes to send, including the zero byte that ends the frame; valid until the next
+  /// call
   /// @errors Assertion FrameTooLarge when the payload has more than 200 bytes.
   /// @isr{no}
   /// @satisfies FR-40

@@ -4,15 +4,17 @@
 
 namespace wr {
 
-/// @brief The PC is connected.
-/// @function Accepts orders, and ends the connection when the PC is silent or sends Hello again.
-/// @secret The events that keep a connection, and the data that are dropped at its end.
+/// @brief State of the connection in which the PC is connected.
+/// @function Accepts orders. Ends the connection when the PC is silent for too long or sends a new
+/// Hello.
+/// @secret The events that keep the PC connected, and the data that are dropped when the connection
+/// ends.
 /// @role{pc-mcu-connection, Concrete State}
 class Connected final : public ConnectionState {
  public:
   /// @brief Constructs the state.
-  /// @param handshaking state that follows a Hello
-  /// @param disconnected state that follows when the PC is silent
+  /// @param handshaking next state after a Hello
+  /// @param disconnected next state when the PC was silent for too long
   Connected(ConnectionState& handshaking, ConnectionState& disconnected);
 
   /// @brief Ends the connection, drops the newest order, requests a Welcome and begins a new
@@ -23,7 +25,7 @@ class Connected final : public ConnectionState {
   /// @satisfies FR-34
   void hello(PcConnection& connection) override;
 
-  /// @brief Accepts the sign of life of the PC.
+  /// @brief Accepts a KeepAlive, by which the PC shows that it is still connected.
   /// @param connection the connection that received the KeepAlive
   /// @return true
   /// @isr{no}
@@ -31,15 +33,16 @@ class Connected final : public ConnectionState {
   bool keepAlive(PcConnection& connection) override;
 
   /// @brief Stores the order as the newest order.
-  /// @param connection the connection that received it
-  /// @param frame the frame of the order
-  /// @return false when the order was dropped: it is stale, or a field is out of range
+  /// @param connection the connection that received the order
+  /// @param frame frame that contains the order
+  /// @return false when the order was dropped because it is stale or has a field out of range
   /// @isr{no}
   /// @satisfies FR-36
   bool order(PcConnection& connection, const Frame& frame) override;
 
-  /// @brief Ends the connection and drops the newest order when the PC was silent for too long.
-  /// @param connection the connection whose time is checked
+  /// @brief Ends the connection and drops the newest order if the PC has been silent for the link
+  /// timeout or longer.
+  /// @param connection the connection whose time limits are checked
   /// @isr{no}
   /// @satisfies FR-33
   void checkTime(PcConnection& connection) override;

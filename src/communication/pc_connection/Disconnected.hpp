@@ -4,14 +4,14 @@
 
 namespace wr {
 
-/// @brief No PC is connected.
+/// @brief State of the connection in which no PC is connected.
 /// @function Waits for a Hello.
 /// @secret The rule that only a Hello begins a handshake.
 /// @role{pc-mcu-connection, Concrete State}
 class Disconnected final : public ConnectionState {
  public:
   /// @brief Constructs the state.
-  /// @param handshaking state that follows a Hello
+  /// @param handshaking next state after a Hello
   explicit Disconnected(ConnectionState& handshaking);
 
   /// @brief Requests a Welcome and begins the handshake.

@@ -12,10 +12,11 @@ struct FirmwareIdentity {
   std::uint8_t minor;           ///< minor number of the version
   std::uint8_t patch;           ///< patch number of the version
   std::array<char, 8> buildId;  ///< first 8 hexadecimal digits of the SHA-256 of the sources
-  std::uint32_t schemaHash;     ///< CRC-32 of all names, types and offsets in design/frames.toml
+  std::uint32_t schemaHash;     ///< CRC-32 of the frame, name, type and offset of each field in
+                                ///< design/frames.toml
 };
 
-/// @brief The identity of this firmware. The build writes it.
+/// @brief Identity of this firmware. The build generates its values.
 extern const FirmwareIdentity firmwareIdentity;
 
 }  // namespace wr

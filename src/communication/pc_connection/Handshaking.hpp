@@ -4,15 +4,15 @@
 
 namespace wr {
 
-/// @brief A Hello was received, and the Confirm of its Welcome has not come.
-/// @function Waits for the Confirm of the session that the Welcome offered.
-/// @secret The condition for a correct Confirm, and the time limit for it.
+/// @brief State of the connection in which a Hello was received, but no Confirm of the Welcome yet.
+/// @function Waits until the PC confirms the session that the Welcome offered.
+/// @secret The condition that a Confirm must meet, and the time within which it must arrive.
 /// @role{pc-mcu-connection, Concrete State}
 class Handshaking final : public ConnectionState {
  public:
   /// @brief Constructs the state.
-  /// @param connected state that follows a correct Confirm
-  /// @param disconnected state that follows when no correct Confirm comes
+  /// @param connected next state after a correct Confirm
+  /// @param disconnected next state when no correct Confirm arrives in time
   Handshaking(ConnectionState& connected, ConnectionState& disconnected);
 
   /// @brief Requests a Welcome with a new session. The handshake begins again.
@@ -21,7 +21,8 @@ class Handshaking final : public ConnectionState {
   /// @satisfies FR-30
   void hello(PcConnection& connection) override;
 
-  /// @brief Connects the PC when it accepts the session of the newest Welcome.
+  /// @brief Connects the PC if the Confirm contains the session of the newest Welcome. Otherwise
+  /// drops the Confirm and counts it as unexpected.
   /// @param connection the connection that received the Confirm
   /// @param session number of the session that the PC accepts
   /// @return false when the frame was dropped
@@ -30,8 +31,8 @@ class Handshaking final : public ConnectionState {
   /// @satisfies FR-47
   bool confirm(PcConnection& connection, std::uint8_t session) override;
 
-  /// @brief Ends the handshake when the Welcome is more than 1 s old.
-  /// @param connection the connection whose time is checked
+  /// @brief Ends the handshake if the newest Welcome is more than 1 s old.
+  /// @param connection the connection whose time limits are checked
   /// @isr{no}
   /// @satisfies FR-32
   void checkTime(PcConnection& connection) override;

@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kMaxBytesPerService = 1216;
 constexpr std::uint8_t kMaxSequenceStep = 127;
 
-static_assert(SerialWriter::kCapacity <= kMaxPayload, "the content of the writer fits in a frame");
+static_assert(SerialWriter::kCapacity <= kMaxPayload,
+              "the content of the writer fits into the payload of a frame");
 
 void count(std::uint16_t& counter) {
   if (counter < std::numeric_limits<std::uint16_t>::max()) {
@@ -25,7 +26,9 @@ void count(std::uint16_t& counter) {
   }
 }
 
-// Returns the least length of the payload. A sender of a later version may append fields.
+// Returns the least length of the payload of a received frame [bytes], or nothing if the firmware
+// does not receive frames of this type. The payload may be longer, because a later version of the
+// PC may append fields.
 std::optional<std::size_t> lengthOf(FrameType received) {
   switch (received) {
     case FrameType::Hello:
@@ -64,7 +67,8 @@ void PcConnection::service() {
     }
     left -= received;
     receive(received);
-    // A read that neither ends a frame nor fills the storage has emptied the port.
+    // If the storage is smaller than before, the bytes neither ended a frame nor filled the
+    // storage. Then the port has no more bytes.
     more = decoder_.storage().size() >= storage.size();
   }
   counts_.lostBytes = port_.lostBytes();

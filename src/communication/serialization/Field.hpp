@@ -4,71 +4,76 @@
 
 namespace wr {
 
-/// @brief Meaning of a field of an order, a report or a welcome.
+/// @brief Meaning of a field of an order, a report or a Welcome.
 /// @datatype
 enum class FieldName : std::uint8_t {
-  OrderId,           ///< number of the order
+  OrderId,           ///< number of the order, assigned by its sender
   Steering,          ///< set-point of the steering
-  WheelQuantity,     ///< quantity of the set-point of a wheel
+  WheelQuantity,     ///< quantity of a wheel set-point: velocity, voltage or current
   WheelValue,        ///< set-point of a wheel
   SentAt,            ///< time of the sender's clock when the order was sent
-  Commands,          ///< bits for stop and acknowledge
-  Cycle,             ///< number of the cycle
+  Commands,          ///< bits that order stop and acknowledge
+  Cycle,             ///< number of the control cycle since start
   Time,              ///< time of the clock pulse
-  OperationState,    ///< operation state after the read
-  ReadingMode,       ///< reading mode after the read
-  Source,            ///< source of the set-points
-  Flags,             ///< conditions of this cycle
+  OperationState,    ///< operation state after the read step of the cycle
+  ReadingMode,       ///< reading mode after the read step of the cycle
+  Source,            ///< source of the set-points in force
+  Flags,             ///< bits for the conditions of this control cycle, such as stop and overrun
   SteeringPosition,  ///< measured position of the steering
   WheelVelocity,     ///< measured velocity of a wheel
   WheelCurrent,      ///< measured current of a wheel
   WheelPosition,     ///< measured position of a wheel
-  Measured,          ///< bits of the valid measurements
+  Measured,          ///< one bit for each measured value: 1 if the value is valid
   WheelTension,      ///< applied voltage of a wheel
-  Turn,              ///< applied turn direction
-  Applied,           ///< bits of the valid applied values
-  Overruns,          ///< count of cycles that overran
+  Turn,              ///< applied turn direction of the steering
+  Applied,           ///< one bit for each applied value: 1 if the value is valid
+  Overruns,          ///< count of control cycles that overran
   LostBytes,         ///< count of bytes that the serial port lost
-  Damaged,           ///< count of damaged frames
+  Damaged,           ///< count of frames with bad COBS, a bad CRC or too few bytes
   TooLong,           ///< count of frames that were too long
   UnknownVersion,    ///< count of frames of another protocol version
-  UnknownType,       ///< count of frames of a type that is not received
-  WrongLength,       ///< count of frames whose payload is too short
+  UnknownType,       ///< count of received frames of an unknown type
+  WrongLength,       ///< count of frames with a payload that is too short
   OutOfRange,        ///< count of orders with a field out of range
-  Unexpected,        ///< count of frames that the connection did not expect
+  Unexpected,        ///< count of frames that the state of the connection did not expect
   SequenceGaps,      ///< count of gaps in the sequence numbers
-  ReportsNotSent,    ///< count of reports that were not sent
+  ReportsNotSent,    ///< count of reports that were dropped because the serial port had no space
   SteeringState,     ///< state of the steering
   SteeringEnds,      ///< bits of the end stops that the steering has reached
-  CutOffs,           ///< wheels whose driver the overcurrent trip switched off
-  BlindWheels,       ///< wheels with voltage but without Hall edges
-  RejectedEdges,     ///< count of Hall edges of a wheel that were rejected
-  ReportCost,        ///< processor cycles from a clock pulse to the report of its cycle
-  AwakeCost,         ///< processor cycles without sleep between two clock pulses
-  StartCost,         ///< processor cycles from a clock pulse to the start of its cycle
-  Inhibit,           ///< reason why the set-points are not followed
+  CutOffs,           ///< bits of the wheels whose overcurrent trip has acted
+  BlindWheels,       ///< bits of the wheels that have voltage but no motion feedback
+  RejectedEdges,     ///< count of implausible Hall edges of a wheel
+  ReportCost,        ///< processor cycles from a clock pulse until the report of the same control
+                     ///< cycle was sent
+  AwakeCost,         ///< processor cycles between two clock pulses in which the processor did not
+                     ///< sleep
+  StartCost,         ///< processor cycles from a clock pulse until the firmware began the control
+                     ///< cycle
+  Inhibit,           ///< reason why the robot does not follow the set-points
   StopCause,         ///< cause of a protective stop
-  StopWheel,         ///< wheel that the cause concerns
-  StopSources,       ///< sources that order stop
-  StaleOrders,       ///< count of orders that were not newer than the previous order
+  StopWheel,         ///< number of the wheel that the cause concerns
+  StopSources,       ///< bits of the sources that order a stop
+  StaleOrders,       ///< count of orders that were repeated, or overtaken by a newer frame
   Session,           ///< number of the session
-  FirmwareVersion,   ///< major, minor and patch number
-  BuildId,           ///< character of the build id
+  FirmwareVersion,   ///< major, minor or patch number of the firmware version
+  BuildId,           ///< one character of the build id
   CyclePeriod,       ///< period of the control cycle
-  WaitingCycles,     ///< the constant N of the operation states
+  WaitingCycles,     ///< the constant N: number of failed reads in a row that lead to the last
+                     ///< waiting state
   ResetCause,        ///< cause of the last reset
   FaultKind,         ///< fault that ended the firmware before this start
-  FaultNumber,       ///< number with a meaning that depends on the kind of fault
+  FaultNumber,       ///< number whose meaning depends on the kind of fault
   FaultAddress,      ///< address of the instruction at which the firmware ended
-  LowestVersion,     ///< lowest version of the protocol that is accepted
-  HighestVersion,    ///< highest version of the protocol that is accepted
-  SchemaHash         ///< hash of the layout of all payloads
+  LowestVersion,     ///< lowest protocol version that the firmware accepts
+  HighestVersion,    ///< highest protocol version that the firmware accepts
+  SchemaHash         ///< hash of the layouts of all payloads
 };
 
 /// @brief Name of one field.
 /// @datatype
 struct Field {
-  FieldName name{};  ///< meaning of the field; fields of several wheels or elements share it
+  FieldName name{};  ///< meaning of the field; it is the same for each wheel, and for each
+                     ///< character of the build id
 };
 
 }  // namespace wr

@@ -5,21 +5,22 @@
 
 namespace wr {
 
-/// @brief One order: the set-points of the robot, and whether it has to stop.
-/// @function Stores a complete order, and checks whether the robot can execute it.
-/// @secret The fields of an order, and the range of each.
+/// @brief One order: the set-points of the robot, and the commands stop and acknowledge.
+/// @function Stores a complete order, and checks whether all its fields are in range.
+/// @secret The fields of an order, and the range of each field.
 /// @role{serializer, Concrete Element}
 class OrderMessage final : public Serializable {
  public:
-  /// @brief Bit of the last field, the commands, that orders stop.
+  /// @brief Bit that orders a stop. It is in the field Commands, which is the last field of an
+  /// order.
   static constexpr std::uint8_t kStop = 1;
 
-  /// @brief Constructs an order with all set-points zero, without stop.
+  /// @brief Constructs an order without a stop in which all set-points are 0.
   OrderMessage() = default;
 
   /// @brief Constructs an order.
   /// @param setPoints set-points of the order
-  /// @param stop whether the robot has to stop
+  /// @param stop true if the order contains a stop
   OrderMessage(const SetPoints& setPoints, bool stop);
 
   /// @brief Returns the set-points of the order.
@@ -28,22 +29,24 @@ class OrderMessage final : public Serializable {
   /// @isr{yes}
   [[nodiscard]] const SetPoints& setPoints() const { return setPoints_; }
 
-  /// @brief Checks whether the order stops the robot. A stop is valid with any values of the other
-  /// fields.
-  /// @return true for a stop
+  /// @brief Checks whether the order contains a stop. A stop is valid even if other fields of the
+  /// order are out of range.
+  /// @return true when the order contains a stop
   /// @satisfies FR-21
   /// @satisfies FR-240
   /// @isr{yes}
   [[nodiscard]] bool stop() const { return (commands_ & kStop) != 0; }
 
-  /// @brief Checks whether the value of each wheel is 0, for any quantity.
+  /// @brief Checks whether the set-point of each wheel is 0. The quantity of the set-point does not
+  /// matter.
   /// @return true when no wheel shall move
   /// @satisfies FR-241
   /// @isr{yes}
   [[nodiscard]] bool neutral() const;
 
-  /// @brief Checks whether each field is in its range, also in an order that stops.
-  /// @return true when the order can be carried out
+  /// @brief Checks whether each field is in its range. The fields are checked even if the order
+  /// contains a stop.
+  /// @return true when all fields are in range
   /// @satisfies FR-46
   /// @satisfies FR-178
   /// @isr{yes}
@@ -54,7 +57,8 @@ class OrderMessage final : public Serializable {
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:
-  static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field for commands
+  static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field Commands that acknowledges
+                                                   // latched faults
 
   SetPoints setPoints_{};
   std::uint8_t commands_ = 0;

@@ -18,7 +18,7 @@ constexpr std::uint32_t kArmedFlag = 16;
 
 constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
 
-// Bits of validity.
+// Validity bits: a bit is 1 if its value is not missing.
 constexpr std::uint32_t velocityBit(std::size_t wheel) {
   return 1U << (3 * wheel);
 }
@@ -211,7 +211,7 @@ void readCounts(Reader& reader, LinkCounts& counts) {
   }
 }
 
-// Returns a bit for each wheel.
+// Returns one bit for each wheel: 1 if the mark of this wheel is set.
 std::uint8_t wheelBits(const Measurements& measurements, bool WheelMeasurements::*mark) {
   std::uint32_t bits = 0;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

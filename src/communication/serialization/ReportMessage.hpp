@@ -6,19 +6,19 @@
 namespace wr {
 
 /// @brief One report: the results of one control cycle.
-/// @function Writes the data of a report for the PC, and marks the values that are missing.
-/// @secret The fields of a report, and how a missing value is marked.
+/// @function Writes the data of a report for the PC, and marks each missing value as missing.
+/// @secret The fields of a report, and the bits that mark a missing value.
 /// @role{serializer, Concrete Element}
 class ReportMessage final : public Serializable {
  public:
-  /// @brief Binds the report to its data.
-  /// @param data values of the report; they exist as long as the report
+  /// @brief Stores a reference to the data of the report.
+  /// @param data values of the report, which must exist as long as the report
   explicit ReportMessage(ReportData& data);
 
   [[nodiscard]] bool readFrom(Reader& reader) override;
 
-  /// @brief Writes the report. A missing value is written as 0 and its bit of validity is 0. A
-  /// value out of the range of its field is written as the nearest value in the range.
+  /// @brief Writes the report. For a missing value, the field and its validity bit are 0. If a
+  /// value is out of the range of its field, the nearest value of the range is written.
   /// @param writer the destination
   /// @return false when the destination has no space for the whole report
   /// @isr{no}

@@ -80,7 +80,8 @@ bool SerialReader::finish() {
 
 template <class Value>
 Value SerialReader::next() {
-  static_assert(std::endian::native == std::endian::little, "the bytes are in the order of memory");
+  static_assert(std::endian::native == std::endian::little,
+                "a payload has the byte order of the memory");
   Value value = 0;
   const std::size_t first = position_;
   if (first + sizeof(value) > kOrderLength) {

@@ -10,9 +10,9 @@
 
 namespace wr {
 
-/// @brief The newest order of the PC.
-/// @function Stores the newest order from the serial line until it is read, replaced, dropped or
-/// too old. Latches a stop until an order releases it.
+/// @brief Reader of the newest order of the PC.
+/// @function Stores the newest order of the PC until the order is read, replaced, dropped or too
+/// old. Latches a stop until a later order releases the stop.
 /// @secret The storage of the newest order: raw bytes, which are decoded when the order is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {
@@ -20,29 +20,30 @@ class SerialReader final : public Reader {
   /// @brief Length of the payload of an order [bytes].
   static constexpr std::size_t kOrderLength = 21;
 
-  /// @brief Constructs a reader without an order and without stop.
+  /// @brief Constructs a reader without an order and without a latched stop.
   SerialReader() = default;
 
-  /// @brief Sets the instant at which the age of an order is measured.
+  /// @brief Sets the time up to which the age of an order is measured.
   /// @param clockPulse clock pulse of the present cycle
   /// @isr{no}
   /// @satisfies FR-20
   void beginCycle(Instant clockPulse);
 
-  /// @brief Latches the stop if an order contains a stop, for any values of its other fields.
+  /// @brief Latches the stop if an order contains a stop, even if other fields of the order are out
+  /// of range.
   /// @param payload the bytes of the order
   /// @isr{no}
   /// @satisfies FR-240
   void heedStop(std::span<const std::uint8_t, kOrderLength> payload);
 
-  /// @brief Latches the stop, as an order with stop does.
+  /// @brief Latches the stop in the same way as an order that contains a stop.
   /// @isr{no}
   /// @satisfies FR-21
   void latchStop();
 
-  /// @brief Stores an order and replaces the previous order. An order with a field out of range is
-  /// rejected and changes nothing. An order without stop whose wheel values are all 0 releases the
-  /// stop.
+  /// @brief Stores an order in place of the previous order. An order with a field out of range is
+  /// rejected and changes nothing. An accepted order releases the stop if it contains no stop and
+  /// all its wheel values are 0.
   /// @param payload the bytes of the order
   /// @param receivedAt time at which the last byte of its frame was received
   /// @return false when a field is out of its range
@@ -54,21 +55,21 @@ class SerialReader final : public Reader {
   /// @satisfies FR-241
   bool offer(std::span<const std::uint8_t, kOrderLength> payload, Instant receivedAt);
 
-  /// @brief Drops the stored order. A stop stays.
+  /// @brief Drops the stored order. A latched stop stays latched.
   /// @isr{no}
   /// @satisfies FR-33
   /// @satisfies FR-34
   void discard();
 
-  /// @brief Checks whether there is an order of the PC that was not read and is not too old at the
-  /// clock pulse of the present cycle.
-  /// @return true when this order exists
+  /// @brief Returns whether an order can be read: the stored order was not read before, and it is
+  /// not too old at the clock pulse of the present cycle.
+  /// @return true when an order can be read
   /// @isr{no}
   /// @satisfies FR-20
   [[nodiscard]] bool available() const override;
 
   /// @brief Checks whether a stop of the PC is latched.
-  /// @return true until the PC releases the stop
+  /// @return true until an order of the PC releases the stop
   /// @isr{no}
   /// @satisfies FR-21
   /// @satisfies FR-240
@@ -80,14 +81,15 @@ class SerialReader final : public Reader {
   std::uint32_t readU32(Field field) override;
   std::int32_t readI32(Field field) override;
 
-  /// @brief Ends the read of the order. The order cannot be read again.
-  /// @return false when more was read than the order contains
+  /// @brief Ends the reading of the order. The order cannot be read again.
+  /// @return false when the caller read more bytes than the order contains
   /// @isr{no}
   /// @satisfies FR-20
   bool finish() override;
 
  private:
-  /// @brief An order, the time at which its last byte was received, and whether it was read.
+  /// @brief The bytes of an order, the time at which its last byte was received, and whether the
+  /// order is still unread.
   struct Kept {
     std::array<std::uint8_t, kOrderLength> bytes{};
     Instant at{};
@@ -95,7 +97,7 @@ class SerialReader final : public Reader {
   };
 
   /// @brief Reads the next number from the bytes of the order.
-  /// @return the number; 0 when the order has no more bytes
+  /// @return the number; 0 when the order has too few bytes left for this number
   template <class Value>
   Value next();
 

@@ -40,7 +40,8 @@ bool SerialWriter::finish() {
 
 template <class Value>
 void SerialWriter::put(Value value) {
-  static_assert(std::endian::native == std::endian::little, "the bytes are in the order of memory");
+  static_assert(std::endian::native == std::endian::little,
+                "a payload has the byte order of the memory");
   const std::size_t at = length_;
   if (kCapacity - at < sizeof(value)) {
     overflow_ = true;

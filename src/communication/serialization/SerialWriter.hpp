@@ -9,19 +9,19 @@
 
 namespace wr {
 
-/// @brief The bytes of one object for the serial line.
+/// @brief Writer of the payload of a frame.
 /// @function Converts the fields of an object to the payload of a frame.
-/// @secret How a field is converted to bytes on the serial line, and where they are stored.
+/// @secret The conversion of a field to bytes for the serial line, and the storage of these bytes.
 /// @role{serializer, Concrete Writer}
 class SerialWriter final : public Writer {
  public:
-  /// @brief Greatest number of bytes of an object.
+  /// @brief Greatest number of bytes to which one object is converted.
   static constexpr std::size_t kCapacity = 200;
 
   /// @brief Constructs a writer without bytes.
   SerialWriter() = default;
 
-  /// @brief Begins a new object: clears all bytes.
+  /// @brief Clears all bytes. Then a new object can be written.
   /// @isr{no}
   /// @satisfies FR-170
   void clear();
@@ -40,7 +40,8 @@ class SerialWriter final : public Writer {
   bool finish() override;
 
  private:
-  /// @brief Appends a number, or nothing if there is no space for all of it.
+  /// @brief Appends a number. If there is no space for the whole number, appends nothing and
+  /// records the failure for finish().
   /// @param value the number
   template <class Value>
   void put(Value value);

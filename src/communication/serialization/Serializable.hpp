@@ -6,23 +6,24 @@
 namespace wr {
 
 /// @brief An object that can be read from a source and written to a destination.
-/// @function Reads and writes orders and reports, for any source or destination.
-/// @secret The fields of an object, their sizes and their order.
+/// @function Reads an order or a report from any source, and writes it to any destination.
+/// @secret The fields of an object, and the size and the sequence of these fields.
 /// @role{serializer, Serializable}
 ///
 /// @patternapp{serializer, Serializer, Receiving and sending information}
 /// @why The MCU receives data from the PC and from the RC and sends data to the PC. Each object
-/// lists its fields once, and each source or destination defines their form.
+/// lists its fields once, and each source or destination defines the form of these fields.
 /// @changes The transport of the data. The format of the data. A new source or a new destination.
 class Serializable {
  public:
-  /// @brief Reads the object, and ends the read.
+  /// @brief Reads all fields of the object, and ends the reading.
   /// @param reader the source
-  /// @return false when the source does not contain the whole object or a field is out of its range
+  /// @return false when the source does not contain the whole object, or when a field is out of its
+  /// range
   /// @isr{no}
   [[nodiscard]] virtual bool readFrom(Reader& reader) = 0;
 
-  /// @brief Writes the object, and ends the write.
+  /// @brief Writes all fields of the object, and ends the writing.
   /// @param writer the destination
   /// @return false when the destination has no space for the whole object
   /// @isr{no}

@@ -10,29 +10,29 @@ namespace wr {
 /// @brief Names of the arguments of functions.
 /// @datatype
 enum class ArgumentId : std::uint8_t {
-  Raw,      ///< number counted, sampled or measured
-  Elapsed,  ///< time of the count [us]
-  Scale,    ///< factor of a result
-  Divisor,  ///< divisor of a result
-  Offset,   ///< the raw value of zero
-  Lowest,   ///< least value that is accepted
-  Highest   ///< greatest value that is accepted
+  Raw,      ///< number that was counted, sampled or measured
+  Elapsed,  ///< time in which Raw was measured [us]
+  Scale,    ///< number by which the raw value is multiplied
+  Divisor,  ///< number by which the product is divided
+  Offset,   ///< value of Raw for which the result is 0
+  Lowest,   ///< least accepted value of Raw or of the result; the function defines which
+  Highest   ///< greatest accepted value of Raw or of the result
 };
 
-/// @brief Values of arguments by name. Each value may be missing.
+/// @brief Values of the arguments of a calculation, by name. Each value may be missing.
 /// @datatype
 class ArgumentValues {
  public:
   /// @brief Sets the value of an argument.
   /// @param id name of the argument
-  /// @param value its value
+  /// @param value value of the argument
   /// @isr{yes}
   constexpr void set(ArgumentId id, std::int32_t value) {
     values_[static_cast<std::size_t>(id)] = value;
     present_ |= bit(id);
   }
 
-  /// @brief Returns whether all these arguments have a value.
+  /// @brief Returns whether all given arguments have a value.
   /// @param ids names of the arguments
   /// @isr{yes}
   template <class... Ids>
@@ -41,8 +41,9 @@ class ArgumentValues {
     return (present_ & wanted) == wanted;
   }
 
-  /// @brief Returns the value of an argument. For a missing argument, returns a value that does not
-  /// change a result: the scale 1/1, the offset 0, and the range of all values.
+  /// @brief Returns the value of an argument. For a missing argument, returns its neutral value: 0
+  /// for Raw, Elapsed and Offset, 1 for Scale and Divisor, the least number for Lowest, and the
+  /// greatest number for Highest.
   /// @param id name of the argument
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t operator[](ArgumentId id) const {
@@ -54,7 +55,7 @@ class ArgumentValues {
 
   static constexpr std::uint32_t bit(ArgumentId id) { return 1U << static_cast<std::uint32_t>(id); }
 
-  // The neutral values, in the order of ArgumentId.
+  // The neutral values, in the sequence of ArgumentId.
   static constexpr std::array<std::int32_t, kCount> kNeutral{
       0,
       0,
@@ -69,22 +70,22 @@ class ArgumentValues {
 };
 
 /// @brief The arguments of a function.
-/// @function Writes the value of each argument that it has.
-/// @secret The arguments of a calculation.
+/// @function Writes the values of its arguments to an ArgumentValues.
+/// @secret The set of arguments that a calculation has.
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
-/// @why All functions need the same few arguments, and each function needs some more. An additional
-/// argument is wrapped around the basic arguments, so that a function gets only the arguments that
-/// it needs.
-/// @changes Arguments may be added or dropped when a function needs them, without change to the
-/// other functions.
+/// @why All functions need the same few arguments, and each function needs some additional
+/// arguments. Each group of additional arguments is a Decorator around the basic arguments. Thus
+/// each function receives only the arguments that it needs.
+/// @changes A function may need a new argument, or no longer need an argument. The other functions
+/// do not change then.
 class Arguments {
  public:
   Arguments(const Arguments&) = delete;
   Arguments& operator=(const Arguments&) = delete;
 
-  /// @brief Writes the values of these arguments, and no others.
+  /// @brief Writes the values of these arguments. All other values stay as they are.
   /// @param values receives the values
   /// @isr{yes}
   virtual void fill(ArgumentValues& values) const = 0;

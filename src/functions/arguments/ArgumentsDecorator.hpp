@@ -5,17 +5,18 @@
 namespace wr {
 
 /// @brief Arguments that extend other arguments.
-/// @function Writes the values of the wrapped arguments. Subclasses write the values that they add.
-/// @secret The order in which values are written. If two values have the same name, the outermost
-/// value counts.
+/// @function Writes the values of the wrapped arguments. Each subclass then writes the values that
+/// it adds.
+/// @secret The sequence in which values are written. If several decorators have a value of the same
+/// name, the value of the outermost decorator is used.
 /// @role{function-arguments, Decorator}
 class ArgumentsDecorator : public Arguments {
  public:
   void fill(ArgumentValues& values) const override;
 
  protected:
-  /// @brief Binds the decorator to the arguments that it extends.
-  /// @param wrapped the extended arguments; they exist as long as the decorator
+  /// @brief Stores a reference to the arguments that the decorator extends.
+  /// @param wrapped the extended arguments, which must exist as long as the decorator
   explicit ArgumentsDecorator(const Arguments& wrapped);
   ~ArgumentsDecorator() = default;
 

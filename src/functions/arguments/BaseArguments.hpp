@@ -8,14 +8,15 @@
 namespace wr {
 
 /// @brief The arguments that all functions have.
-/// @function Stores a raw value and its time.
+/// @function Stores a raw value and the time in which this value was measured.
 /// @secret The arguments that every calculation has: one raw value and one time.
 /// @role{function-arguments, Concrete Component}
 class BaseArguments final : public Arguments {
  public:
-  /// @brief Constructs arguments of a raw value and a time.
+  /// @brief Stores a raw value and a time.
   /// @param raw raw value, in the unit of the function
-  /// @param elapsed time that belongs to the value [us]; limited to 0 to 2147483647
+  /// @param elapsed time in which the raw value was measured [us]; limited to the range from 0 to
+  /// 2147483647
   BaseArguments(std::int32_t raw, Microseconds elapsed);
 
   /// @brief Writes Raw and Elapsed.

@@ -6,19 +6,19 @@
 
 namespace wr {
 
-/// @brief Adds a range of accepted values.
+/// @brief Arguments with a range of accepted values.
 /// @function Stores the least and the greatest value that a function accepts.
-/// @secret The form of a range.
+/// @secret The form in which a range is stored.
 /// @role{function-arguments, Concrete Decorator}
 class RangeArguments final : public ArgumentsDecorator {
  public:
-  /// @brief Extends arguments by a range.
-  /// @param wrapped the extended arguments
+  /// @brief Adds a range to other arguments.
+  /// @param wrapped the extended arguments, which must exist as long as this object
   /// @param lowest least accepted value, in the unit of the function
-  /// @param highest greatest accepted value, in the same unit
+  /// @param highest greatest accepted value, in the unit of the function
   RangeArguments(const Arguments& wrapped, std::int32_t lowest, std::int32_t highest);
 
-  /// @brief Writes Lowest and Highest, and the other values of the wrapped arguments.
+  /// @brief Writes the values of the wrapped arguments, and then Lowest and Highest.
   /// @param values receives the values
   /// @isr{yes}
   /// @satisfies FR-124
