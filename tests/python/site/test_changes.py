@@ -33,7 +33,7 @@ def test_a_row_with_the_cost_of_a_whole_extension_says_so(page: str) -> None:
     for one in made:
         (row,) = [row for row in table if row.startswith(f"{one['application']} ")]
         shared = sum(other["extension"] == one["extension"] for other in made)
-        words = f"Made by {one['extension']} , which makes {shared} of these changes"
+        words = f"The example is {one['extension']} , which makes {shared} of these changes"
         assert (words in row) == bool(one["extension"])
 
 
