@@ -131,8 +131,8 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"
-        # GDB repeats a run to execute backwards. Only the bytes of the PC are then repeated, and not
-        # the actions of the control socket.
+        # GDB repeats a run to execute backwards. Only the bytes of the PC are then repeated. The
+        # actions of the control socket are not repeated.
         if options.gdb is None:
             control = control or root / "build" / "sim-control"
         (root / "build").mkdir(parents=True, exist_ok=True)
