@@ -19,8 +19,7 @@ MOST = 12  # number of calls that the diagram shows next to a method; the list b
 
 @dataclass
 class End:
-    """A caller or a callee of a method of the module. ``virtual`` is true if the call is virtual.
-    """
+    """A caller or a callee of a method of the module, and whether the call is virtual."""
 
     method: str
     virtual: bool

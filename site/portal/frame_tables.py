@@ -120,8 +120,7 @@ def meanings(field: Field) -> Iterator[str]:
 
 
 def in_line(enumeration: Enumeration) -> str:
-    """Returns the numbers of an enumeration with their names, as the text of a single table cell.
-    """
+    """Returns the numbers of an enumeration with their names, as the text of a table cell."""
     return ", ".join(
         f"{entry.number} {entry.name}"
         + (f" ({entry.meaning})" if entry.meaning else "")

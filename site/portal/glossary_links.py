@@ -1,5 +1,4 @@
-"""Links glossary terms on a page. Only the first use of each term becomes a link to the glossary.
-"""
+"""Links the first use of each glossary term on a page to the glossary."""
 
 from __future__ import annotations
 
