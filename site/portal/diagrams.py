@@ -111,7 +111,7 @@ def role_family(role: str) -> str:
 
 @dataclass
 class Diagram:
-    """A drawing in the language of PlantUML. ``label`` describes it for blind readers."""
+    """A drawing in the language of PlantUML. ``label`` describes it for a screen reader."""
 
     id: str
     label: str
