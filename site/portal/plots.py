@@ -72,8 +72,8 @@ class Drawing:
 
 
 def draw(plot: LoopPlot) -> Drawing | None:
-    """Returns None when there is nothing to draw. The set-point is drawn once, for the first
-    target.
+    """Returns the drawing of a plot, or None if no curve has points. Only the first curve of a
+    set-point is drawn, because all targets follow the same set-point.
     """
     curves = [curve for curve in plot.curves if curve.points]
     if not curves:
