@@ -1,4 +1,4 @@
-"""The connections of the high-level diagram, each with its path in the code."""
+"""Finds for each connection of the high-level diagram the calls in the code that implement it."""
 
 from __future__ import annotations
 

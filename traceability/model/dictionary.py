@@ -60,7 +60,9 @@ def unit_text(kind: str, model: Model) -> str:
 
 
 def module_of(body: BodyFact, model: Model) -> str:
-    """Returns the module of a body. A free function belongs to the module of its file."""
+    """Returns the module of a function body. A function outside classes belongs to the module of
+    its file.
+    """
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 
