@@ -673,7 +673,7 @@ class Justified:
 
 @dataclass(frozen=True)
 class Equivalent:
-    """Changes of a line that no test can find, with the reason."""
+    """A source line, the changes to this line that no test can detect, and the reason."""
 
     file: str
     method: str

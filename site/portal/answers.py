@@ -15,7 +15,7 @@ QUESTIONS = Path("design/questions.toml")
 
 @dataclass
 class Question:
-    """A question, its answer, and the links in the content of the portal that lead to the
+    """A question, its answer, and the links that a reader of the portal clicks to reach the
     answer.
     """
 
@@ -37,7 +37,9 @@ class Question:
 
     @property
     def steps(self) -> list[str]:
-        """Returns the addresses to open; the last address contains the anchor of the answer."""
+        """Returns the addresses of the pages to open, in order. The last address also contains the
+        anchor of the answer on its page.
+        """
         last = self.clicks[-1]
         return [*self.clicks[:-1], f"{last.partition('#')[0]}#{self.part}" if self.part else last]
 

@@ -1,4 +1,6 @@
-"""The page of the bench: the paper's four scenarios, the values of the paper, and our values."""
+"""The page of the bench. It compares the cycle times in the paper's four scenarios: the values in
+the paper, and the values measured with this firmware.
+"""
 
 from __future__ import annotations
 
@@ -23,10 +25,10 @@ from traceability.reading.bench_record import (
 from traceability.reading.fault_record import LOADS
 from traceability.schema import HOST, BenchRun, Curve
 
-Runs = Mapping[str, BenchRun]  # Key: model of time
+Runs = Mapping[str, BenchRun]  # key: name of the timing model of the virtual K64, or "board"
 
 BIN_US = 20
-GROUP = 4  # number of cycles in a point of a band
+GROUP = 4  # number of cycles that are combined into a single point of a band
 TOP = 12  # number of modules and of functions that the page lists for each scenario
 CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host"}
 WORDS = {**TIMINGS, "board": "a board"}
@@ -54,15 +56,17 @@ def bench(portal: Portal) -> dict[str, Any]:
 
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
-    """Returns the limit of the pessimistic time, and the ratio of the time to the limit."""
+    """Returns the limit of the cycle time [ms], and the ratio of the time of the slow timing model
+    to this limit.
+    """
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
 
 
 @dataclass
 class Range:
-    """The range of a scenario from the average to the maximum, with both positions on the axis [per
-    cent].
+    """The cycle times of a scenario: the average and the maximum [ms], and the positions of both on
+    the axis [per cent].
     """
 
     words: str
@@ -74,7 +78,7 @@ class Range:
 
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
-    """Returns the longest cycle of all scenarios, for each model of time."""
+    """Returns for each timing model the longest cycle in all scenarios [ms]."""
     times = [
         (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
     ]
@@ -82,7 +86,9 @@ def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
 
 
 def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
-    """Returns for each scenario the range of the paper and our range, on the same axis."""
+    """Returns for each scenario the range of the paper and the measured ranges of this firmware, on
+    the same axis.
+    """
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
 
     def shown(words: str, kind: str, average: float, maximum: float) -> Range:
@@ -103,8 +109,8 @@ def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
 
 
 def bands(run: Runs) -> Drawing:
-    """Returns the times of the cycles: the mean of a few cycles, between their minimum and
-    maximum.
+    """Returns the drawing of the cycle times. Each point combines GROUP cycles: a line shows their
+    mean, and a band reaches from their minimum to their maximum.
     """
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     count = max(len(values) for values in times.values())
@@ -127,8 +133,9 @@ def bands(run: Runs) -> Drawing:
 
 
 def set_points(portal: Portal, name: str) -> list[Drawing]:
-    """Returns the set-points of the measured cycles for the wheels, and for the steering if it
-    moves."""
+    """Returns the drawings of the set-points in the measured cycles: of the wheels, and of the
+    steering. A quantity whose set-points are all zero has no drawing.
+    """
     file = portal.root / FOLDER / f"{name}.scenario"
     orders = measured_orders(file.read_text(encoding="utf-8")) if file.is_file() else []
     quantities = {
@@ -139,8 +146,8 @@ def set_points(portal: Portal, name: str) -> list[Drawing]:
 
 
 def steps(title: str, unit: str, values: list[float]) -> Drawing:
-    """Returns the path of a curve with a value for each cycle; a value applies until the next
-    value.
+    """Returns the drawing of a curve with steps. There is one value for each cycle; the curve keeps
+    a value until the next value.
     """
     x = axis(0.0, float(len(values)), rounded=False)
     low, high = min(0.0, *values), max(values)
@@ -176,7 +183,7 @@ def distribution(run: Runs) -> Drawing:
 
 
 def outline(counts: Counter[int], x: Axis, y: Axis) -> str:
-    """Returns the steps of a histogram."""
+    """Returns the SVG path of the outline of a histogram."""
     parts: list[str] = []
     for number in range(min(counts), max(counts) + 1):
         left, right = (x.place(edge * BIN_US / 1000) * WIDTH / 100 for edge in (number, number + 1))

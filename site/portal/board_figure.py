@@ -1,4 +1,6 @@
-"""The drawing of the headers of the FRDM-K64F with the pins of the firmware, from the pin table."""
+"""The drawing of the pin headers of the board FRDM-K64F. The pin table of the firmware gives the
+pins that the firmware uses.
+"""
 
 from __future__ import annotations
 
@@ -13,13 +15,14 @@ from portal.pin_map import HEADER, entries, roles
 
 PITCH = 35
 SIZE = 26  # size of a pin
-LABEL = 205  # space for an upright label
-SHORT = 112  # space for the name of a signal
+LABEL = 205  # space for a vertical label of a pin of the robot
+SHORT = 112  # space for a short vertical label
 MARGIN = 8
 PLACE = re.compile(r"(J\d+)-(\d+)")
-# Pins that step 7 of the page uses, in addition to the pins of the firmware.
+# Supply pins. The firmware does not use them, but step 7 of the page needs them.
 SUPPLY = {"J3-8": "3.3 V", "J3-12": "ground", "J3-14": "ground"}
-# A part of the robot: the words of its signals, its name, and the class of its colour.
+# For each part of the robot: a pattern that matches the text of its pins, the name of the part, and
+# the CSS class of its colour.
 PARTS = (
     (r"emergency", "emergency stop", "stop"),
     (r"front left", "front left wheel", "fl"),
@@ -33,7 +36,7 @@ PARTS = (
 
 @dataclass(frozen=True)
 class Row:
-    """A header: its name, its pins from left to right, and the place of the pin labels."""
+    """A row of pins of a header, with the position of the row in the drawing."""
 
     header: str
     pins: tuple[int, ...]
@@ -43,8 +46,8 @@ class Row:
 
 
 def headers() -> list[Row]:
-    """Returns the headers in the order of the Arduino R3 layout, seen from above. The pins with
-    even numbers are outside.
+    """Returns the rows of all headers as a reader sees them from above, in the Arduino R3 layout.
+    At the edges of the board are the pins with even numbers.
     """
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
@@ -74,7 +77,9 @@ class Used:
 
     @property
     def part(self) -> tuple[str, str]:
-        """Returns the name and the class of the part of the robot at this pin."""
+        """Returns the name and the CSS class of the part of the robot that is connected to this
+        pin.
+        """
         matches = (
             (name, kind)
             for words, name, kind in PARTS
@@ -84,13 +89,16 @@ class Used:
 
     @property
     def label(self) -> str:
-        # the name of a peripheral is not the name of a part of the robot
+        # A signal in capital letters is the name of a peripheral; such a name does not help a
+        # reader, and the label is then the effect.
         named = self.signal.islower()
         return self.signal.replace("_", " ") if named else self.effect.rstrip(".")
 
 
 def used_pins(root: Path) -> dict[str, Used]:
-    """Returns the pins of the firmware on the headers, by header and number."""
+    """Returns the pins of the headers that the firmware uses. The key is the header and the number
+    of the pin, as in "J1-4".
+    """
     text = (root / HEADER).read_text(encoding="utf-8")
     return {
         place: Used(pin, signal, effect)
@@ -116,14 +124,17 @@ def board_figure(root: Path) -> str:
             '<svg width="{w}" height="{h}" viewBox="0 0 {w} {h}" style="--width: {w}px" '
             'role="group" aria-label="{title}">{parts}</svg></div>\n'
             "<figcaption>The headers seen from above, in the order of the Arduino R3 layout. "
-            "Sockets and distances are not drawn. Nobody has compared this drawing with a board: "
-            "read the numbers that are printed on yours.</figcaption>\n{legend}</figure>\n"
+            "Sockets and distances are not drawn. Nobody has compared this drawing with a real "
+            "board. Use the pin numbers that are printed on your board.</figcaption>\n{legend}"
+            "</figure>\n"
         ).format(w=width, h=height, title=title, parts=Markup("").join(parts), legend=_legend(used))
     )
 
 
 def _legend(used: dict[str, Used]) -> Markup:
-    """Returns the legend: a button for each part of the robot. The script app.js marks its pins."""
+    """Returns the legend: a button for each part of the robot. When the reader presses a button,
+    the script app.js marks the pins of this part.
+    """
     parts = [part for part in dict.fromkeys(pin.part for pin in used.values()) if part[0]]
     buttons = (
         Markup('<button type="button" class="btn {}" data-part="{}">{}</button>').format(

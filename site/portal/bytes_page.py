@@ -1,4 +1,6 @@
-"""The page that follows a byte: from the PC to a motor, and from a Hall edge to the report."""
+"""The page "Follow a byte". It shows the recorded steps from a byte of the PC to a motor, and from
+a Hall edge to the report.
+"""
 
 from __future__ import annotations
 
@@ -38,7 +40,9 @@ class Row:
 
 @dataclass
 class Followed:
-    """A chain with its rows. If it has no rows, the recording lacks the step ``missing``."""
+    """A chain of steps with its rows. If the recording does not contain the whole chain, there are
+    no rows, and ``missing`` names the first step that was not found.
+    """
 
     chain: Chain
     rows: list[Row]
@@ -85,8 +89,8 @@ def _describe(
 
 
 def _choose_requirements(rows: list[Row]) -> None:
-    """Returns the requirements of a step. The requirements whose trees also contain a neighbouring
-    step come first.
+    """Sets the requirements that each row shows. A requirement comes first if its tree contains the
+    method of the row and also the method of the row above or below.
     """
     for number, row in enumerate(rows):
         if row.links is None:

@@ -14,12 +14,12 @@ GROUP_GAP = 12
 LEFT, RIGHT = 296, 560
 BOX_LEFT, BOX_RIGHT = 340, 516
 TOP = 74
-MOST = 12  # number of calls shown next to a method; the list shows all
+MOST = 12  # number of calls that the diagram shows next to a method; the list below shows all calls
 
 
 @dataclass
 class End:
-    """The other end of a call: a method or a function, and whether the call is virtual."""
+    """A caller or a callee of a method of the module, and whether the call is virtual."""
 
     method: str
     virtual: bool
@@ -62,8 +62,8 @@ class Drawing:
 
 
 class CallGraph:
-    """Callers of each method. A call to an abstract method counts for each method that it can
-    reach.
+    """Callers of each method. A call of an abstract method is also recorded as a call of each
+    override that it can reach.
     """
 
     def __init__(self, model: Model, links: Links) -> None:
@@ -86,7 +86,9 @@ class CallGraph:
                     ends.append(End(caller, call.virtual, link))
 
     def _add_nested(self, method: Method, model: Model) -> None:
-        """Adds the callers that are not methods: nested classes, and first values of constants."""
+        """Adds the callers that are no methods of a module: nested classes, and constants whose
+        initial values call the method.
+        """
         ends = self.callers.setdefault(method.id, [])
         known = {end.method for end in ends}
         ends += [
@@ -121,7 +123,9 @@ class CallGraph:
 
 
 def without_constructor(caller: str) -> str:
-    """Returns the name of the nested class for its constructor, and other names unchanged."""
+    """Returns the name of the nested class if the caller is the constructor of a nested class;
+    otherwise returns the name unchanged.
+    """
     owner, _, name = caller.rpartition("::")
     return owner if owner.endswith(f"::{name}") else caller
 
@@ -137,7 +141,9 @@ def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
 
 
 def draw(rows: list[Row]) -> Drawing:
-    """Places the three columns. Each method is next to the middle of its callers and callees."""
+    """Returns the drawing with three columns: callers, methods of the module, callees. A method is
+    at half the height of its callers and callees.
+    """
     drawing = Drawing(0, 0, [], [], [], 0)
     y = float(TOP)
     for row in rows:

@@ -8,7 +8,7 @@ from portal.links import Links
 from traceability.model.design_model import Model
 from traceability.schema import Constant
 
-# Unit in the code -> its factor to the unit on a page.
+# Unit in the code -> number of these units in the unit that a page shows, and the shown unit.
 SHOWN = {
     "0.01 degree": (100, "degree"),
     "0.1 rpm": (10, "rpm"),
@@ -19,7 +19,8 @@ SHOWN = {
     "mOhm": (1000, "ohm"),
     "1/1000": (1000, ""),
 }
-# Unit -> a larger unit, which is used for large values.
+# Unit -> number of these units in the larger unit, and the larger unit. It is used when the value
+# is a whole number of the larger unit.
 LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
 
 

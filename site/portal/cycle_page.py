@@ -1,4 +1,6 @@
-"""The page of a control cycle as a time line: a lane for each priority, with its calls."""
+"""The page that shows a control cycle as a timeline. It has a lane for each interrupt priority; the
+lane shows the calls at this priority.
+"""
 
 from __future__ import annotations
 
@@ -27,19 +29,21 @@ from traceability.reading.call_record import Activation, Recording, Span
 RECORDING = "drive"
 WIDTH = 1000  # sizes in units of the drawing
 LANE, ROW = 26, 12
-LEAST = 0.6  # width of the thinnest bar
-SHOWN = 2.0  # a narrower call has no bar in the drawing of the main thread
+LEAST = 0.6  # minimum width of a bar of a lane
+SHOWN = 2.0  # minimum width of a call in the drawing of the main thread; shorter calls are left out
 MAIN_THREAD = "mainThreadInterrupt"
 
 
 @dataclass
 class Lane:
-    """A priority, with its contexts and the times at which these contexts run."""
+    """A priority, the interrupts and threads with this priority, and the times at which they
+    run.
+    """
 
     priority: int | None
     names: list[str] = field(default_factory=list)
     entries: int = 0
-    busy: int = 0  # time of the lane without the time of interrupts [ns]
+    busy: int = 0  # execution time at this priority, without interrupts of higher priority [ns]
     path: str = ""
 
     @property
@@ -80,7 +84,9 @@ class Cycle:
 
 
 def find_cycle(recording: Recording) -> Cycle | None:
-    """Returns the first whole cycle. It begins when the timer requests its interrupt."""
+    """Returns the first cycle that was recorded from its beginning to its end. A cycle begins when
+    the cycle timer requests its interrupt.
+    """
     entered = [span.activation for span in recording.spans if span.method == PULSE]
     pulses = [recording.activations[number].raised for number in entered]
     return next((Cycle(recording, begin, end) for begin, end in pairwise(pulses)), None)
@@ -135,7 +141,9 @@ def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
 
 
 def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[int | None, int]:
-    """Returns the time of each priority, without the time of interrupts."""
+    """Returns for each priority the execution time [ns], without the interrupts of higher
+    priority.
+    """
     times: dict[int | None, int] = {}
     for activation in activations:
         length = min(activation.end, shown_cycle.end) - max(activation.begin, shown_cycle.begin)
@@ -147,7 +155,7 @@ def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[in
 
 
 def path_of(activations: Iterable[Activation], shown_cycle: Cycle) -> str:
-    """Returns the bars as a single path. Bars that touch are joined."""
+    """Returns an SVG path with a bar for each activation. Bars that touch are joined."""
     scale = WIDTH / (shown_cycle.end - shown_cycle.begin)
     bars: list[tuple[float, float]] = []
     for activation in activations:
@@ -161,7 +169,7 @@ def path_of(activations: Iterable[Activation], shown_cycle: Cycle) -> str:
 
 
 def report_time(shown_cycle: Cycle) -> tuple[int, int]:
-    """Returns the time from the clock pulse to the end of the main thread."""
+    """Returns the times at which the clock pulse occurs and the main thread ends [ns]."""
     activations = shown_cycle.recording.activations
     end = next(
         (
@@ -177,8 +185,8 @@ def report_time(shown_cycle: Cycle) -> tuple[int, int]:
 def bars_of(
     portal: Portal, shown_cycle: Cycle, lanes: list[Lane], first: int, last: int
 ) -> list[Bar]:
-    """Returns the calls from the clock pulse to the end of the main thread, with a row for each
-    depth.
+    """Returns a bar for each call from the clock pulse to the end of the main thread. A call is a
+    row below its caller.
     """
     scale = WIDTH / (last - first)
     activations = shown_cycle.recording.activations
@@ -224,8 +232,9 @@ def _bar(
 
 
 def data_of(portal: Portal, shown_cycle: Cycle) -> dict[str, Any]:
-    """Returns the calls of the cycle in columns, for the script. Times since the pulse are in
-    ns."""
+    """Returns the calls of the cycle for the script timeline.js: a list for each property, with an
+    entry for each call. Times are in ns since the clock pulse.
+    """
     recording = shown_cycle.recording
     numbers = shown_cycle.spans()
     spans = [recording.spans[number] for number in numbers]

@@ -1,8 +1,8 @@
-"""Class and state diagrams: PlantUML text from the model, and the SVG, adapted to a page.
+"""Class and state diagrams. Writes the PlantUML text from the model, and adapts the SVG to a page.
 
-PlantUML does not support CSS variables. The text therefore has marker colours. In the SVG, a
-variable of the theme replaces each marker colour. All diagrams whose text changed are drawn in one
-run of Java.
+PlantUML does not support CSS variables. The PlantUML text therefore uses a marker colour for each
+CSS variable of the theme. Afterwards this module replaces each marker colour in the SVG by its
+variable. A single run of Java draws all diagrams whose text changed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from traceability.schema import Module, PatternApplication, StateMachine, Transi
 DIAGRAMS = "diagrams"  # folder of the sources of the diagrams in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "11"  # part of the cache key: increase it when the processing of the SVG changes
+FORMAT = "11"  # part of the cache key; increase it when you change the processing of the SVG
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -79,12 +79,12 @@ LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
 
 EDGE = 4  # space below the lowest label
 
-# A label of a drawing from left to right has at most this number of characters in a line.
+# If no text line of a label is longer [characters], the states are drawn from left to right.
 SHORT_LABEL = 40
-LONG_LABEL = 12  # the action of a transition goes below a longer event
+LONG_LABEL = 12  # below an event with more characters, the action has a separate text line
 
-# (role of one end, role of the other end, arrow): the arrow is drawn when the first end uses the
-# second.
+# (role of the first class, role of the second class, arrow). The arrow is drawn from the first
+# class to the second class if the first class uses the second class.
 RELATIONS = [
     ("Context", "State", "o-->"),
     ("Context", "Strategy", "o-->"),
@@ -101,8 +101,8 @@ RELATIONS = [
 
 
 def role_family(role: str) -> str:
-    """Returns one of five families of roles. Each family has a colour, and the families contain the
-    roles of all patterns.
+    """Returns the family of a role. Each role of a pattern belongs to one of five families, and
+    each family has a colour.
     """
     if role in FAMILIES:
         return FAMILIES[role]
@@ -111,7 +111,7 @@ def role_family(role: str) -> str:
 
 @dataclass
 class Diagram:
-    """A drawing in PlantUML's language, and its description for a reader without sight."""
+    """A drawing in the language of PlantUML. ``label`` describes it for a screen reader."""
 
     id: str
     label: str
@@ -157,7 +157,9 @@ def preamble() -> list[str]:
 
 
 def between(model: Model, bound: set[str]) -> set[str]:
-    """Returns the modules in the hierarchy between two bound modules."""
+    """Returns the modules without a role that are between two modules with a role in the class
+    hierarchy.
+    """
 
     def leads_to_bound(name: str) -> bool:
         module = model.modules.get(name)
@@ -181,7 +183,8 @@ def shown_members(module: Module, role: str) -> list[str]:
     names = [
         m
         for m in module.methods
-        # a primitive method is virtual and not public
+        # A method that is not public is shown only if it is virtual: a subclass completes an
+        # algorithm with it.
         if (m.access == "public" or m.kind != "plain")
         and m.kind in kinds
         and not m.name.startswith(("operator", "~"))
@@ -247,8 +250,8 @@ def uses(module: Module) -> set[str]:
 
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
-    """Returns the diagram of a state machine. If there are results, a transition that occurred in
-    no test is dashed.
+    """Returns the diagram of a state machine. A transition that occurred in no test is dashed,
+    unless the test results are stale.
     """
     lines = preamble()
     for name, module in machine.states.items():
@@ -274,14 +277,16 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
 
 
 def is_narrow(machine: StateMachine) -> bool:
-    """Returns whether a page is wide enough for the states and the labels in one row."""
+    """Returns true if all labels are short. Then the states fit next to each other on a page."""
     return all(
         len(line) <= SHORT_LABEL for step in machine.transitions for line in label_lines(step)
     )
 
 
 def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
-    """Merges the transitions between the same two states into a single edge."""
+    """Returns the edges of the diagram. All transitions from a state to another state share a
+    single edge.
+    """
     merged: dict[tuple[str, str], list[Transition]] = {}
     for step in machine.transitions:
         merged.setdefault((step.source, step.target), []).append(step)
@@ -300,7 +305,9 @@ def label_lines(step: Transition) -> list[str]:
 
 
 def located(svg: str, requirement: str) -> str:
-    """Returns the diagram of a machine with the edges and labels of a requirement marked."""
+    """Returns the diagram of a state machine. The edges and labels of the given requirement are
+    highlighted.
+    """
 
     def mark(match: re.Match[str]) -> str:
         lit = " lit" if requirement in match[2].split() else ""
@@ -348,7 +355,7 @@ def node(name: str) -> str:
 
 
 def part(model: Model, name: str, links: Links) -> str:
-    """Returns a box: a module, or a part outside the software."""
+    """Returns the box of a module, or of a part outside the software."""
     module = model.modules.get(name) if name != "PC" else None
     if module is None:
         style = f"{MARKERS['plain']};line:{MARKERS['line'][1:]};line.dotted"
@@ -413,7 +420,9 @@ def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
 
 
 def finish(svg: str, diagram: Diagram) -> str:
-    """Returns the SVG with variables for colours, unique ids, plain links and the page's font."""
+    """Returns the SVG for a page. The colours are CSS variables, the ids are unique on the page,
+    the links are ordinary HTML links, and the text has the font of the page.
+    """
     root = ET.fromstring(svg)
     clean(root)
     width, height = root.get("width", "0").strip("px"), root.get("height", "0").strip("px")
@@ -438,8 +447,8 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 
 def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> None:
-    """Moves each label away from the lines of the other edges, and enlarges the drawing for the
-    labels.
+    """Moves each label away from the lines of the other edges. If a label is then below the bottom
+    of the drawing, increases the height of the drawing.
     """
     paths = {line.get("id", ""): line.get("d", "") for line in root.iter("path")}
     states = [
@@ -461,10 +470,11 @@ def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> 
 
 
 def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> dict[ET.Element, Box]:
-    """Groups the line, the tip and the label of an edge under its requirements; returns the lines
-    of the label with their places.
+    """Groups the SVG elements of an edge: its line and its tip in a group, and each label in
+    another group. The attribute ``data-for`` of a group lists the requirements. Returns the text
+    lines of the labels with their positions.
 
-    The labels follow all edges, so that no line covers them.
+    The labels come after all edges in the SVG. Therefore no edge is drawn over a label.
     """
     line = f"path[@id='{identifier}']"
     drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
@@ -512,7 +522,8 @@ def restyle(element: ET.Element) -> None:
             style[name] = value
     for name, value in style.items():
         style[name] = f"var({COLOURS[value.upper()]})" if value.upper() in COLOURS else value
-    # PlantUML cannot set the colour of edges at states
+    # PlantUML cannot set the colour of some outlines. Such an outline gets the line colour that
+    # belongs to the fill colour of its element.
     if style.get("stroke", "").upper() == UNSET:
         style["stroke"] = style.get("fill", "").replace("-fill)", ")")
     if element.tag == "ellipse":  # initial state
@@ -529,7 +540,9 @@ def restyle(element: ET.Element) -> None:
 
 
 def plain_role(element: ET.Element) -> None:
-    """Centres a role in its space. The space includes the quotation marks, which are removed."""
+    """Removes the quotation marks « » around the name of a role, and centres the name in the space
+    of the former text.
+    """
     element.text = (element.text or "").strip("«»")
     middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
     element.attrib.pop("lengthAdjust", None)
@@ -538,8 +551,8 @@ def plain_role(element: ET.Element) -> None:
 
 
 def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
-    """Returns the source of each diagram in PlantUML's language, by the name of its file. The links
-    in a source are relative to the folder of the diagrams.
+    """Returns the PlantUML text of each diagram. The key is the path of the file in the site. The
+    links in a text are relative to the folder of the diagrams.
     """
     return {
         f"{DIAGRAMS}/{diagram.id}.puml": diagram.text.replace("[[@/", "[[../") + "\n"

@@ -1,4 +1,4 @@
-"""The dossier: a sheet to print for each requirement, and all sheets with a cover."""
+"""The dossier: a printable sheet for each requirement, and a page with a cover and all sheets."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from traceability.schema import Requirement, Test, TreeNode
 
 @dataclass
 class Sheet:
-    """The content of the sheet of one requirement."""
+    """The content of the sheet of a requirement."""
 
     requirement: Requirement
     verdict: Verdict
@@ -53,7 +53,9 @@ def dossier_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def dossier(portal: Portal) -> dict[str, Any]:
-    """Returns all sheets in the order of the sections of requirements, after a cover."""
+    """Returns the values of the page with all sheets. The sheets are in the order of the
+    requirements, and the cover counts the requirements in each state.
+    """
     sheets = [sheet_of(portal, requirement) for requirement in portal.model.requirements.values()]
     states = Counter(sheet.verdict.state for sheet in sheets)
     return {

@@ -1,5 +1,5 @@
-"""The font of the pages as files that Java reads. PlantUML therefore measures with the same
-font.
+"""Converts the font of the pages to files that Java can read. PlantUML then computes the size of
+its texts with the font that the browser uses.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from pathlib import Path
 
 FONTS = Path(__file__).parents[1] / "theme" / "static" / "fonts"
 FAMILY = "Inter"
-# Formats of the header and of a directory entry of WOFF 1.0, then of OpenType.
+# Formats for the module struct: header and directory entry of a WOFF 1.0 file, then header and
+# directory entry of an OpenType file.
 WOFF_HEADER, WOFF_ENTRY, WOFF_HEADER_SIZE = ">4s4sIH", ">4sIIII", 44
 HEADER, ENTRY = ">4sHHHH", ">4sIII"
 

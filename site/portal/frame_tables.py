@@ -1,4 +1,4 @@
-"""Generates the tables of the PC protocol from the table of frames, for hand-written pages."""
+"""Generates tables of the PC protocol from design/frames.toml. Hand-written pages include them."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ INCLUDED = re.compile(r"^\.\. include:: /_generated/(\S+)$", re.MULTILINE)
 
 
 def frame_tables(root: Path) -> dict[str, str]:
-    """Returns file name and text of each table that a page can include."""
+    """Returns the text of each table that a page can include. The key is the file name."""
     if not (root / TABLE).exists():
         return {}
     frames = read_frames((root / TABLE).read_text(encoding="utf-8"))
@@ -51,7 +51,9 @@ def frame_tables(root: Path) -> dict[str, str]:
 
 
 def expanded(source: str, root: Path) -> str:
-    """Returns the text of a page with its tables of frames, for the search."""
+    """Returns the text of a page, in which each include directive is replaced by its table. The
+    search reads this text.
+    """
     tables = frame_tables(root) if INCLUDED.search(source) else {}
     return INCLUDED.sub(lambda match: tables.get(match[1], ""), source)
 
@@ -71,8 +73,8 @@ def types_table(frames: FrameTable) -> str:
 
 
 def fields_table(layout: Layout) -> str:
-    """Returns the table of the fields of a frame. Fields of the wheels share a row for each
-    group.
+    """Returns the table of the fields of a frame. A field that exists once for each wheel has a
+    single row for all wheels.
     """
     fields = list(layout.fields)
     rows = []
@@ -102,7 +104,7 @@ def unit_of(field: Field) -> str:
 
 
 def meanings(field: Field) -> Iterator[str]:
-    """Yields the meaning of a field, and of its numbers and bits."""
+    """Yields the meaning of a field, then the meanings of its values and bits."""
     yield field.meaning
     if field.values:
         yield f"See :ref:`{field.values.page}`" if field.values.page else in_line(field.values)
@@ -118,7 +120,7 @@ def meanings(field: Field) -> Iterator[str]:
 
 
 def in_line(enumeration: Enumeration) -> str:
-    """Returns the numbers with their names, for one cell."""
+    """Returns the numbers of an enumeration with their names, as the text of a table cell."""
     return ", ".join(
         f"{entry.number} {entry.name}"
         + (f" ({entry.meaning})" if entry.meaning else "")
@@ -132,14 +134,16 @@ def in_line(enumeration: Enumeration) -> str:
 
 
 def shown_unit(unit: str, scale: float) -> str:
-    """Returns the unit of one step on the line, as in mV or 0.1 rpm."""
+    """Returns the unit of the integer that a frame carries, such as mV or 0.1 rpm."""
     if scale == 0.001:
         return f"m{unit}"
     return unit if scale == 1 else f"{scale:g} {unit}"
 
 
 def values_table(enumeration: Enumeration) -> str:
-    """Returns the numbers of an enumeration, with the words that the client shows."""
+    """Returns the table of the numbers of an enumeration, with the text that the client shows for
+    each number.
+    """
     heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
     heads += [enumeration.detail] if enumeration.detail else []
     rows = []
@@ -152,9 +156,9 @@ def values_table(enumeration: Enumeration) -> str:
 
 
 def live_frames(root: Path) -> str:
-    """Returns the element that shows the frames of a running robot, or nothing when the module was
-    not built.
+    """Returns the HTML element that shows the frames while the simulated robot runs in the page. If
+    the WebAssembly module was not built, returns a sentence that reports this.
     """
     if not (root / MODULE).exists():
-        return "<p>The module that runs the robot was not built.</p>\n"
+        return "<p>The WebAssembly module that runs the robot was not built.</p>\n"
     return LIVE_FRAMES

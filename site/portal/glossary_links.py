@@ -1,4 +1,4 @@
-"""Links the first use of each term of the glossary on a page."""
+"""Links the first use of each glossary term on a page to the glossary."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ from portal.navigation import Entry
 from portal.sections import Section, terms_of
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
-OTHER_SENSES = {"function", "target"}  # words that texts also use in a second sense
-# Elements in which no link is set: links, code, pictures and controls.
+# Terms without links, because the pages also use these words with another meaning.
+OTHER_SENSES = {"function", "target"}
+# HTML elements in which no term is linked, such as links, headings, code, pictures and controls.
 APART = (
     "a button code h1 h2 h3 h4 input kbd label option pre script select style summary svg th title"
 )
@@ -26,7 +27,7 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 
 class GlossaryLinks:
-    """The terms and their words in lower case. The plural of a term has the link of the term."""
+    """The glossary terms in lower case. The plural of a term is also linked to the term."""
 
     def __init__(self, root: Path) -> None:
         path = root / f"{GLOSSARY.id}.rst"
@@ -59,15 +60,16 @@ class GlossaryLinks:
                 at = text.find(words, at + 1)
 
     def _stands_alone(self, text: str, at: int, words: str) -> bool:
-        """Returns whether the words begin here and are not part of a longer term."""
+        """Returns true if the words begin at this position and are not a part of a longer term."""
         if at and NO_START.match(text, at - 1):
             return False
         return not any(text.startswith(term, at - offset) for term, offset in self.longer[words])
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
-    """Returns the page in lower case without the elements that are not changed. For each part it
-    gives the start in this text, and the distance from there to its place on the page.
+    """Returns the text of the page in lower case, without the elements in which no term is linked.
+    Each removed element separates two parts of this text. Also returns the start of each part in
+    this text, and the distance from there to the start of the part on the page.
     """
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
@@ -80,7 +82,7 @@ def without_apart(html: str) -> tuple[str, list[int], list[int]]:
 
 
 def is_text(text: str, at: int) -> bool:
-    """Returns whether a place is outside of tags."""
+    """Returns true if a position in the text is outside of HTML tags."""
     return text.rfind("<", 0, at) <= text.rfind(">", 0, at)
 
 

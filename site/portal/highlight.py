@@ -1,4 +1,6 @@
-"""Source files as highlighted lines. The result of a file is cached by its content."""
+"""Converts source files to HTML lines with syntax highlighting. A file with the same content is
+highlighted only once.
+"""
 
 from __future__ import annotations
 
@@ -19,11 +21,11 @@ from pygments.util import ClassNotFound
 
 
 class Plain(Filter):
-    """Names, punctuation and space have the colour of the text."""
+    """A filter that removes the highlighting of names, punctuation and spaces."""
 
     def filter(
         self,
-        lexer: Lexer | None,  # noqa: ARG002 - Pygments names it
+        lexer: Lexer | None,  # noqa: ARG002 - Pygments passes it by this name
         stream: Iterable[tuple[_TokenType, str]],
     ) -> Iterator[tuple[_TokenType, str]]:
         for token, value in stream:
@@ -40,7 +42,9 @@ def lexer_for(path: str) -> Lexer:
 
 
 def highlighted_lines(path: str, text: str) -> list[str]:
-    """Returns an HTML fragment for each line. No tag crosses the end of a line."""
+    """Returns an HTML fragment for each source line. Each tag is closed in the line in which it is
+    opened.
+    """
     return highlight(text, lexer_for(path), HtmlFormatter(nowrap=True)).split("\n")[:-1]
 
 
@@ -72,8 +76,9 @@ class Highlighter:
             loaded: list[str] = json.loads(stored.read_text(encoding="utf-8"))
             return loaded
         lines = highlighted_lines(path, text)
-        written = stored.with_suffix(f".{os.getpid()}")  # another process may read the file at the
-        # same time
+        # Another process may read the cached file at the same time. Therefore the result is written
+        # to a separate file, which then replaces the cached file.
+        written = stored.with_suffix(f".{os.getpid()}")
         written.write_text(json.dumps(lines), encoding="utf-8")
         written.replace(stored)
         return lines

@@ -7,9 +7,9 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-ASCENT, DESCENT = 11, 3  # distance of the top and the bottom of a label from its base line
-MOVES = (0, 8, -8, 14, -14, 20, -20, 28, -28)  # moves down and up, the smallest first
-STEPS = 24  # number of points of a curve
+ASCENT, DESCENT = 11, 3  # distances from the baseline of a text to its top and to its bottom
+MOVES = (0, 8, -8, 14, -14, 20, -20, 28, -28)  # moves down, or up if negative; smallest first
+STEPS = 24  # number of steps in which a curve is sampled
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
 Point = tuple[float, float]
@@ -34,14 +34,14 @@ class Box:
 
 
 def box_of(text: ET.Element) -> Box:
-    """Returns the place of a line of text, with the length that PlantUML measured."""
+    """Returns the box around a text line. Its width is the length that PlantUML computed."""
     x, y = float(text.get("x", "0")), float(text.get("y", "0"))
     return Box(x, y - ASCENT, x + float(text.get("textLength", "0")), y + DESCENT)
 
 
 def points(path: str) -> Iterator[Point]:
-    """Yields points on a path of cubic curves: ``M`` with a point, ``C`` with three points for
-    each.
+    """Yields points on an SVG path of cubic curves. In such a path, ``M`` has one point, and each
+    curve ``C`` has three points.
     """
     numbers = [float(match) for match in NUMBER.findall(path)]
     corners = list(zip(numbers[::2], numbers[1::2], strict=True))
@@ -55,8 +55,8 @@ def points(path: str) -> Iterator[Point]:
 
 
 def best_move(lines: list[Box], paths: Iterable[str], taken: list[Box]) -> float:
-    """Returns the smallest move after which a label covers the fewest points of lines and no other
-    text.
+    """Returns the best vertical move of a label. The best move covers the fewest other texts, then
+    the fewest points of edges, and then is the smallest move.
     """
     dots = [point for path in paths for point in points(path)]
 

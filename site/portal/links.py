@@ -1,5 +1,5 @@
-"""Returns the address at which each element of the model is shown. An address starts with ``@/``,
-the root of the site.
+"""The addresses of the pages that show the elements of the model. An address starts with ``@/``,
+which means the root folder of the site.
 """
 
 from __future__ import annotations
@@ -18,12 +18,14 @@ ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + T
 
 
 def slug(name: str) -> str:
-    """Returns a name as a part of an address. Operators become words of code points."""
+    """Returns a name in a form that an address may contain. Each other character becomes a hyphen
+    and its code in hexadecimal digits.
+    """
     return re.sub(r"[^A-Za-z0-9_.-]", lambda hit: f"-{ord(hit.group()):x}", name)
 
 
 def paper_anchor(name: str) -> str:
-    """Returns the place of a name on the page Concordance."""
+    """Returns the anchor of a name on the page Concordance."""
     return slug(name.replace(" ", "-"))
 
 
@@ -33,12 +35,12 @@ def depth_prefix(page: str) -> str:
 
 
 def address_in(pages: Container[str], address: str, identifier: str) -> str | None:
-    """Returns the address of a known element."""
+    """Returns the address of an element, or ``None`` if the element has no page."""
     return ROOT + address.format(slug(identifier)) if identifier in pages else None
 
 
 class Links:
-    """Addresses of elements; ``None`` for an element without a page."""
+    """Addresses of elements. An element without a page has the address ``None``."""
 
     def __init__(self, model: Model, checks: set[str]) -> None:
         self.model = model
@@ -65,11 +67,13 @@ class Links:
             return self.module(identifier.partition("::")[0])
         page = self.module(method.module)
         if self.model.modules[method.module].datatype and method.access != "public":
-            return page  # the data dictionary shows public methods
+            return page  # the data dictionary shows only public methods
         return page and f"{page.partition('#')[0]}#{self.method_anchor(method)}"
 
     def find_method(self, identifier: str) -> Method | None:
-        """Returns a method of the module, or the method that it inherits."""
+        """Returns the method with this identifier. If the module does not declare the method,
+        returns the method that the module inherits.
+        """
         name, _, method = identifier.partition("::")
         seen: set[str] = set()
         pending = [name]
@@ -90,8 +94,8 @@ class Links:
         return scope + slug(method.name)
 
     def safety(self, identifier: str) -> str | None:
-        """Returns the address of a safety goal, hazard or assumption of use. Only a goal has a
-        separate page.
+        """Returns the address of a safety goal, hazard or assumption of use. A goal has a page; a
+        hazard or an assumption is a section of a page.
         """
         case = self.model.safety
         return (

@@ -1,5 +1,5 @@
-"""The page that runs the robot: the images, and the facts of the model that the page shows with
-them.
+"""The page that runs the simulated robot in the browser. This module collects the firmware images,
+and the data of the model that the page shows while a firmware image runs.
 """
 
 from __future__ import annotations
@@ -25,11 +25,12 @@ from traceability.schema import Method, TreeNode
 from traceability.sources import file_hash
 from weeding_robot_client.layout import Field, Layout, read_frames
 
-FOLDER = "live"  # folder of the site
+FOLDER = "live"  # folder in the site that contains the files of this page
 DATA = "live.json"
-RECORDED = "stop"  # scenario of the recorded curves that the page shows before the robot runs
+# Scenario whose recorded curves the page shows before the reader starts the robot.
+RECORDED = "stop"
 SAFETY = Path("sim/scenario/safety")
-CALLS = "_calls"  # suffix of an image in which each method is a separate function
+CALLS = "_calls"  # suffix of a firmware image in which the compiler inlines no method
 SIGNATURE = re.compile(r"(?P<result>.+?) ?\b\w+\((?P<parameters>[^()]*)\)")
 INTEGERS = {"void": "", "bool": "bool"} | {
     f"std::{sign}int{bits}_t": f"{kind}{bits}"
@@ -41,11 +42,12 @@ SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
 @dataclass
 class Image:
-    """An image of a product on the page."""
+    """A firmware image that the page can run."""
 
     name: str
     product: str
-    # In the other images each method is a separate function, so that its calls are visible.
+    # True: the firmware image that is also flashed to a board. False: the firmware image for the
+    # display of calls, in which each method is a separate function.
     flashed: bool
     commands: str
     size: int
@@ -53,7 +55,9 @@ class Image:
 
 
 def images(root: Path) -> list[Image]:
-    """Returns the built images, if the module that runs them was built."""
+    """Returns the firmware images that were built, or nothing if the WebAssembly module that runs
+    them was not built.
+    """
     if not (root / MODULE).exists():
         return []
     built = []
@@ -68,7 +72,7 @@ def images(root: Path) -> list[Image]:
 
 
 def file_of(name: str, suffix: str) -> Path:
-    """Returns the file of an image of the page."""
+    """Returns the path of a firmware image that the page loads."""
     product = name.removesuffix(CALLS)
     return image_of(product, suffix) if product == name else recorded_image_of(product, suffix)
 
@@ -167,9 +171,9 @@ def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
 
 
 def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, Any]]:
-    """Returns for each method the register of its first parameter, and the name and kind of each
-    parameter that a register has at the call. Overloads, and methods that may return their result
-    in memory, are left out.
+    """Returns for each method the number of the register that contains its first parameter, and the
+    name and kind of each parameter that is passed in a register. Overloaded methods are left out,
+    and methods that may return their result in memory.
     """
     found: dict[str, list[Method]] = {}
     for module in portal.designs:
@@ -183,8 +187,8 @@ def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, A
 
 
 def in_registers(signature: str) -> list[list[str]]:
-    """Returns the name and the kind of each parameter, up to the first of another size than a
-    register.
+    """Returns the name and the kind of each parameter. The list ends before the first parameter
+    whose type has no kind, because it may not be in a register.
     """
     match = SIGNATURE.match(signature)
     if not match or kind_of(match["result"]) is None:
@@ -200,7 +204,9 @@ def in_registers(signature: str) -> list[list[str]]:
 
 
 def kind_of(type_: str) -> str | None:
-    """Returns the kind of a type; of ``void`` an empty text, and of other types nothing."""
+    """Returns the kind of a type: "address" for pointers and references, a short name for integers
+    and bool, an empty text for ``void``, and ``None`` for all other types.
+    """
     if type_.endswith(("&", "*")):
         return "address"
     plain = type_.removeprefix("virtual ").removeprefix("static ").removeprefix("const ")
@@ -212,7 +218,9 @@ def address(link: str | None) -> str:
 
 
 def entered_by_hardware(model: Model) -> set[str]:
-    """Returns the functions that no code calls: the vectors of the image refer to them."""
+    """Returns the functions that no code calls. The hardware enters them through the vector table
+    of the firmware image.
+    """
     methods = [m for module in model.modules.values() for m in module.methods]
     called = {call.target for method in methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
@@ -220,7 +228,7 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
-    """Returns the address and the number of each method that an image has, sorted by address."""
+    """Returns the address and the number of each method in a firmware image, sorted by address."""
     elf = root / file_of(name, ".elf")
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
 
@@ -239,7 +247,7 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
 
 
 def overriders(model: Model) -> dict[str, list[str]]:
-    """Returns each method with the methods that override it, directly or indirectly."""
+    """Returns for each overridden method the methods that override it, directly or indirectly."""
     direct: dict[str, list[str]] = {}
     for module in model.modules.values():
         for method in module.methods:
@@ -255,8 +263,8 @@ def overriders(model: Model) -> dict[str, list[str]]:
 def tree(
     node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
 ) -> dict[str, Any]:
-    """Returns a declared tree: for each node the numbers of the methods whose call counts as this
-    node.
+    """Returns a declared invocation tree for the page. Each node lists the numbers of the methods
+    whose call fulfils this node.
     """
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
     accepted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
@@ -280,7 +288,7 @@ def frame(layout: Layout) -> dict[str, Any]:
 
 
 def field(field_entry: Field) -> dict[str, Any]:
-    """Returns a field of a frame, with the names of its values."""
+    """Returns the description of a field of a frame, with the names of its values and bits."""
     data: dict[str, Any] = {
         "n": field_entry.name,
         "t": field_entry.type,
@@ -297,7 +305,7 @@ def field(field_entry: Field) -> dict[str, Any]:
 
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
-    """Returns the scenarios that the page plays: the examples, and the single faults."""
+    """Returns the scenarios that the page can play: the examples, and the fault scenarios."""
     titles = {
         scenario.name: (scenario.title.rstrip("."), "")
         for scenario in model.safety.scenarios.values()

@@ -1,4 +1,6 @@
-"""Pages of measurements: virtual K64, closed loop, mutants, the baseline design."""
+"""Pages with measurements, such as the pages of the virtual K64, of the control performance, of the
+mutants and of the baseline design.
+"""
 
 from __future__ import annotations
 
@@ -16,13 +18,16 @@ from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
-# functions whose numbers of instructions in a cycle differ by less are not shown
+# Smallest shown difference [instructions in a cycle] between a function of this design and the same
+# function of the baseline design.
 LEAST_DIFFERENCE = 20
 
 
 @dataclass
 class DriverFile:
-    """A file of the drivers, and the lines that no test executed on the virtual K64."""
+    """A source file of the drivers, and its source lines that no test executed on the virtual
+    K64.
+    """
 
     path: str
     executed: int
@@ -47,7 +52,9 @@ def driver_coverage(portal: Portal) -> list[DriverFile] | None:
 
 
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
-    """Returns the ranges of missed lines. Lines without code do not separate two ranges."""
+    """Returns the ranges of source lines that no test executed. Lines without code do not end a
+    range.
+    """
     runs: list[Place] = []
     missed_before = False
     for line, hit in sorted(lines.items()):
@@ -62,8 +69,8 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
     scenarios = portal.model.closed_loop
 
     def within(binding: str) -> tuple[int | None, int]:
-        """Returns the number of values within their limits, and the number of all values. The first
-        number is None if no value was measured.
+        """Returns two numbers for a target: the number of metrics within their limits, and the
+        number of all metrics. The first number is None if nothing was measured on this target.
         """
         every = [figure for scenario in scenarios for figure in scenario.figures]
         ran = [figure for figure in every if binding in figure.values]
@@ -89,7 +96,7 @@ def mutation(portal: Portal) -> dict[str, Any]:
     }
 
 
-MOST_SHOWN = 12  # number of modules in the first table
+MOST_SHOWN = 12  # number of modules in the first table of the page Evidence of robustness
 
 
 def robustness(portal: Portal) -> dict[str, Any]:
@@ -106,8 +113,8 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
-    """Returns the modules with the most silent faults first, then the modules with the most
-    faults.
+    """Returns the modules in the order of their silent faults, the most first. Among modules with
+    the same number of silent faults, the module with the most faults comes first.
     """
     return sorted(
         modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])
@@ -115,8 +122,9 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """Returns the likely changes that were made. For changes that both designs make, also returns
-    the changed lines.
+    """Returns the values of the page of likely changes: the changes that were really made. If a
+    change was made in this design and in the baseline design, also returns the changed source lines
+    in both.
     """
     done = [change.made for change in portal.model.changes.values() if change.made]
     return {
@@ -134,7 +142,9 @@ def made_changes(portal: Portal) -> dict[str, Any]:
 
 
 def patches_of(root: Path) -> dict[str, dict[str, str]]:
-    """Returns for each change and design the patch that makes the change."""
+    """Returns for each change and each design the text of the patch that makes the change in this
+    design.
+    """
     return {
         change: {
             design: (root / baseline_record.patch_of(change, design)).read_text("utf-8")

@@ -1,4 +1,4 @@
-"""The messages of the commands, with their places in the code."""
+"""Collects the messages of the commands from the source code, with the source line of each."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ from traceability.sources import files_below
 from weeding_robot_client import exit_codes
 
 FOLDERS = ("tools", "client/weeding_robot_client")
-REASONS = Path("client/weeding_robot_client/reasons.py")  # its tables contain messages of reports
-VALUE = "…"  # in the place of a value that the command inserts
-WORDS = 3  # a message has at least this number of words
-# The class of an error -> the exit code of the command.
+# The tables in this file contain messages that the client shows for a report.
+REASONS = Path("client/weeding_robot_client/reasons.py")
+VALUE = "…"  # placeholder for a value that the command inserts
+WORDS = 3  # a shorter text is not listed as a message [words]
+# Class of an exception -> exit code of the command that raises it.
 CODES = {
     "FailureError": exit_codes.FAILED,
     "FailError": exit_codes.FAILED,
@@ -25,13 +26,13 @@ CODES = {
     "KeyFileError": exit_codes.USAGE,
     "ScriptError": exit_codes.USAGE,
     "UsageError": exit_codes.USAGE,
-    "error": exit_codes.USAGE,  # of a parser of options
+    "error": exit_codes.USAGE,  # the method error() of an argument parser
 }
 
 
 @dataclass(frozen=True)
 class Message:
-    """A message of a command: its text, the exit code, and the line that contains it."""
+    """A message of a command: its text, its exit code, and the source line that contains it."""
 
     text: str
     code: int | None  # None: the command continues
@@ -44,7 +45,7 @@ class Message:
 
 
 def messages(root: Path) -> list[Message]:
-    """Returns each message once, in the sequence of the files."""
+    """Returns each message once, in the order of the files."""
     found: dict[str, Message] = {}
     for path in files_below(root, FOLDERS, (".py",)):
         for message in messages_of(root, path):
@@ -86,7 +87,9 @@ def called(call: ast.Call) -> str:
 
 
 def text_of(node: ast.expr, texts: dict[str, str]) -> str:
-    """Returns the text of an expression, with a mark for each value that the command inserts."""
+    """Returns the text of an expression. The placeholder VALUE replaces each part that is known
+    only when the command runs.
+    """
     match node:
         case ast.Constant(value=str(text)):
             return text

@@ -10,9 +10,10 @@ from portal import calls
 from portal.portal import Page, Portal
 from traceability.schema import Method, Module
 
-FIRST_TESTS = 12  # number of members that are shown open on the page of a module
+FIRST_TESTS = 12  # number of tests that the page of a module shows without a click
 XML = "build/model/xml"
-MEMBERS = "<!-- members -->"  # marks the place of the part that Breathe writes
+# The member documentation that Breathe generates replaces this comment.
+MEMBERS = "<!-- members -->"
 
 
 def module_page(portal: Portal, module: Module) -> Page:
@@ -46,13 +47,15 @@ def module_page(portal: Portal, module: Module) -> Page:
 
 
 def doxygen_file(portal: Portal, module: Module) -> Path | None:
-    """Returns the name of Doxygen's file about a class."""
+    """Returns the path of the XML file that Doxygen wrote for the class of a module, or ``None`` if
+    there is no such file.
+    """
     path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
     return path if path.is_file() else None
 
 
 def ancestors(portal: Portal, module: Module) -> list[str]:
-    """Returns the base classes, nearest first."""
+    """Returns the direct and indirect base classes; the direct base classes come first."""
     names: list[str] = []
     pending = list(module.bases)
     while pending:
@@ -65,7 +68,7 @@ def ancestors(portal: Portal, module: Module) -> list[str]:
 
 
 def inherited_methods(portal: Portal, module: Module) -> list[Method]:
-    """Returns the public methods that the module has from its bases and does not override."""
+    """Returns the public methods that the module inherits and does not override."""
     overridden = {m.name for m in module.methods}
     methods: list[Method] = []
     for base in ancestors(portal, module):
@@ -89,7 +92,7 @@ def requirement_methods(module: Module) -> dict[str, list[str]]:
 
 
 def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
-    """Returns for each file a class for each of its lines: executed, missed, or not code."""
+    """Returns for each file the kinds of its source lines: executed, missed, or without code."""
     bars = []
     for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
         kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
@@ -98,8 +101,8 @@ def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]
 
 
 def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
-    """Returns the lines of a driver that the virtual K64 executed, by file. Each line has the
-    value 1.
+    """Returns for each file of a driver its source lines with code. A line that the virtual K64
+    executed maps to 1, and a missed line maps to 0.
     """
     measured = portal.model.board_lines or {}
     return {

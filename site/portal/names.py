@@ -53,7 +53,7 @@ def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str)
 
 
 def breakable(name: str) -> Markup:
-    """Returns a name with places where the browser may break it."""
+    """Returns a name with marks at which the browser may start a new text line."""
     joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
     return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
 
@@ -73,7 +73,7 @@ def views_of(module: Module, called: set[str]) -> set[str]:
 
 
 class Names:
-    """Converts names of elements to links. The templates call these."""
+    """Converts names of elements to links. The templates call its methods."""
 
     def __init__(self, model: Model, links: Links) -> None:
         self.model = model
@@ -98,7 +98,7 @@ class Names:
 
     def mod(self, name: str) -> Markup:
         module = self.model.modules.get(name)
-        if module is None:  # a member links to its module
+        if module is None:  # the name of a member, such as Wheel::brake, links to its module
             return anchor(self.links.module(name.partition("::")[0]), name, "mod none")
         kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
         return anchor(self.links.module(name), name, kind, m=name)
@@ -143,7 +143,9 @@ class Names:
         )
 
     def function(self, name: str) -> Markup:
-        """Returns a function outside classes, of the project or of a library."""
+        """Returns the name of a function outside classes. A function of the project is linked to
+        its source; a function of a library has no link.
+        """
         function = self.model.functions.get(name)
         return anchor(
             self.links.source(function.place) if function else None, breakable(name), "meth"
@@ -255,7 +257,7 @@ def gist(brief: str) -> str:
 
 
 def changed_words(text: str) -> Markup:
-    """Returns the words of a comparison, with marks at removed and added text."""
+    """Returns the text of a comparison as HTML. Removed and added words are marked."""
     marked = re.sub(r"\[-(.+?)-\]", r"<del>\1</del>", str(escape(text)))
     return Markup(re.sub(r"\{\+(.+?)\+\}", r"<ins>\1</ins>", marked))
 

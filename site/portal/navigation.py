@@ -39,7 +39,7 @@ DOCS = {
 
 @dataclass
 class Entry:
-    """A page in the navigation. The template of a generated page has the name ``id``."""
+    """A page in the navigation. If the page is generated, ``id`` is the name of its template."""
 
     id: str
     title: str
@@ -67,7 +67,7 @@ def hand_written(folder: Path) -> list[Entry]:
 
 
 def first_title(path: Path) -> str:
-    """Returns the text above the first underline of a page."""
+    """Returns the first heading of a page, or the file name if the page has no heading."""
     lines = path.read_text(encoding="utf-8").splitlines()
     for above, line in pairwise(lines):
         if above.strip() and is_underline(line):
@@ -80,7 +80,7 @@ def is_underline(line: str) -> bool:
 
 
 class Navigation:
-    """Three groups of pages, each for an aim of a reader, and the groups of hand-written pages."""
+    """The groups of pages in the side navigation. Each group serves an aim of the reader."""
 
     def __init__(
         self, model: Model, docs: list[Entry], checks: int, faults: int, questions: int

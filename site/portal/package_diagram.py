@@ -45,7 +45,7 @@ def node(name: str) -> str:
 
 
 def box(root: Path, name: str) -> str:
-    """Returns a layer with the first line of its documentation."""
+    """Returns the box of a layer. It contains the name and the first line of the docstring."""
     file = name.replace(".", "/")
     paths = [root / part / (file + end) for part in ("", "site") for end in ("/__init__.py", ".py")]
     path = next(path for path in paths if path.exists())

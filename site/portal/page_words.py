@@ -1,4 +1,4 @@
-"""The headings and the words of the generated pages for the index of the search."""
+"""Reads the headings and the text of the generated pages for the search index."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class _Reader(HTMLParser):
     def __init__(self) -> None:
         super().__init__()
         self.parts = [Part("")]
-        self.open: list[tuple[str, bool]] = []  # (tag, whether it begins a part)
+        self.open: list[tuple[str, bool]] = []  # (open tag, true if the tag begins a section)
         self.inside = [self.parts[0]]
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:

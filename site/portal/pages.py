@@ -57,13 +57,15 @@ from traceability.schema import (
 )
 
 HIGH_LEVEL = "High-level diagram"
-ANY = "*"  # user in an allowed use: every logic module
+ANY = "*"  # in an allowed use: each logic module may use the target
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")  # of the roles
 EXAMPLE = "FR-15"  # the example of the first page
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """Returns all pages, or a part of them: each process builds a part."""
+    """Yields the pages of a part. The pages are divided into ``parts`` parts, because each process
+    builds only a part.
+    """
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 

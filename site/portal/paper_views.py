@@ -139,7 +139,9 @@ def families(portal: Portal) -> list[list[FamilyMember]]:
 def family_members(
     portal: Portal, module: Module, depth: int, above: list[Method]
 ) -> Iterator[FamilyMember]:
-    """Returns the module and all its subclasses. ``above`` is the interface that it inherits."""
+    """Yields the module and all its subclasses. ``above`` contains the methods that the module
+    inherits.
+    """
     methods = [m for m in unique(module.methods) if m.access == "public" or m.kind != "plain"]
     methods = [m for m in methods if m.kind != "constructor" and m.name[0] != "~"]
     inherited = {method.name for method in above}
@@ -181,7 +183,7 @@ def concordance(portal: Portal) -> dict[str, Any]:
 
 
 def target_link(portal: Portal, target: str) -> Markup:
-    """Returns the element of an entry of the concordance, as a link."""
+    """Returns a link to the element of this project that an entry of the concordance names."""
     kind, _, name = target.partition(":")
     makers: dict[str, Callable[[str], Markup]] = {
         "module": portal.names.mod,

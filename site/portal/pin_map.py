@@ -39,8 +39,8 @@ def roles(text: str) -> dict[str, str]:
 
 
 def entries(text: str, uses: dict[str, str]) -> Iterator[tuple[str, ...]]:
-    """Returns the lines of the table. A line that is not an entry is an error, so that no entry is
-    lost.
+    """Yields the rows of the pin table. Raises an error if a source line in the table is neither an
+    entry nor a comment, because otherwise a mistyped entry would be lost.
     """
     inside = ended = False
     for number, line in enumerate(text.splitlines(), 1):

@@ -1,7 +1,7 @@
-"""Curves over time as HTML. The lines in SVG fit any width, and the labels have the text size of
-the page.
+"""Computes drawings of curves over time. The curves are SVG paths, which the page scales to its
+width; the labels are HTML text, which keeps its size.
 
-The theme sets colours and strokes by the classes of the lines.
+The theme sets the colour and the width of a curve by its CSS class.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from traceability.schema import HOST, Curve, LoopPlot
 WIDTH, HEIGHT = 1000, 300
 TICKS = 5
 ROBOT = "robot"  # the source of the values of a recording, in place of a target of the simulator
-SOURCES = {HOST: "host", ROBOT: "robot"}  # classes of the lines
+SOURCES = {HOST: "host", ROBOT: "robot"}  # CSS classes of the curves
 WORDS = {"set_point": "set-point", "measured": "measured", "truth": "truth"}
 
 
@@ -72,8 +72,8 @@ class Drawing:
 
 
 def draw(plot: LoopPlot) -> Drawing | None:
-    """Returns None when there is nothing to draw. The set-point is drawn once, for the first
-    target.
+    """Returns the drawing of a plot, or None if no curve has points. Only the first curve of a
+    set-point is drawn, because all targets follow the same set-point.
     """
     curves = [curve for curve in plot.curves if curve.points]
     if not curves:

@@ -63,7 +63,7 @@ DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenari
 
 @dataclass
 class CheckText:
-    """Returns the purpose of a check, from the registry of checks. Plain text."""
+    """The texts that explain a check, copied from the registry of checks."""
 
     id: str
     title: str
@@ -448,7 +448,9 @@ class Portal:
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
-        """Returns the likely changes that a module hides. A change of one variant counts too."""
+        """Returns the likely changes that a module hides. A change is also included if only a
+        variant of the change alters the module.
+        """
         return [
             change.application
             for change in self.model.changes.values()

@@ -48,7 +48,9 @@ def windows_of(portal: Portal) -> Mapping[str, Window]:
 
 
 def context_of(portal: Portal, activation: Activation) -> ExecutionContext | None:
-    """Returns the context of the design whose interrupt line was entered."""
+    """Returns the interrupt or thread of the design that owns the interrupt line of an
+    activation.
+    """
     contexts = portal.model.contexts.values()
     return next((context for context in contexts if activation.line in context.lines), None)
 
@@ -61,7 +63,7 @@ def name_of(portal: Portal, activation: Activation) -> str:
 
 
 def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
-    """Returns the requirements whose trees contain a method."""
+    """Returns for each method the requirements whose invocation trees contain this method."""
     requirements: dict[str, list[str]] = {}
     for requirement in portal.model.requirements.values():
         nodes = portal.flat(requirement.tree) if requirement.tree else []

@@ -61,8 +61,8 @@ def read_recording(path: Path) -> list[Values]:
 
 
 def raw_columns(report: Layout) -> set[str]:
-    """Returns the columns of a scenario's table: numbers as on the line, and a column for each
-    bit.
+    """Returns the names of the columns in the table of a scenario. A number has the value that the
+    frame carries on the serial line, and each bit has a separate column.
     """
     bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {field.name for field in report.fields if not field.bits}
@@ -138,8 +138,8 @@ def _plot(reports: Sequence[Values], series: Series) -> LoopPlot:
 
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
-    """Returns each report with its time since the first report [s]. The time continues when the
-    robot is reset.
+    """Yields each report with its time since the first report [s]. A reset of the robot restarts
+    its clock, but the returned time continues.
     """
     start, offset, last = None, 0.0, 0.0
     for report in reports:

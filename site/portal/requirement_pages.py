@@ -125,7 +125,7 @@ def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
 
 @dataclass
 class Row:
-    """A row of tree and recording: a node, a recorded call, or both if they match."""
+    """A row that shows a node of the invocation tree, a recorded call, or both if they match."""
 
     node: TreeNode | None = None
     depth: int = 0

@@ -49,7 +49,7 @@ def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
 
 @dataclass
 class Compared:
-    """A value of the product with safety functions, and of the product without safety functions."""
+    """A measured value of two variants of the robot: with and without the safety functions."""
 
     title: str
     unit: str

@@ -1,4 +1,4 @@
-"""The sections of the hand-written pages for the index of the search."""
+"""Splits the hand-written pages into sections for the search index."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAMED = re.compile(r"(?::[\w-]+:)?`([^`<]*?)\s*(?:<[^`]*>)?`_{0,2}")
 MARKS = re.compile(r"^\s*(?:\.\. .*|:[\w-]+:(?!`).*|[= ]+|\* - |- |\* )", re.MULTILINE)
 
 
-# A term of a glossary, and its text.
+# Matches a term of a glossary and its explanation.
 TERM = re.compile(r"^   (\S.*)\n((?:\n? {6}.*\n)+)", re.MULTILINE)
 TERM_MARKS = re.compile(r"[^A-Za-z0-9._]+")  # as Sphinx makes the anchor of a term
 
@@ -29,8 +29,8 @@ class Section:
 
 
 def sections_of(doc: Entry, source: str) -> Iterator[Section]:
-    """Returns each section of a page. The part above the first section gets the title of the
-    page.
+    """Yields each section of a page. The first heading is the title of the page; the text below
+    this heading is also a section.
     """
     lines = [*source.splitlines(), ""]
     heads = [
@@ -53,6 +53,6 @@ def terms_of(doc: Entry, source: str) -> Iterator[Section]:
 
 
 def plain(source: str) -> str:
-    """Returns the words of a text, with little of its markup."""
+    """Returns a text without most of its reStructuredText markup, for the search."""
     text = NAMED.sub(r"\1", MARKS.sub(" ", source))
     return re.sub(r"\s+", " ", text).strip()

@@ -1,4 +1,6 @@
-"""Sequence diagrams of recorded calls between the modules in trees of requirements."""
+"""Sequence diagrams of recorded calls. They show the calls between modules that belong to the
+invocation trees of chosen requirements.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +56,7 @@ class DeclaredSequence:
 
 @dataclass(frozen=True)
 class Message:
-    """A call from a participant to another participant, or a frame on the line."""
+    """A call from a participant to another participant, or a frame on the serial line."""
 
     source: str
     target: str
@@ -72,7 +74,9 @@ class Loop:
 
 @dataclass
 class CycleMessages:
-    """The messages from a clock pulse to the next. Equal cycles are counted."""
+    """The messages from a clock pulse to the next clock pulse. Equal cycles that follow each other
+    are stored once; ``times`` is their number.
+    """
 
     begin: int  # [ns]
     parts: tuple[Message | Loop, ...]
@@ -105,7 +109,7 @@ def declared_sequences(root: Path, entries: Entries | None = None) -> list[Decla
 def messages_of(
     portal: Portal, recording: Recording, methods: frozenset[str], by_logic: bool
 ) -> Iterator[tuple[int, Message]]:
-    """Returns the messages of a recording with their times, in their order."""
+    """Yields the messages of a recording in the order of their times, each with its time."""
     timed = [*_calls(portal, recording, methods, by_logic), *_frames(recording)]
     yield from sorted(timed, key=lambda pair: pair[0])
 
@@ -137,7 +141,7 @@ def _calls(
 
 
 def _frames(recording: Recording) -> Iterator[tuple[int, Message]]:
-    """Returns the frames as messages. The time of a frame is the time of its last byte."""
+    """Yields the frames as messages. The time of a frame is the time of its last byte."""
     for frame in frames_in(recording, "byte_received"):
         yield frame.events[-1].at, Message(PC, LINE, frame.kind)
     for frame in frames_in(recording, "byte_sent"):
@@ -237,7 +241,7 @@ def sequence_diagram(
 
 
 def _look() -> list[str]:
-    """Returns the colours of the parts that only sequence diagrams have."""
+    """Returns the PlantUML settings that only sequence diagrams need."""
     return [
         f"skinparam sequenceLifeLineBorderColor {MARKERS['edge']}",
         f"skinparam participantBackgroundColor {MARKERS['plain']}",

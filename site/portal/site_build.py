@@ -24,7 +24,9 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.schema import Finding, Place
 
-PARTS = 8  # more parts of the pages than cores, so that no core waits long
+# The pages are divided into more parts than there are cores. Then no core waits long for the
+# others.
+PARTS = 8
 
 
 @dataclass

@@ -39,7 +39,9 @@ class NameRole(SphinxRole):
 
 
 class DesignDomain(Domain):
-    """The elements of the design, for ``objects.inv``: other documentation can link to them."""
+    """The elements of the design. Sphinx writes them to ``objects.inv``, and the documentation of
+    other projects can then link to them.
+    """
 
     name = "design"
     label = "Design"

@@ -31,8 +31,8 @@ from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
-# Includes of hand-written pages from other folders: the file, its name in the folder of the pages,
-# the text.
+# Files that hand-written pages include. For each: the source file, the name of the generated file
+# in the folder of the pages, and the function that returns its text.
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (PINS, "board.html", board_figure),
@@ -49,7 +49,7 @@ UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>"
 
 
 def write_sources(portal: Portal, pages: Path) -> set[str]:
-    """Writes the input of Sphinx; returns the names of the pages."""
+    """Writes the files that Sphinx reads. Returns the names of the pages among these files."""
     shown = [m for m in portal.designs if doxygen_file(portal, m)]
     current = copy_docs(portal.root / "docs", pages / "docs") | write_members(shown, pages)
     remove_others(pages, "*.rst", [f"{name}.rst" for name in current])

@@ -1,4 +1,4 @@
-"""Converts Sphinx's warnings to findings, each at its place in the project."""
+"""Converts the warnings of Sphinx to findings. A finding names the file and line of its warning."""
 
 from __future__ import annotations
 

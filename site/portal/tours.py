@@ -1,4 +1,6 @@
-"""Tours through the pages. A tour has stops in the order of reading, and an action at the end."""
+"""Guided tours through the pages. A tour leads the reader from page to page, and proposes an action
+at its end.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,7 @@ TOURS = Path("design/tours.toml")
 
 @dataclass
 class Tour:
-    """A tour; each stop has an address and a task."""
+    """A tour. Each of its stops has the address of a page and a task for the reader."""
 
     id: str
     title: str

@@ -35,7 +35,7 @@ def tuning(portal: Portal) -> dict[str, Any]:
 
 
 def robot_values(model: Model) -> list[tuple[Method, Constant]]:
-    """Returns the methods, in the module of the robot's values, that return a number."""
+    """Returns the methods of the module ROBOT that return a number, each with this number."""
     module = model.modules.get(ROBOT)
     methods = module.methods if module else []
     return [

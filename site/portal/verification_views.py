@@ -68,7 +68,7 @@ def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
     ]
 
 
-# Filter of the requirements -> the values of a requirement.
+# Name of a filter on the page -> the values that a requirement (or a test) has for this filter.
 Facets = dict[str, Sequence[str]]
 
 
@@ -108,7 +108,7 @@ def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:
 
 
 def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
-    """Returns each facet with the values that a requirement has."""
+    """Returns for each filter all values that occur, sorted. The page offers these values."""
     values: dict[str, set[str]] = defaultdict(set)
     for facet in all_facets:
         for name, own in facet.items():

@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def write_changed(path: Path, content: str | bytes) -> None:
-    """Writes a file unless it has this content, because a newer file is read again."""
+    """Writes a file only if its content changes. A file with a newer time would be read again."""
     data = content.encode() if isinstance(content, str) else content
     if path.is_file() and path.read_bytes() == data:
         return

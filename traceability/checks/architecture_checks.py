@@ -1,4 +1,6 @@
-"""arch-*: the architecture names modules that exist, and the code has its connections."""
+"""arch-*: each module that the architecture names exists, and each connection that the architecture
+declares exists in the code.
+"""
 
 from __future__ import annotations
 

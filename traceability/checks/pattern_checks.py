@@ -16,8 +16,8 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# The comment of an abstraction states the purpose of the application. If an abstraction has several
-# applications, the comment of the subclass states the purpose.
+# The comment of a class with an abstract role (such as Strategy) must state why the pattern is used
+# there. If several uses of the pattern share the class, the comments of its subclasses state this.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
 # The roles of subclasses. A Decorator is a subclass of its Component, and has subclasses.

@@ -1,4 +1,4 @@
-"""The connections of the high-level diagram, each with its path in the code."""
+"""Finds for each connection of the high-level diagram the calls in the code that implement it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,9 @@ def way_of(model: Model, facts: Facts, connection: Connection) -> list[str]:
 
 
 def is_outside(connection: Connection) -> bool:
-    """Returns whether one end is outside the microcontroller, or the connection is physical."""
+    """Returns true if the connection is physical, or if one of its ends is outside the
+    microcontroller.
+    """
     physical = connection.kind == "physical"
     outside = {"PC", "Remote control"} & {connection.source, connection.target}
     return physical or bool(outside)

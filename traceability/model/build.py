@@ -549,7 +549,7 @@ def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> M
 
 
 def _covered(module: Module, coverage: Coverage) -> Module:
-    """Returns the module with the coverage of its files by the tests."""
+    """Returns the module, completed with the source lines of its files that tests executed."""
     whole, covered = coverage.whole, coverage.all
     files = [
         file for file in (module.header, module.source) if file is not None and file in whole.lines

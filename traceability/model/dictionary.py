@@ -52,14 +52,17 @@ def parts_of(name: str, facts: Facts) -> list[FieldFact]:
 
 
 def unit_text(kind: str, model: Model) -> str:
-    """Returns the description of the value type that a type uses. The description contains the
-    unit."""
+    """Returns the description of the value type (for example Velocity) that is named in the given
+    type. This description contains the unit.
+    """
     named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
     return named[-1].brief if named else ""
 
 
 def module_of(body: BodyFact, model: Model) -> str:
-    """Returns the module of a body. A free function belongs to the module of its file."""
+    """Returns the module of a function body. A function outside classes belongs to the module of
+    its file.
+    """
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 

@@ -1,4 +1,4 @@
-"""The code of the image of the robot. It is read once for all proofs."""
+"""The machine code of the firmware image. It is read once, and all proofs use the result."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PRODUCT = "weeding_robot"
 
 @dataclass(frozen=True)
 class Program:
-    """The instructions of an image, with their places in the sources."""
+    """The instructions of a firmware image, each with its source line."""
 
     codes: Mapping[str, Code]
     places: Mapping[int, list[Place]]
@@ -44,7 +44,7 @@ def read_program(elf: Path) -> Program:
 
 @dataclass(frozen=True)
 class ImageCode:
-    """The functions of an image. They combine the reports of the compiler with the instructions."""
+    """The functions of a firmware image: the reports of the compiler and the instructions."""
 
     elf: Path
     graph: dict[str, Function]

@@ -1,4 +1,4 @@
-"""The cost of each application of a pattern: the virtual calls that remain in the image."""
+"""The cost of each use of a pattern: the virtual calls that remain in the firmware image."""
 
 from __future__ import annotations
 

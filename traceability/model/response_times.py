@@ -223,8 +223,8 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
-    """Returns the time that a context needs for a number of its own cycles, including all
-    interrupts in this time [cycle].
+    """Returns the time [cycle] until a context has executed ``own`` cycles of its own. The
+    interrupts that occur meanwhile are included.
     """
     cycles = own
     for _ in range(MOST_ROUNDS):

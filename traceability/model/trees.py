@@ -207,7 +207,9 @@ def _is_activated(callees: set[str], facts: Facts) -> bool:
 
 
 def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
-    """Returns the requirements whose trees contain a call from one module into another."""
+    """Returns for each pair of modules the requirements whose invocation trees contain a call from
+    the first module of the pair to the second module.
+    """
     edges: Edges = {}
     for requirement, tree in trees.items():
         for node in nodes_of(tree):

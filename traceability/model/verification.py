@@ -1,4 +1,6 @@
-"""The parts of each requirement's methods that its tests executed."""
+"""Finds which parts of the methods of a requirement were executed by the tests of this
+requirement.
+"""
 
 from __future__ import annotations
 

@@ -98,7 +98,9 @@ def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
 
 
 def unit_of_function(function: Cursor) -> str:
-    """Returns the unit of an operation that makes a quantity. It is the unit of its parameter."""
+    """Returns the unit of the parameter of an operation that makes a quantity from a number. The
+    comment of the operation states this unit.
+    """
     if function.kind != CursorKind.FUNCTION_DECL:
         return ""
     return unit_in(function.raw_comment)

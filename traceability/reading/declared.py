@@ -61,7 +61,9 @@ class KnownApplication:
 
 @dataclass
 class KnownPattern:
-    """A pattern, with the roles that each application binds and with the number of applications."""
+    """A pattern: its name, the number of its uses, and its roles. Each use of the pattern assigns
+    modules to the roles.
+    """
 
     name: str
     applications: int

@@ -1,6 +1,7 @@
-"""The texts on which the links of a requirement depend, without comments and layout. Each text is
-searched in its file. The same search in an earlier version of the file therefore finds the earlier
-text."""
+"""Reads the texts on which the links of a requirement depend, without comments and layout. A text
+is looked up by name in its file. Therefore the same lookup in an earlier version of the file
+returns the earlier text.
+"""
 
 from __future__ import annotations
 

@@ -16,7 +16,9 @@ COMPILER = "syntax-error"
 
 @dataclass(frozen=True)
 class Edit:
-    """A replacement of the first match of a pattern. If there is no pattern, the file is new."""
+    """An edit of a file: it replaces the first match of a search pattern. An edit without a search
+    pattern creates a new file.
+    """
 
     file: str
     find: str

@@ -1,6 +1,6 @@
-/* Adds a button to each diagram that is wider than its place. The button shows the whole diagram in a window, where
- * it can be enlarged. On a phone the page shows the diagram scaled to its place. Without this script each diagram
- * scrolls. */
+/* Adds a button to each diagram that is wider than the text column. The button opens a window that shows the whole
+ * diagram, and the reader can enlarge it there. On a phone the page shrinks the diagram to the width of the text
+ * column. If this script does not run, the reader scrolls the diagram sideways. */
 (function () {
   "use strict";
   const STEP = 1.25; // factor of the zoom buttons and keys
