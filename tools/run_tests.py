@@ -48,7 +48,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Runs the tests of the firmware (with traces and coverage, with sanitizers, "
         "and with the firmware image on the virtual K64). Runs the tests of the tools, every "
         "check, and the tests of the portal's pages in a browser. A task runs again "
-        "only if its inputs changed. The last line counts the tests of the firmware "
+        "only if its inputs changed. If only Python files changed, only the test files "
+        "that the change can affect run again. The last line counts the tests of the firmware "
         "(on this computer and on the virtual K64), of the tools and of the pages.",
     )
     parser.add_argument(
