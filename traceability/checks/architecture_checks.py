@@ -1,4 +1,5 @@
-"""arch-*: the architecture names modules that exist, and the code has its connections."""
+"""arch-*: each module that the architecture names exists, and the code contains each connection
+that the architecture declares."""
 
 from __future__ import annotations
 

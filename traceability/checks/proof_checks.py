@@ -1,4 +1,5 @@
-"""proof-*: the properties are proven, and the model of the proofs agrees with the design."""
+"""proof-*: Spin has proven each property, and the model that Spin explores agrees with the design
+and the code."""
 
 from __future__ import annotations
 
@@ -60,8 +61,8 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
 
 
 def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
-    """Finds hand-written steps that do not name the methods that they model, or name methods that
-    do not exist."""
+    """Finds hand-written steps of the model without a comment that names the modelled methods. Also
+    finds comments that name a method that does not exist."""
     methods = {method.id for module in model.modules.values() for method in module.methods}
     methods |= set(facts.bodies)
     for above, line in zip([Line("", lines[0].place), *lines], lines, strict=False):
@@ -77,7 +78,7 @@ def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
 
 
 def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
-    """Finds numbers of the composition that differ from the code."""
+    """Finds numbers in the composition of the proofs that differ from the constants in the code."""
     for line in lines:
         match = NUMBER.match(line.text)
         if not match:

@@ -1,4 +1,5 @@
-"""time-*: the longest time of the image is computed, and no run needed more time."""
+"""time-*: the longest execution times of the firmware image can be computed, and no measured run
+needed more time than computed."""
 
 from __future__ import annotations
 
