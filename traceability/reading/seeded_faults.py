@@ -16,7 +16,8 @@ COMPILER = "syntax-error"
 
 @dataclass(frozen=True)
 class Edit:
-    """A replacement of the first match of a pattern. If there is no pattern, the file is new."""
+    """A replacement of the first match of a pattern. An edit without a pattern creates a new
+    file."""
 
     file: str
     find: str
