@@ -180,7 +180,8 @@ class Module:
     hides: Sequence[str] = field(default_factory=list)
     # blocks of registers that only this module may access
     registers: Sequence[str] = field(default_factory=list)
-    # tests that executed the module; or, without recordings, tests that are named after it
+    # tests that executed a method of the module, and the tests in the file that is named after the
+    # module
     tests: Sequence[str] = field(default_factory=list)
     lines_total: int | None = None
     lines_covered: int | None = None
@@ -249,7 +250,8 @@ class PatternPrice:
     """The cost of a pattern application in the firmware image. It is the cost of its virtual
     calls."""
 
-    instructions: float  # mean number of additional instructions in a control cycle
+    # mean number of instructions that the virtual calls cost in a control cycle
+    instructions: float
     flash: int  # bytes of the virtual method tables and of the call instructions
     virtual_calls: int  # number of virtual calls in the firmware image
 
@@ -269,7 +271,7 @@ class TreeNode:
     # Target -> true if a test executed the node on this target. Only targets with recordings are
     # listed.
     executed: Mapping[str, bool] = field(default_factory=dict)
-    # targets on which the call of this method is not recorded
+    # targets on which the method does not exist; for example the host for a method of a K64 driver
     outside: Sequence[str] = field(default_factory=list)
     children: Sequence[TreeNode] = field(default_factory=list)
     # True if the code and the tree disagree about the kind of the call: one has a direct call, and
@@ -923,7 +925,7 @@ class ExecutionContext:
     place: Place
     lines: Sequence[int] = field(default_factory=list)  # numbers of its interrupt lines
     priority: int | None = None
-    # the methods of modules that the handlers call directly
+    # the methods of modules with which the context begins
     first: Sequence[str] = field(default_factory=list)
     # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)

@@ -269,9 +269,8 @@ class Reader:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
-            with contextlib.suppress(
-                ValueError
-            ):  # Some forms of C++ numbers are not numbers in Python. Such values are left out.
+            # Some forms of C++ numbers are not numbers in Python. Such values are left out.
+            with contextlib.suppress(ValueError):
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
