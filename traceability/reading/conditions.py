@@ -69,7 +69,7 @@ def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
             return
     elif cursor.kind in NUMBERS:
         digits = next((token.spelling for token in cursor.get_tokens()), "").rstrip("uUlL")
-        # The comparison of a three-way result contains a 0 that is not in the source text.
+        # The compiler can read a < b as (a <=> b) < 0. This 0 is not in the source text.
         if digits[:1].isdigit():
             yield digits
         return
