@@ -1,4 +1,5 @@
-"""Every check: its rule, its limits and the fix of a finding."""
+"""The list of all checks. Each entry states the rule, the limits of the check, and how to fix a
+finding."""
 
 from __future__ import annotations
 
@@ -20,16 +21,16 @@ class Check:
 
     @property
     def why(self) -> str:
-        """Returns the purpose of the family of the check."""
+        """Returns the reason why the family of this check exists."""
         return WHY[self.id.split("-", maxsplit=1)[0]]
 
     @property
     def text(self) -> str:
-        """Returns the whole description, as plain text."""
+        """Returns the complete description of the check as plain text."""
         return f"{self.holds} {self.blind} To fix a finding: {self.fix}"
 
 
-# The first word of an id names its family.
+# The purpose of each family of checks. The first word of a check's id is the name of its family.
 WHY = {
     "syntax": "All other checks read the syntax tree. They need a tree without errors.",
     "design": "The checks compare design/ with the code. They cannot compare a file that they "
@@ -41,7 +42,8 @@ WHY = {
         "specification. To do this, the developer need not read the other modules."
     ),
     "secret": (
-        "If another module uses hidden names, a change of the secret also changes that module."
+        "Names that only one module may use hide a design decision, the secret of this module. If "
+        "another module uses these names, a change of the decision also changes that other module."
     ),
     "pattern": (
         "A pattern makes changes easy only while the code has the structure of the pattern. Each "
@@ -198,11 +200,11 @@ _FIXED = [
     Check(
         "module-used",
         "Each design module is part of a product",
-        "The names in the code lead from a composition to every design module. Every module that "
-        "design/products.toml lists exists.",
-        "The check does not detect whether the product runs the code of the module, or whether "
-        "CMake builds the composition.",
-        "let a builder construct the module, or remove it.",
+        "Every design module is used: a composition names the module, or a used module names it. "
+        "Every module that design/products.toml lists exists.",
+        "The check does not detect whether the product ever executes the code of the module. It "
+        "also does not detect whether CMake builds the composition.",
+        "let a builder construct the module, or remove the module.",
     ),
     Check(
         "module-data",
@@ -261,16 +263,17 @@ _FIXED = [
         "Every @role names an application that is declared, and a role of its pattern. The tag is "
         "written once. It is above a module that the design binds to that role, or above a module "
         "of an extension.",
-        "The check does not find a class that has a role without a mark. The clauses of the "
-        "pattern find some of these classes.",
-        "correct the application or the role, or change the design.",
+        "The check does not find a class that plays a role in a pattern but has no @role. The "
+        "clauses of the pattern find some of these classes.",
+        "correct the application or the role in the tag, or change design/applications.toml.",
     ),
     Check(
         "pattern-role-missing",
         "All roles bound",
-        "Every module that the design binds to a role of a declared application has the @role.",
+        "If the design assigns a module to a role of a pattern application, the comment of the "
+        "module contains this @role.",
         "The check does not find a role that the design does not list. `pattern-role-required` "
-        "finds it.",
+        "finds such a role.",
         "write the @role above the class.",
     ),
     Check(
@@ -280,7 +283,8 @@ _FIXED = [
         "that exist. It assigns no other role.",
         "The check cannot judge whether the module has the function of the role. The clauses of "
         "the pattern find some wrong modules.",
-        "bind the role, or correct the name of the module.",
+        "assign a module to the role in design/applications.toml, or correct the name of the "
+        "module.",
     ),
     Check(
         "pattern-count",
@@ -298,15 +302,15 @@ _FIXED = [
         "application of the abstraction. The role is not needed if the subclass extends a "
         "component or is an extended component. A Command that is nested in a module is the body "
         "of a thread, and needs no role.",
-        "The check cannot judge whether the role is right.",
-        "bind the subclass to a role, or derive it from another class.",
+        "The check cannot judge whether the subclass has the right role.",
+        "give the subclass a role, or derive the subclass from another class.",
     ),
     Check(
         "uses-allowed",
         "Only allowed uses",
         "Every include, call and name of a class from one logic module in another is allowed in "
         "design/uses.toml.",
-        "The check does not find a use only through a number, such as an address.",
+        "The check does not find a use that needs no name, such as an access to a fixed address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
@@ -317,7 +321,8 @@ _FIXED = [
         "extension uses another extension only where design/uses.toml states the reason.",
         "The check does not compare the parts that the linker adds to the image of a product. "
         "Tests of the products check these parts.",
-        "remove the include or the call: a composition of the extension binds it to the robot.",
+        "remove the include or the call. A composition of the extension must connect the "
+        "extension to the robot.",
     ),
     Check(
         "uses-board",
@@ -327,9 +332,9 @@ _FIXED = [
         "a mistake. The programs of tests/k64/program and tests/usual_design/k64 are exceptions: "
         "they are compositions of drivers that run on the virtual K64. For src, `uses-allowed` "
         "shows the users of src/k64.",
-        "The check does not find a number that is wrong in the same way in the driver and in its "
-        "model.",
-        "write the facts from the manual of the microcontroller, or test the image.",
+        "The check does not find the same wrong number in a driver and in the model of the device.",
+        "write the numbers from the manual of the microcontroller, or test the firmware image on "
+        "the virtual K64.",
     ),
     Check(
         "secret-registers",
@@ -348,20 +353,21 @@ _FIXED = [
     Check(
         "board-finding",
         "Each finding of the virtual K64 has a test",
-        "A test of tests/sim/emulator names every finding in design/board_findings.toml. If a "
-        "seeded fault of a driver caused a finding, this file declares the finding.",
-        "The check does not detect whether the test causes the finding. The result of the test "
-        "shows this.",
+        "For every finding in design/board_findings.toml, a test of tests/sim/emulator names the "
+        "finding. If a seeded fault of a driver caused a finding, design/board_findings.toml "
+        "declares this finding.",
+        "The check does not detect whether the test really causes the finding. The result of the "
+        "test shows this.",
         "write a test that causes the finding, or declare the finding.",
     ),
     Check(
         "board-belief",
         "Each belief of the virtual K64 has a source",
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
-        "file of sim/emulator that contains it, and a declared source. Every register of that "
-        "file has a belief.",
-        "The check does not find a value of a register that is not listed. It cannot judge whether "
-        "the source confirms the belief.",
+        "file of sim/emulator that contains this register, and a declared source. Every register "
+        "of src/k64/registers.hpp has a belief.",
+        "The check does not detect that a value of a register is missing in the list. It cannot "
+        "judge whether the source confirms the belief.",
         "correct the entry or add it, with its source.",
     ),
     Check(
@@ -385,8 +391,8 @@ _FIXED = [
         "arch-module",
         "The architecture names modules that exist",
         "Every module that design/architecture.toml names in an element, a group or a connection "
-        "exists. The element of every connector exists too.",
-        "The check cannot judge whether the element is refined into the right modules.",
+        "exists. Every connector that a connection names exists as an element.",
+        "The check cannot judge whether the named modules are the right modules for the element.",
         "correct the name.",
     ),
     Check(
@@ -395,7 +401,8 @@ _FIXED = [
         "The code has calls from the first module of a connection to the second module. If the "
         "connection is a command, the calls pass through a Command. A pipe has its writer in the "
         "first module and its reader in the second module.",
-        "The check does not find physical connections, or connections that nobody declared.",
+        "The check does not read physical connections. It does not find connections in the code "
+        "that the architecture does not declare.",
         "correct the connection, or the code.",
     ),
     Check(
@@ -416,7 +423,7 @@ _FIXED = [
         "objects that the builders passed.",
         "The check does not follow calls through pointers to functions. It does not find methods "
         "without @isr, and it cannot judge whether @isr{yes} is true.",
-        "let a thread call the method, or make it safe and write @isr{yes}.",
+        "let a thread call the method, or make the method safe for interrupts and write @isr{yes}.",
     ),
     Check(
         "exec-float",
@@ -440,9 +447,9 @@ _FIXED = [
         "No heap in the source",
         "No file of src and extensions has new, delete, malloc or free. No such file includes a "
         "header of the standard library whose types allocate memory.",
-        "The check does not find a library that allocates memory inside. The symbols of the image "
-        "show such a library.",
-        "use an array or a std::optional of a fixed size.",
+        "The check does not find library code that allocates memory internally. The symbols of "
+        "the firmware image show such code.",
+        "use an array of fixed size or a std::optional.",
     ),
     Check(
         "exec-shared",
@@ -451,9 +458,9 @@ _FIXED = [
         "design/execution.toml declares its protection. A member that is declared as atomic is "
         "atomic. Each use of a member that is declared as masked is under an InterruptLock. One "
         "context writes a pipe, and one context reads it.",
-        "The check does not find changes through parameters that are references, or changes in the "
-        "standard library. It cannot judge whether the protection is sufficient. It does not "
-        "compare two threads of one kind.",
+        "The check does not find changes through parameters that are references, or changes in "
+        "the standard library. It cannot judge whether the protection is sufficient. It does not "
+        "compare two threads of the same kind, such as the threads of two wheels.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -472,7 +479,8 @@ _FIXED = [
         "No function calls itself, directly or through functions of its file. No chain of calls "
         "from a handler enters a function twice. A chain of decorators passes at most once through "
         "each Concrete Decorator of its application.",
-        "The check does not find a decorator that wraps another object of the same class.",
+        "The check does not find a decorator object that decorates another object of the same "
+        "class.",
         "write a loop with a bound.",
     ),
     Check(
@@ -480,8 +488,8 @@ _FIXED = [
         "The stack is large enough for the worst case",
         "The sum of the deepest chains of calls of all priorities fits into the stack. Each frame "
         "has a bound. No run in closed loop used more than this sum.",
-        "The check does not count the words that the hardware stores when a fault occurs in a "
-        "fault handler.",
+        "The check does not count the stack that is needed if a second fault occurs in a fault "
+        "handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
@@ -501,9 +509,10 @@ _FIXED = [
         "longest time to the report in the runs of the bench, and the longest time to the end of "
         "the main thread in the published random drives. The recorded time of each path is at most "
         "the bound of the path.",
-        "The check does not find interrupts that occur more often than design/times.toml states.",
-        "correct the bound that is too small. It is the bound of a loop, or a number in "
-        "design/times.toml.",
+        "The check does not detect that an interrupt can occur more often than design/times.toml "
+        "states.",
+        "find the bound that is too small and correct it. It is the declared bound of a loop or a "
+        "number in design/times.toml.",
     ),
     Check(
         "fsm-declared",
@@ -537,12 +546,13 @@ _FIXED = [
     Check(
         "fsm-seen",
         "Each transition is made in a test",
-        "In the recorded calls of a passed test on the host, the Context calls the operation of "
-        "the state. The next call of a state in these calls fits only the successor. For each "
-        "requirement that a transition names, a test of the requirement makes the transition. No "
-        "test makes a change that is not declared.",
-        "The check does not detect which guard prevented a change of the state. It does not find a "
-        "change after which the test calls no state. It compares nothing while results are stale.",
+        "A passed test on the host made each transition. This is shown by its recorded calls: the "
+        "Context calls the operation of the state, and the next call of a state can only be a "
+        "call of the successor. For each requirement that a transition names, a test of the "
+        "requirement makes the transition. No test makes a change that is not declared.",
+        "The check does not detect which guard prevented a change of the state. It does not find "
+        "a change of the state if the test calls no state after the change. It compares nothing "
+        "while the test results are older than the sources.",
         "make the transition through its Context in a test of its requirement, or correct the "
         "machine.",
     ),
@@ -552,7 +562,8 @@ _FIXED = [
         "Every machine of design/fsm has its step, its guards and its events in the composition "
         "design/proofs/robot.pml. Each hand-written step of the composition lists methods that "
         "exist. Each number of a step equals the constant that the step names.",
-        "The check does not prove that a step behaves like its methods.",
+        "The check does not prove that a step of the model behaves like the methods that the step "
+        "names.",
         "correct the composition, or the names of the code in it.",
     ),
     Check(
@@ -569,7 +580,7 @@ _FIXED = [
         "Each property is proven",
         "Spin explored every state of the model and found no sequence of events that violates the "
         "property.",
-        "The check does not accept a proof of an older design. It compares nothing until Spin ran "
+        "A proof of an older design does not count. The check reports nothing until Spin has run "
         "on the present design.",
         "correct the design, or the formula; the page Proofs shows the counterexample.",
     ),
@@ -578,8 +589,8 @@ _FIXED = [
         "Controllers and sensors are independent",
         "If design/uses.toml separates two modules, neither module names the other module or "
         "includes its header. No controller names a sensor, and no sensor names a controller.",
-        "The check does not find a third module that passes a sensor to a controller, or a "
-        "controller to a sensor.",
+        "The check does not find a third module that gives a controller a reference to a sensor, "
+        "or gives a sensor a reference to a controller.",
         "pass the value through a pipe.",
     ),
     Check(
@@ -595,27 +606,28 @@ _FIXED = [
         "module-preprocessor",
         "No macro, no condition",
         "The preprocessor only includes named files, so every product compiles the same text.",
-        "The check does not find the files that the build leaves out of a product. The tests of "
-        "the products check these files.",
+        "The check does not detect which files the build includes in a product. The tests of the "
+        "products check this.",
         "use a constant, a template, or another module that the build chooses.",
     ),
     Check(
         "secret-open",
         "No access except through the interface",
-        "No module has public variables or a friend that is not nested in the module. No operation "
-        "returns a reference through which a caller can change a number of the module. No source "
-        "file declares a name that another file defines.",
-        "The check does not find an operation that returns an object or a record of the module, "
-        "such as a part of a builder.",
+        "No module has public variables. Each friend of a module is nested in this module. No "
+        "operation returns a reference with which a caller can change a number of the module. No "
+        "source file declares a name that another file defines.",
+        "The check does not find an operation that returns a reference to a whole object inside "
+        "the module, such as an object that a builder contains.",
         "make the data private and add an operation to the module.",
     ),
     Check(
         "secret-hidden",
         "Hidden names stay inside",
-        "If a module names a header, class, function or constant in @hides, only this module uses "
-        "it. If a logic module hides the name, only files of its folder use it. If a constant is "
-        "hidden, no other constant has the same value and a similar name.",
-        "The check does not find a copy of the same fact with a different name.",
+        "If a module lists a header, class, function or constant in @hides, only this module uses "
+        "it. If a logic module lists a name in @hides, only files of its folder use this name. If "
+        "a constant is listed, no other constant has the same value and a similar name.",
+        "The check does not find a second constant or function that states the same fact under a "
+        "different name.",
         "call an operation of the module instead.",
     ),
     Check(
@@ -630,14 +642,15 @@ _FIXED = [
         "Trees name existing methods",
         "Every tree belongs to a requirement. Every node is a method that its class has or "
         "inherits. A requirement has one tree.",
-        "The check does not distinguish overloads. Methods with one name are one node.",
+        "The check does not distinguish overloads: all methods with the same name in a class "
+        "count as one method.",
         "correct the name in the tree.",
     ),
     Check(
         "tree-static",
         "Each edge of a tree is a possible call",
-        "The body of each parent has a call that can reach the child. A call of a virtual method "
-        "reaches every method that overrides it.",
+        "For each edge of a tree, the body of the parent method contains a call that can execute "
+        "the child method. A call of a virtual method can execute every method that overrides it.",
         "The check does not detect whether the call is ever executed. It does not follow calls "
         "through pointers to functions.",
         "restore the call in the code, or change the tree.",
@@ -656,10 +669,11 @@ _FIXED = [
     Check(
         "tree-dynamic",
         "Each tree was executed",
-        "A test that verifies the requirement passed, and its recorded calls contain the tree. "
-        "Each child is called within the call of its parent, and in order.",
-        "Operations that the platform implements, such as operations of a port, are not recorded. "
-        "The check compares nothing while results are stale.",
+        "A test that verifies the requirement passed, and its recorded calls contain all calls of "
+        "the tree. Each child is called during the call of its parent, and the children are "
+        "called in the order of the tree.",
+        "Operations that only the target implements, such as reading a pin, are not recorded. The "
+        "check compares nothing while the test results are older than the sources.",
         "correct the tree, or make the calls in a test of the requirement.",
     ),
     Check(
@@ -668,7 +682,7 @@ _FIXED = [
         "Every requirement has a unique id, a sentence with a shall, @rationale, @source and "
         "@priority. The priority is high, medium or low.",
         "The check cannot judge whether the sentence is clear and can be verified.",
-        "write the missing part.",
+        "write the missing part of the requirement.",
     ),
     Check(
         "req-attribute",
@@ -712,7 +726,7 @@ _FIXED = [
         "Every requirement is named in the @satisfies of a method.",
         "The check does not detect whether the method fulfils the requirement. The tests show "
         "this.",
-        "tag the method that does the work with @satisfies.",
+        "write the @satisfies above the method that fulfils the requirement.",
     ),
     Check(
         "req-verified",
@@ -738,8 +752,9 @@ _FIXED = [
         "Code of the firmware calls every public method of a design module, or the method that it "
         "overrides. A builder calls each step and uses each part. Methods without a caller are "
         "justified in design/justified.toml.",
-        "The check does not detect whether the caller runs. It accepts a call in dead code.",
-        "call the method, remove it, or justify it in design/justified.toml.",
+        "The check does not detect whether the calling code is ever executed. It also accepts a "
+        "call in dead code.",
+        "call the method, remove the method, or justify it in design/justified.toml.",
     ),
     Check(
         "req-test",
@@ -833,8 +848,8 @@ _FIXED = [
     Check(
         "hazard-goal",
         "Each safety goal is complete",
-        "A hazard names every safety goal. Every safety goal lists requirements and names a safe "
-        "state.",
+        "For every safety goal, at least one hazard names the goal. Every safety goal lists "
+        "requirements and names a safe state.",
         "The check cannot judge whether the requirements are sufficient to reach the goal.",
         "complete the goal in design/safety_case.toml.",
     ),
@@ -843,8 +858,8 @@ _FIXED = [
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
         "10 %. The reaction time of the firmware is at most this time.",
-        "The check cannot judge whether the distances and energies in the formula fit the robot, "
-        "or whether the tests measure this reaction.",
+        "The check cannot judge whether the distances and energies in the formula are right for "
+        "the robot. It cannot judge whether the tests measure the right reaction.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
     ),
     Check(
@@ -852,9 +867,9 @@ _FIXED = [
         "Goals and requirements name each other",
         "Each goal lists the requirements that name it in @goal. Each listed requirement exists "
         "and has the @goal.",
-        "The check cannot judge whether the requirement serves the goal. It reports nothing if "
-        "some requirements of a goal are not verified. The page of the goal then shows the goal as "
-        "open.",
+        "The check cannot judge whether the requirement really contributes to the goal. If some "
+        "requirements of a goal are not verified, the check reports nothing, but the page of the "
+        "goal shows the goal as open.",
         "add the missing link.",
     ),
     Check(
@@ -869,7 +884,7 @@ _FIXED = [
     Check(
         "hazard-assumption",
         "Each assumption of use covers a hazard",
-        "A hazard names every assumption of use.",
+        "For every assumption of use, at least one hazard names the assumption.",
         "The check cannot judge whether people follow the assumption.",
         "name the assumption in a hazard, or remove it.",
     ),
@@ -878,7 +893,7 @@ _FIXED = [
         "Safety has priority",
         "The priority of a requirement is at least the priority that design/safety_case.toml "
         "derives from the level of its safety goals.",
-        "The check does not read requirements without a goal.",
+        "The check ignores requirements that serve no safety goal.",
         "raise the priority.",
     ),
     Check(
@@ -886,8 +901,8 @@ _FIXED = [
         "A requirement is as in its baseline",
         "These texts of each requirement are unchanged since its baseline: the requirement, its "
         "invocation tree, its transitions of state machines, its safety goals and their hazards.",
-        "The check cannot judge whether the texts are right. A review answers this question. It "
-        "does not find changes of line breaks.",
+        "The check cannot judge whether the texts are right. A review answers this question. The "
+        "check ignores changes of line breaks.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
@@ -956,7 +971,8 @@ _FIXED = [
         "existing modules, methods, applications, state machines, requirements, checks and pages. "
         "A count of modules or of applications equals the count in the code, and the value of a "
         "constant equals the value in the code.",
-        "The check cannot judge whether the paper means this part. Only a reader can judge this.",
+        "The check cannot judge whether the named part is really the counterpart of the element "
+        "in the paper. Only a reader can judge this.",
         "name the part that replaced the missing part.",
     ),
     Check(
@@ -980,14 +996,15 @@ _FIXED = [
         "Numbers of the protocol agree with the code",
         "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
         "the same name in the firmware.",
-        "The check does not compare fields, their types and their limits. The tests compare them.",
+        "The check does not compare the fields of the frames, the types of the fields and their "
+        "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",
     ),
     Check(
         "doc-example",
         "Worked examples of the protocol are consistent",
-        "For each example in docs/protocol_examples.txt, the body determines the check sum and the "
-        "bytes on the line.",
+        "For each example in docs/protocol_examples.txt, the stated check sum and the stated "
+        "bytes on the serial line are the ones that follow from the body of the frame.",
         "The check does not detect whether the body has the described content. Tests of the "
         "firmware and of the client decode the body.",
         "run tests/python/client/examples.py, which writes the examples.",
@@ -1014,7 +1031,7 @@ _FIXED = [
 
 
 def _clauses() -> list[Check]:
-    # The reader of the model reports errors of this file.
+    # If the file has errors, the reader of the model reports them. They are ignored here.
     entries = Entries(CLAUSES.parents[1]).tables(
         CLAUSES, "clause", {"id": str, "pattern": str, "says": str, "fix": str}, {"about": list}
     )
@@ -1023,7 +1040,8 @@ def _clauses() -> list[Check]:
             entry["id"],
             f"{entry['pattern']}: {entry['id'].split('-', 2)[2].replace('-', ' ')}",
             f"In every application of {entry['pattern']}: {entry['says']}",
-            "The check cannot judge the intent. It compares only the shape of the code.",
+            "The check compares only the structure of the code. It cannot judge whether the "
+            "pattern is used for its purpose.",
             f"{entry['fix']}.",
         )
         for entry, _ in entries
