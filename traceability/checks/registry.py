@@ -54,18 +54,25 @@ WHY = {
         "The allowed uses of a module show two facts: which modules must be reused together with "
         "it, and which changes can break it."
     ),
-    "board": "The virtual K64 replaces the hardware. A mistake that the virtual K64 does not "
-    "detect reaches the robot.",
-    "tree": (
-        "A tree shows how the code fulfils a requirement. The code must be able to make the calls "
-        "of the tree, and a run must make them."
+    "board": (
+        "In the tests, the virtual K64 replaces the hardware. If the virtual K64 does not detect "
+        "a mistake, the mistake can reach the robot."
     ),
-    "fsm": "People read a state machine instead of the code of its states. Both must therefore be "
-    "equal.",
-    "proof": "A test covers some sequences of events. A proof covers all sequences of the model.",
+    "tree": (
+        "An invocation tree shows the calls by which the code fulfils a requirement. The code "
+        "must contain these calls, and a test must execute them."
+    ),
+    "fsm": (
+        "People read the declared state machine instead of the code of the states. Therefore, "
+        "the machine and the code must have the same transitions."
+    ),
+    "proof": (
+        "A test checks only some sequences of events. A proof checks all sequences that are "
+        "possible in the model."
+    ),
     "exec": (
-        "Contexts of different priorities share data. A wrong call may cause a fault only once in "
-        "a thousand cycles."
+        "Interrupts and threads of different priorities share data. A wrong access may cause a "
+        "fault only once in a thousand cycles, so that tests do not find it."
     ),
     "stack": (
         "The threads and interrupts share one stack. The stack must be large enough for the "
@@ -77,16 +84,16 @@ WHY = {
     "req": "A requirement is fulfilled only when the code, the tests and the test results show "
     "this.",
     "suspect": (
-        "A verdict is valid only for the texts that were judged. The baseline shows which of these "
-        "texts changed."
+        "A verdict is valid only for the texts that were judged. By comparison with the baseline, "
+        "the checks find the texts that changed since."
     ),
     "hazard": (
-        "The safety case links each hazard with tests that ran. A missing link makes the argument "
-        "invalid, and a reader may not notice the missing link."
+        "The safety case leads from each hazard to tests that ran. If a link in this chain is "
+        "missing, the argument is invalid, and a reader may not notice the gap."
     ),
     "paper": (
-        "The paper is the reference of the design. The project uses the names of the paper, or "
-        "states the difference."
+        "The paper describes the design that this project implements. The project uses the names "
+        "of the paper, or explains why a name is different."
     ),
     "arch": "The architecture is the first picture that a newcomer sees. It must match the code.",
     "link": "A reader who follows a link must find the target.",
@@ -191,9 +198,9 @@ _FIXED = [
     Check(
         "module-count",
         "The modules of the design, and no others",
-        "Every design module below src is listed for its folder in design/modules.toml. Every "
-        "listed module exists and is not a data type. The number of listed modules equals the "
-        "number in the paper. Modules of extensions are not counted.",
+        "design/modules.toml lists every design module below src, under the folder of the module. "
+        "Every listed module exists and is not a data type. The number of listed modules equals "
+        "the number in the paper. Modules of extensions are not counted.",
         "The check cannot judge whether the list is correct.",
         "remove the module, mark a value type with @datatype, or change design/modules.toml.",
     ),
@@ -210,16 +217,18 @@ _FIXED = [
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "The check does not find a computation without a condition and without a loop, or a free "
-        "function that works on the data.",
+        "The check does not find a computation that needs no condition and no loop. It does not "
+        "find a free function that works on the data.",
         "move the behaviour into a module.",
     ),
     Check(
         "pattern-known",
         "Known pattern applications",
-        "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes. It is declared once, above its abstraction. Every application of the design is "
-        "declared. Every clause that a check decides is declared with its pattern and its roles.",
+        "Every @patternapp has a title, @why, @changes, and the id and the pattern of an entry in "
+        "design/applications.toml. The tag is above the abstract class of the pattern. Every "
+        "entry of design/applications.toml has exactly one @patternapp. Every clause that a "
+        "function of the checks decides is declared in design/clauses.toml with its pattern and "
+        "its roles.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
@@ -297,11 +306,12 @@ _FIXED = [
     Check(
         "pattern-heir-unbound",
         "Every subclass has a role",
-        "Every class that derives from an abstraction of an application has the role of a "
-        "subclass. A subclass of a State, a Strategy or an Abstract Class has this role in each "
-        "application of the abstraction. The role is not needed if the subclass extends a "
-        "component or is an extended component. A Command that is nested in a module is the body "
-        "of a thread, and needs no role.",
+        "If a class has an abstract role in a pattern application (for example Strategy), every "
+        "subclass has the role of a subclass (for example Concrete Strategy). For a State, a "
+        "Strategy or an Abstract Class, the subclass needs this role in each application of the "
+        "base class. There are two exceptions. A decorator, or a component that is decorated, "
+        "needs no second role. A Command that is nested in a module contains only the code of a "
+        "thread, and needs no role.",
         "The check cannot judge whether the subclass has the right role.",
         "give the subclass a role, or derive the subclass from another class.",
     ),
@@ -328,10 +338,10 @@ _FIXED = [
         "uses-board",
         "Drivers and virtual board are independent",
         "No file of sim/ or tests/ includes a file that is only for the K64. No file of "
-        "sim/emulator includes a file of the design, because a driver and its model must not share "
-        "a mistake. The programs of tests/k64/program and tests/usual_design/k64 are exceptions: "
-        "they are compositions of drivers that run on the virtual K64. For src, `uses-allowed` "
-        "shows the users of src/k64.",
+        "sim/emulator includes a file of the design, because a driver and the model of its device "
+        "must not contain the same mistake. The programs of tests/k64/program and "
+        "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
+        "In src, `uses-allowed` checks which modules use src/k64.",
         "The check does not find the same wrong number in a driver and in the model of the device.",
         "write the numbers from the manual of the microcontroller, or test the firmware image on "
         "the virtual K64.",
@@ -341,13 +351,13 @@ _FIXED = [
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
         "design/register_owners.toml. Each owner uses its namespace. No address is in two "
-        "namespaces. No other file and no linker script defines a register, converts a number to "
-        "an address, names a volatile object, or passes a register to other modules. No offset "
-        "leads from one block of registers to another block. Only the drivers use instructions of "
-        "the processor.",
-        "The check does not detect which channel or pin of a block an owner uses. It does not "
-        "follow an offset that other code computes, and it does not model the effect of a register "
-        "on another block.",
+        "namespaces. Only this file defines registers: no other file and no linker script defines "
+        "a register, converts a number to an address, or names a volatile object. No module "
+        "passes a register to another module. No offset leads from one block of registers to "
+        "another block. Only the drivers use instructions of the processor.",
+        "If a block has several owners, the check does not detect which channel or pin each owner "
+        "uses. It does not follow an offset that is computed elsewhere. It does not detect that a "
+        "register has an effect on another block.",
         "call an operation of the owner, or change the design.",
     ),
     Check(
@@ -373,8 +383,8 @@ _FIXED = [
     Check(
         "uses-cycle",
         "No cycles of uses",
-        "The uses between the top folders form no cycle. Inside a top folder, all cycles are "
-        "declared in design/uses.toml.",
+        "The uses between the top folders form no cycle. Inside a top folder, "
+        "design/uses.toml declares each cycle.",
         "The check does not find cycles between classes of one folder.",
         "remove one of the uses, or declare the cycle in design/uses.toml with the pattern that "
         "causes it.",
@@ -382,8 +392,8 @@ _FIXED = [
     Check(
         "uses-unused",
         "No allowance without use",
-        "Every use that design/uses.toml allows occurs in the code, and is allowed only once. "
-        "Every declared cycle is a cycle of uses within its folder.",
+        "Every use that design/uses.toml allows occurs in the code, and only one entry allows "
+        "this use. Every declared cycle exists in the code, within the declared folder.",
         "The check cannot judge whether the declared reason is good.",
         "remove the entry.",
     ),
@@ -398,9 +408,9 @@ _FIXED = [
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "The code has calls from the first module of a connection to the second module. If the "
-        "connection is a command, the calls pass through a Command. A pipe has its writer in the "
-        "first module and its reader in the second module.",
+        "For each declared connection, the code contains calls from the first module to the "
+        "second module. If the kind of the connection is command, a Command makes the calls. If "
+        "the kind is pipe, the first module writes the pipe and the second module reads it.",
         "The check does not read physical connections. It does not find connections in the code "
         "that the architecture does not declare.",
         "correct the connection, or the code.",
@@ -418,9 +428,9 @@ _FIXED = [
     Check(
         "exec-isr",
         "No interrupt calls a forbidden method",
-        "The handler of an interrupt never reaches a method with @isr{no}. A method with @isr{yes} "
-        "never calls a method with @isr{no}. The check follows calls of an abstraction to the "
-        "objects that the builders passed.",
+        "The handler of an interrupt never reaches a method with @isr{no}. A method with "
+        "@isr{yes} never calls a method with @isr{no}. If the code calls a method of an abstract "
+        "class, the check follows the call to the objects that the builders passed.",
         "The check does not follow calls through pointers to functions. It does not find methods "
         "without @isr, and it cannot judge whether @isr{yes} is true.",
         "let a thread call the method, or make the method safe for interrupts and write @isr{yes}.",
@@ -466,9 +476,9 @@ _FIXED = [
     Check(
         "stack-call",
         "Each indirect call of the image is known",
-        "The compiler lists the calls of the image through a pointer. Each of these calls is a "
-        "call of a virtual method whose objects the builders passed, or design/stack.toml declares "
-        "the call.",
+        "The compiler lists the indirect calls of the firmware image. For each of these calls, "
+        "the possible targets are known: it is a call of a virtual method, and a builder passed "
+        "the object; or design/stack.toml declares the targets.",
         "The check does not read images with extensions, or an image that was not built from the "
         "present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
@@ -486,8 +496,9 @@ _FIXED = [
     Check(
         "stack-bound",
         "The stack is large enough for the worst case",
-        "The sum of the deepest chains of calls of all priorities fits into the stack. Each frame "
-        "has a bound. No run in closed loop used more than this sum.",
+        "For each interrupt priority, the deepest chain of calls is computed. The sum of the "
+        "stack that these chains need is not larger than the stack. Each stack frame has a known "
+        "size. No closed-loop run used more stack than this sum.",
         "The check does not count the stack that is needed if a second fault occurs in a fault "
         "handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
@@ -505,10 +516,10 @@ _FIXED = [
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "Two measured times are at most the bound of the control cycle. These times are the "
-        "longest time to the report in the runs of the bench, and the longest time to the end of "
-        "the main thread in the published random drives. The recorded time of each path is at most "
-        "the bound of the path.",
+        "Two measured times are at most the computed bound of the control cycle: the longest time "
+        "to the report in the runs of the bench, and the longest time to the end of the main "
+        "thread in the published random drives. The recorded time of each path is at most the "
+        "computed bound of this path.",
         "The check does not detect that an interrupt can occur more often than design/times.toml "
         "states.",
         "find the bound that is too small and correct it. It is the declared bound of a loop or a "
@@ -529,17 +540,18 @@ _FIXED = [
     Check(
         "fsm-code",
         "Declared transitions agree with the code",
-        "In each operation, the bodies of the states change to each successor as often as the "
-        "machine declares. The check follows the calls of the operation that assigns the Context's "
-        "state, back to the states. It follows each successor to the object that the builder "
-        "passed. The builder begins with the initial state. If an operation always changes the "
-        "state, no transition of this operation stays in the state. If an operation has a single "
-        "transition, this transition has a guard exactly when the code makes the change "
-        "conditional. Before each change, the code evaluates the conditions that [guards] states "
-        "for the guard. Before the change, the operations of a state also call the methods that "
-        "[actions] states for their actions. They call no other methods of [actions].",
-        "The check cannot judge whether the name of a guard or of an action fits the code. It does "
-        "not detect whether a condition must be true or false. It does not read states that "
+        "In each operation of a state, the code contains as many changes to each successor as the "
+        "machine declares transitions. To find these changes, the check searches all calls of the "
+        "operation that assigns the state of the Context. To find the successor, it searches the "
+        "object that the builder passed. The builder passes the initial state to the Context "
+        "first. If an operation always changes the state, the machine declares no transition that "
+        "stays in the state at this operation. If an operation has a single transition, this "
+        "transition has a guard exactly when the code makes the change conditional. Before each "
+        "change, the code checks the conditions that [guards] lists for the guard, and calls the "
+        "methods that [actions] lists for the action. The operation of a state calls no other "
+        "methods of [actions].",
+        "The check cannot judge whether the name of a guard or of an action fits the code. It "
+        "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
         "correct the code, or the transition in design/fsm.",
     ),
@@ -640,8 +652,8 @@ _FIXED = [
     Check(
         "tree-node",
         "Trees name existing methods",
-        "Every tree belongs to a requirement. Every node is a method that its class has or "
-        "inherits. A requirement has one tree.",
+        "Every tree belongs to a requirement. Every node names a method that the named class "
+        "declares or inherits. No requirement has two trees.",
         "The check does not distinguish overloads: all methods with the same name in a class "
         "count as one method.",
         "correct the name in the tree.",
