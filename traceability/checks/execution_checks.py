@@ -85,7 +85,7 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
             findings.append(_declared(context.place, text))
         if (context.kind == THREAD) != bool(context.body):
             body = "a body" if context.body else "no body"
-            text = f"{context.id} has the kind {context.kind}, and has {body}"
+            text = f"{context.id} has the kind {context.kind}, but has {body}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
             findings.append(_declared(place, text))
@@ -177,7 +177,10 @@ def _ends(facts: Facts) -> Iterator[Finding]:
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
     for name in facts.declared.ends:
         if name not in called:
-            yield _declared(place, f"no code calls {name}, which must end the firmware")
+            yield _declared(
+                place,
+                f"design/execution.toml lists {name} in 'ends', but no code calls this method",
+            )
 
 
 def _declared(place: Place, text: str) -> Finding:
@@ -199,7 +202,7 @@ def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
         reached = facts.references.reached(start, {}, facts.declared.ends)
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
-            text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
+            text = f"{name} is @isr{{no}}, but the interrupt '{context.name}' calls it: {way}"
             yield Finding(forbidden[name].place, "exec-isr", text)
 
 
@@ -216,7 +219,7 @@ def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
             for call in body.calls:
                 for target in facts.references.targets(call):
                     if claims.get(target) == "no":
-                        text = f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}"
+                        text = f"{body.id} is @isr{{yes}}, but calls {target}, which is @isr{{no}}"
                         yield Finding(call.place, "exec-isr", text)
 
 
@@ -245,12 +248,12 @@ def _loops(facts: Facts) -> Iterator[Finding]:
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
     for name, body in looping.items():
         if name not in named:
-            text = f"the head of a loop in {name} does not count the iterations"
+            text = f"a loop in {name} does not count its iterations in its head"
             yield Finding(Place(body.place.file, body.loops[0]), "exec-loop", text)
     for entry in entries:
         for name in entry.names:
             if name not in looping:
-                text = f"{name} has no such loop"
+                text = f"{name} has no loop that needs this justification"
                 yield Finding(entry.place, "exec-loop", text, "remove the name")
 
 
@@ -316,7 +319,7 @@ def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 member.place,
                 "exec-shared",
-                f"{member.id} is changed by {' and '.join(member.writers)}"
+                f"several contexts use {member.id}: it is changed by {' and '.join(member.writers)}"
                 + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
                 + ", and the design declares no protection",
             )
@@ -325,5 +328,5 @@ def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
     for name, protection in facts.declared.protections.items():
         owner, _, last = name.rpartition("::")
         if name not in members and not (last == "*" and owner in owners):
-            text = f"{name} is not shared by two contexts"
+            text = f"{name} is declared as shared, but two contexts do not use it"
             yield _declared(protection.place, text)

@@ -76,7 +76,10 @@ def _outside(facts: Facts) -> Iterator[Finding]:
         if body.owner or body.local or module not in facts.modules or stem in shared:
             continue
         if not body.id.startswith("operator"):
-            text = f"the function {body.id} is next to {module}, and other files can call it"
+            text = (
+                f"the function {body.id} is in a file of {module} but not in the class, and other "
+                "files can call it"
+            )
             yield _finding(body.place, text)
     for fact in facts.syntax.classes:
         if (
@@ -94,7 +97,9 @@ def _loose(facts: Facts) -> Iterator[Finding]:
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)
         if module in facts.modules:
-            text = f"{variable.name} can change, and is outside the objects of {module}"
+            text = (
+                f"the variable {variable.name} is not a member, so all objects of {module} share it"
+            )
             fix = "make it a member, or a constant"
             yield Finding(variable.place, "module-file", text, fix)
 

@@ -23,7 +23,9 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     for name, change in model.changes.items():
         if change.made is None:
             place = model.patterns[name].place
-            wrong.append((place, f"no folder of changes/ makes the likely change of {name}"))
+            wrong.append(
+                (place, f"no folder of changes/ shows how to make the likely change of {name}")
+            )
         else:
             problems = _change(model, facts, change, change.made, kits[name])
             wrong += [(change.made.place, text) for text in problems]
@@ -43,7 +45,7 @@ def _change(
             parts = " or ".join(change.derives or change.altered)
             yield (
                 f"{name} has no role in {change.application}: "
-                f"it does not derive from {parts} and does not use it"
+                f"it neither derives from {parts} nor uses {parts}"
             )
     if not made.classes and not _touches(model, change, made):
         yield f"the folder of the change edits none of {', '.join(change.altered)}"

@@ -75,7 +75,10 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
         work += reached
     for module in model.modules.values():
         if not module.datatype and module.name not in used and named.get(""):
-            text = f"no composition uses {module.name}, so no product contains it"
+            text = (
+                f"no composition uses {module.name}, directly or through other modules, so no "
+                "product contains it"
+            )
             yield Finding(module.place, "module-used", text)
 
 

@@ -91,8 +91,9 @@ def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 entry.place,
                 "paper-complete",
-                f"the entry of the {entry.kind} {entry.name} names neither a part nor a deviation",
-                "name the part that replaces it, or write a deviation with the reason",
+                f"the entry of the {entry.kind} {entry.name} names neither a counterpart nor a "
+                "deviation",
+                "name the counterpart in this project, or write a deviation with the reason",
             )
     yield from _arrows(model)
 
@@ -181,7 +182,10 @@ def _figure(entry: PaperElement, facts: Facts) -> Iterator[Finding]:
         true = {figure for method in methods for figure in _returned(method, facts)}
     if not true or said[0] in true:
         return
-    text = f"the number {said[0]} of {entry.name} is {' or '.join(sorted(true, key=int))} here"
+    text = (
+        f"the paper has the number {said[0]} for {entry.name}, but this project has "
+        f"{' or '.join(sorted(true, key=int))}"
+    )
     place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
     yield Finding(place, "paper-stale", text, "correct the number, or the design")
 

@@ -16,7 +16,7 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# The roles of the classes whose comments may contain @patternapp, which says why the pattern is
+# The roles of the classes whose comments may contain @patternapp, which states why the pattern is
 # applied. Usually the comment of the abstract class (for example the Strategy) contains the tag. If
 # the pattern is applied several times to one abstract class, each subclass has its own tag.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
@@ -65,8 +65,8 @@ def _known(application: PatternApplication, facts: Facts) -> Iterator[Finding]:
         )
     module = application.module
     if not any(b.module == module and b.role in DECLARING for b in application.roles):
-        text = f"{module} is not the abstraction of {application.id}"
-        problems.append((text, "write the @patternapp above the abstraction"))
+        text = f"{module} is not the abstract class of {application.id}"
+        problems.append((text, "write the @patternapp above the abstract class"))
     texts = {"title": application.title, "@why": application.why, "@changes": application.changes}
     problems += [
         (f"the application {application.id} has no {name}", "write it below the @patternapp")
@@ -133,7 +133,7 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     if binding.application not in model.patterns:
         return (
             f"the application {binding.application} is not declared",
-            "declare it with @patternapp above its abstraction",
+            "declare it with @patternapp above its abstract class",
         )
     return None
 
@@ -143,7 +143,7 @@ def _undeclared(model: Model, facts: Facts) -> Iterator[Finding]:
         if item.id not in model.patterns:
             text = f"no module declares the application {item.id}"
             yield Finding(
-                item.place, "pattern-known", text, "write its @patternapp above its abstraction"
+                item.place, "pattern-known", text, "write its @patternapp above its abstract class"
             )
 
 
@@ -158,7 +158,7 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 Place("design/clauses.toml", 1),
                 "pattern-known",
-                f"no clause {name} is declared, so no application uses this function",
+                f"the clause {name} is not declared, so its function is never used",
                 "declare the clause",
             )
     for clause in clauses.values():
@@ -214,7 +214,11 @@ def _required(facts: Facts) -> Iterator[Finding]:
         else:
             problems = _roles_of(item, roles)
         problems += [
-            (f"there is no module {module}, which the design binds to {role} in {item.id}", module)
+            (
+                f"there is no module {module}, to which the design assigns the role {role} in "
+                f"{item.id}",
+                module,
+            )
             for role, modules in item.roles.items()
             for module in modules
             if module not in facts.classes
@@ -229,12 +233,12 @@ def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]
     """Returns the faults in the roles of a pattern application. Each fault has a text, and the word
     of the entry to which the finding points."""
     unbound = [
-        (f"{item.id} binds nothing to the role {role}", "roles")
+        (f"{item.id} assigns no module to the role {role}", "roles")
         for role in roles
         if not item.roles.get(role)
     ]
     twice = [
-        (f"{item.id} binds {module} to the role {role} twice", f'"{module}"')
+        (f"{item.id} assigns {module} to the role {role} twice", f'"{module}"')
         for role, modules in item.roles.items()
         for module in {name for name in modules if modules.count(name) > 1}
     ]

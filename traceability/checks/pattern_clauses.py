@@ -548,7 +548,7 @@ def parts_of(shape: Shape, builders: list[str]) -> set[str]:
 
 
 def builder_director(shape: Shape) -> Broken:
-    """Finds Directors that do not call the Builder, that name a class which they must not know, or
+    """Finds Directors that do not call the Builder, that name a class which they must not use, or
     that call a method of an object that the builders construct. Also finds Builders that name a
     Concrete Builder."""
     builders = shape.playing("Builder")

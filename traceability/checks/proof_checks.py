@@ -44,7 +44,7 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
     words = set(re.findall(r"\w+", text))
     for machine in model.machines.values():
         if f"{name_of(machine)}_step" not in words:
-            said = f"the machine {machine.id} is not in the composition"
+            said = f"the state machine {machine.id} is not in the composition of the proofs"
             yield Finding(
                 machine.place, "proof-composition", said, f"call its step in {COMPOSITION}"
             )
@@ -56,7 +56,9 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
             if (name := f"{name_of(machine)}_on_{slug(event)}") not in words
         ]
         for name in missing:
-            said = f"the composition never uses {name} of the machine {machine.id}"
+            said = (
+                f"the composition of the proofs never uses {name} of the state machine {machine.id}"
+            )
             yield Finding(machine.place, "proof-composition", said, f"set it in {COMPOSITION}")
 
 
@@ -85,7 +87,7 @@ def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
             continue
         constants = [model.constants.get(name) for name in match.groups()[2:] if name]
         if None in constants:
-            said = f"{match[1]} names a constant that does not exist"
+            said = f"the number {match[1]} is linked with a constant that does not exist"
             yield Finding(line.place, "proof-composition", said)
             continue
         first, *rest = [constant.number for constant in constants if constant]

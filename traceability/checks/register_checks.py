@@ -128,7 +128,7 @@ def _twice(facts: Facts) -> Iterator[Finding]:
             continue
         owner = first.setdefault(address, block)
         if owner != block:
-            text = f"the address {address:#x} of {block} is in {owner} already"
+            text = f"the address {address:#x} in the block {block} is already in the block {owner}"
             fix = "keep it only in the block that the manual names"
             yield _finding(Place(REGISTERS, number), text, fix)
 
@@ -158,7 +158,7 @@ def _outside(facts: Facts) -> Iterator[Finding]:
             blocks.setdefault(block, []).append(address)
     for fact in facts.syntax.offsets:
         if fact.offset >= PERIPHERALS:
-            text = f"an offset contains the address {fact.offset:#x}"
+            text = f"the number {fact.offset:#x} in this offset is an address of registers"
             yield _finding(fact.place, text, "call an operation of the owner")
             continue
         own = {block for block, registers in blocks.items() if fact.base in registers}
@@ -222,7 +222,8 @@ def _given(facts: Facts) -> Iterator[Finding]:
             own = _module_of(body.place.file) == _module_of(flow.file)
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
-            text = f"{function} {'returns' if word == 'result' else 'gets'} a register"
+            verb = "returns" if word == "result" else "receives"
+            text = f"{function} {verb} a register, so two modules can access this register"
             fix = "let the owner read or write the register, and return the meaning of its value"
             findings[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:

@@ -1016,7 +1016,8 @@ _FIXED = [
         "doc-example",
         "Worked examples of the protocol are consistent",
         "For each example in docs/protocol_examples.txt, the stated check sum and the stated "
-        "bytes on the serial line are the ones that follow from the body of the frame.",
+        "bytes on the serial line are equal to the values that are computed from the body of the "
+        "frame.",
         "The check does not detect whether the body has the described content. Tests of the "
         "firmware and of the client decode the body.",
         "run tests/python/client/examples.py, which writes the examples.",

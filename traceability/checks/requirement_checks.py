@@ -206,7 +206,7 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
 def _unneeded(model: Model) -> Iterator[Finding]:
     for item in model.justified:
         if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST)):
-            text = f"no {item.kind} needs this justification: {', '.join(spare)}"
+            text = f"this justification of a {item.kind} is no longer needed for {', '.join(spare)}"
             yield Finding(item.place, "req-justified", text)
 
 

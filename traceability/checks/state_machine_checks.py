@@ -237,7 +237,10 @@ def _operation(
     if not code.stays(state, operation):
         for row in rows:
             if is_stay(row):
-                text = f"{state}::{operation} always changes the state, so {words(row)} cannot stay"
+                text = (
+                    f"{state}::{operation} always changes the state, so the transition "
+                    f"{words(row)} cannot stay in the state"
+                )
                 yield Finding(row.place, "fsm-code", text)
 
 
@@ -288,11 +291,13 @@ def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
     declared guards."""
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
-            text = f"[guards] has no condition of the code for '{row.guard}'"
+            text = f"[guards] lists no condition for the guard '{row.guard}'"
             yield Finding(row.place, "fsm-code", text, "write it, or correct the guard")
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
-                text = f"{words(row)} needs '{question}', but the code does not check it"
+                text = (
+                    f"{words(row)} needs '{question}', but the code does not check this condition"
+                )
                 fix = "correct the guard, or the code"
                 yield Finding(change.place, "fsm-code", text)
     for change in code.changes:
@@ -300,7 +305,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
         for question in sorted(set(change.asked) - evaluated):
             change_text = f"the change from {change.source} to {change.target}"
             text = f"{change_text} checks '{question}', but no guard contains this condition"
-            fix = f"declare it in [guards] of {machine.place.file}, or remove it"
+            fix = f"declare the condition in [guards] of {machine.place.file}, or remove its check"
             yield Finding(change.place, "fsm-code", text, fix)
 
 

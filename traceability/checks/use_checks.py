@@ -150,7 +150,9 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
             members = {m for m in loop if use.source in _reached(graph, m)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                yield _finding(use, f"no entry declares the cycle of {names}")
+                yield _finding(
+                    use, f"the uses of {names} form a cycle that design/uses.toml does not declare"
+                )
 
 
 def _apart(facts: Facts) -> Iterator[Finding]:
@@ -177,7 +179,8 @@ def _apart(facts: Facts) -> Iterator[Finding]:
         (place.file, place.line, user, target): Finding(
             place,
             "uses-apart",
-            f"{user} names {target}, but design/uses.toml separates the two modules",
+            f"{user} names {target}, but design/uses.toml demands that these modules do not name each "
+            "other",
         )
         for user, target, place in named
         if (user, target) in pairs

@@ -1,2 +1,2 @@
-"""The readers of source files, comments, declarations and results. They only read. The checks judge
-what was read."""
+"""The readers of source files, comments, declarations and results. They only read; the checks judge
+the result."""

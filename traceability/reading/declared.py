@@ -330,14 +330,20 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
             fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * after it"
-            declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
+            declared.tree_errors.append(
+                (
+                    place,
+                    "this line is neither the id of a requirement nor a method of a tree",
+                    fix,
+                )
+            )
             continue
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
             text = f"{label} is indented too far"
             declared.tree_errors.append(
-                (place, text, "indent it by two blanks more than its caller")
+                (place, text, "indent the method by two blanks more than its caller")
             )
         while stack and stack[-1][0] >= depth:
             stack.pop()
@@ -354,7 +360,7 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             declared.trees[current] = (declared.trees[current][0], node)
         else:
             text = f"the tree of {current} has a second root"
-            declared.tree_errors.append((place, text, "leave one root"))
+            declared.tree_errors.append((place, text, "keep only one root in the tree"))
             continue
         stack.append((depth, children))
 
