@@ -179,8 +179,8 @@ def _apart(facts: Facts) -> Iterator[Finding]:
         (place.file, place.line, user, target): Finding(
             place,
             "uses-apart",
-            f"{user} names {target}, but design/uses.toml demands that these modules do not name each "
-            "other",
+            f"{user} names {target}, but design/uses.toml demands that these modules do not name "
+            "each other",
         )
         for user, target, place in named
         if (user, target) in pairs
