@@ -665,7 +665,8 @@ class SafetyCase:
     conditions: Sequence[str] = field(default_factory=list)
     limits: Sequence[str] = field(default_factory=list)
     risk_source: str = ""
-    levels: Sequence[str] = field(default_factory=list)  # levels in ascending order
+    # the performance levels; the lowest level is the first
+    levels: Sequence[str] = field(default_factory=list)
     # severity -> the rows of levels in the risk graph
     graph: Mapping[str, list[str]] = field(default_factory=dict)
     words: Mapping[str, str] = field(default_factory=dict)
@@ -1012,7 +1013,8 @@ class TimeProof:
     paths: Sequence[PathBound]
     # loops and memory copies without a known bound: function and place of each
     unbound: Sequence[tuple[str, Place]]
-    unresolved: Sequence[tuple[str, Place]]  # calls without a known target: function and place
+    # indirect calls whose target is unknown: function and place of each
+    unresolved: Sequence[tuple[str, Place]]
 
     @property
     def proven(self) -> bool:
@@ -1028,12 +1030,12 @@ class StackProof:
     limit: int = 0  # size of the stack in the linker script
     seen: int | None = None  # largest measured stack use of a closed-loop run; None without a run
     contexts: Sequence[StackContext] = field(default_factory=list)
-    # calls without a known target: function and place
+    # indirect calls whose target is unknown: function and place of each
     unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)
     cycles: Sequence[list[str]] = field(default_factory=list)
     # functions whose stack frame has no known bound
     dynamic: Sequence[str] = field(default_factory=list)
-    # functions of the project for which the compiler reported no frame
+    # functions of the project whose stack frame the compiler did not report
     untold: Sequence[str] = field(default_factory=list)
 
     @property
@@ -1164,7 +1166,8 @@ class PaperElement:
     alias: str = ""  # reason why the name in this project differs from the paper
     deviation: str = ""  # intended difference from the paper
     note: str = ""
-    where: Sequence[str] = field(default_factory=list)  # places of the paper that contain the name
+    # ids of the places in the paper that contain the name
+    where: Sequence[str] = field(default_factory=list)
     place: Place = field(default_factory=lambda: Place("", 0))
 
 

@@ -63,7 +63,9 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds modules that are part of no product. The search starts at the compositions of the
     products. From there, it follows the names of classes in the code, and the base classes."""
-    named: dict[str, set[str]] = {}  # Module -> names in its code. The key of a composition is "".
+    # Module -> classes that its code names. The key "" contains the classes that the compositions
+    # name.
+    named: dict[str, set[str]] = {}
     for name in facts.syntax.names:
         user = facts.user(name.by, name.place)
         owner = user if user in model.modules else ""

@@ -65,7 +65,7 @@ def _linked(
             yield Finding(place, "req-number", text)
         elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
             value = f"{constants[0].number} {constants[0].unit}".strip()
-            text = f"{name} is {value}, and {entry.requirement} states {number}"
+            text = f"{name} is {value}, but {entry.requirement} states {number}"
             yield Finding(constants[0].place, "req-number", text)
 
 

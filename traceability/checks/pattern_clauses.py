@@ -445,7 +445,7 @@ def command_invoker(shape: Shape) -> Broken:
             yield shape.place(invoker), f"{invoker} does not call {', '.join(commands)}"
         elif calls and not executed(shape, calls):
             concrete = " or ".join(shape.playing("Concrete Command"))
-            yield shape.place(invoker), f"{invoker} gets no {concrete} to execute"
+            yield shape.place(invoker), f"{invoker} receives no {concrete} that it can execute"
 
 
 def executed(shape: Shape, calls: list[CallFact]) -> bool:

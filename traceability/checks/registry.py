@@ -235,10 +235,10 @@ _FIXED = [
     Check(
         "change-tuned",
         "Tuned constants are declared",
-        "If the name or the comment of a constant mentions control cycles or ticks, the constant "
-        "depends on SystemConstants. The code then computes the constant from SystemConstants, or "
-        "design/tuned.toml declares this dependence. The page of the change lists the computed and "
-        "the declared constants.",
+        "If the name or the comment of a constant mentions control cycles or ticks, the check "
+        "assumes that the value depends on SystemConstants. Then the code must compute the value "
+        "from SystemConstants, or design/tuned.toml must declare the dependence. The page about a "
+        "change of SystemConstants lists the computed and the declared constants.",
         "The check does not find a value that depends on another constant if neither its name nor "
         "its comment shows this.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
@@ -257,11 +257,11 @@ _FIXED = [
     Check(
         "change-kit",
         "Likely changes are made",
-        "Each application of a pattern has a folder of its name in changes/, which makes the "
-        "likely change. The folder names a class that derives from a base class of the recipe, or "
-        "it edits a module that the recipe alters. The folder names tests on the host and on the "
-        "virtual K64, and these tests exist. If the change alters existing lines, the folder "
-        "states the reason.",
+        "For each application of a pattern, changes/ contains a folder with the id of the "
+        "application. The files in the folder make the likely change. The folder names a class "
+        "that derives from a base class of the recipe, or it edits a module that the recipe "
+        "alters. The folder names tests on the host and on the virtual K64, and these tests "
+        "exist. If the change alters existing lines, the folder states the reason.",
         "The check cannot judge whether the change is likely, or whether the tests of the change "
         "find a fault in it.",
         "complete the folder of the change as changes/README.md explains.",
@@ -420,8 +420,8 @@ _FIXED = [
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "
         "and a call enables its interrupt line. Each handler, thread body and shared member that "
-        "the file names exists. The lines of a context have its priority, and each pipe of the "
-        "robot has a name.",
+        "design/execution.toml names exists. The interrupt lines of a context have the declared "
+        "priority of the context. Each pipe of the robot has a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
@@ -576,7 +576,7 @@ _FIXED = [
         "exist. Each number of a step equals the constant that the step names.",
         "The check does not prove that a step of the model behaves like the methods that the step "
         "names.",
-        "correct the composition, or the names of the code in it.",
+        "correct the composition, or the names of methods and constants in the composition.",
     ),
     Check(
         "proof-property",
@@ -972,8 +972,8 @@ _FIXED = [
         "Each entry of design/statements.toml names a place of the paper. The answer of each entry "
         "exists. Each requirement whose source is a place of the paper answers a statement of the "
         "paper.",
-        "The check does not detect whether the list contains every statement of the paper, or "
-        "whether an answer is good. A person compares the list with the paper.",
+        "The check does not detect that a statement of the paper is missing in the list, or that "
+        "an answer is wrong. A person compares the list with the paper.",
         "correct the entry, or add the statement to design/statements.toml.",
     ),
     Check(

@@ -187,7 +187,7 @@ def spread(values: Sequence[float], digits: int) -> Spread:
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
-    """Returns for each priority the longest time from an interrupt request to the begin of the
+    """Returns for each priority the longest time from an interrupt request to the start of the
     handler, and the name of this interrupt."""
     requested = [(int(number), latency) for number, latency in raw.items() if latency["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])

@@ -120,8 +120,8 @@ NO_COMMENT = Comment(Place("", 0), [])
 
 
 class Comments:
-    """The comments of all files. A file is read when a comment of this file is requested for the
-    first time."""
+    """A reader that finds the comment at a place. It reads a file when a comment of this file is
+    requested for the first time."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -160,7 +160,8 @@ def code_of(text: str) -> str:
 
 
 def comment_blanked(text: str) -> str:
-    """Returns the text with empty comments. The number of lines stays the same."""
+    """Returns the source text without its comments. The line breaks inside the comments remain, so
+    the line numbers do not change."""
     return TOKENS.sub(
         lambda match: "\n" * match[0].count("\n") if match["comment"] else match[0], text
     )

@@ -261,8 +261,9 @@ class FlowReader:
 
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the types that a statement uses for a decision: classes if it compares addresses of
-    their objects, and enumerations if it compares, switches on, or indexes with their numbers."""
+    """Yields the types on which the statement makes a decision. A class is yielded if the statement
+    compares addresses of its objects. An enumeration is yielded if its number is compared, is the
+    subject of a switch, or is an index."""
     children = list(cursor.get_children())
     if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
         if operator_of(cursor, children[0]) in COMPARISONS:
