@@ -222,8 +222,10 @@ def _given(facts: Facts) -> Iterator[Finding]:
             own = _module_of(body.place.file) == _module_of(flow.file)
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
-            verb = "returns" if word == "result" else "receives"
-            text = f"{function} {verb} a register, so two modules can access this register"
+            text = (
+                f"{function} {'returns' if word == 'result' else 'receives'} a register, so two "
+                "modules can access this register"
+            )
             fix = "let the owner read or write the register, and return the meaning of its value"
             findings[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
