@@ -1,7 +1,7 @@
-"""The typed records of the model, which readers, checks, pages and exports share.
+"""The data classes of the model. The readers fill them, and the checks, pages and exports use them.
 
-Texts are plain text with the light markup of the comments: `names`, lists, and an empty line
-between paragraphs. A value or result that this run did not produce is ``None``.
+A text is plain text. It may contain `names` in backticks, lists, and empty lines between
+paragraphs. A value or result is ``None`` if this run did not produce it.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from dataclasses import dataclass, field
 
 from traceability.sources import EXTENSIONS
 
-# The targets of a test. They are this machine, and the virtual board that boots the image.
+# The targets on which a test can run: this computer, and the virtual board, which starts the
+# firmware image.
 HOST = "host"
 VIRTUAL_K64 = "virtual K64"
 BINDINGS = (HOST, VIRTUAL_K64)
@@ -19,7 +20,8 @@ BINDINGS = (HOST, VIRTUAL_K64)
 
 @dataclass(frozen=True)
 class Place:
-    """A line of a file. The path is relative to the root of the project."""
+    """A source line of a file. The path is relative to the root of the project. ``end`` is the last
+    line of a longer place."""
 
     file: str
     line: int
@@ -35,8 +37,8 @@ class Param:
 
 @dataclass(frozen=True)
 class Call:
-    """A call as it is written. ``targets`` are the methods that the call can reach. A direct call
-    has one target."""
+    """A call in the source text. ``targets`` are the methods that the call can execute: one method
+    for a direct call, or several methods for a virtual call."""
 
     target: str
     virtual: bool
@@ -46,7 +48,7 @@ class Call:
 
 @dataclass(frozen=True)
 class Constant:
-    """A number of the code that is shown in texts."""
+    """The value of a constant in the code. Texts of the pages show this value."""
 
     number: int
     unit: str
@@ -57,7 +59,7 @@ class Constant:
 class PaperStatement:
     """A demand or claim of the paper about the software, with the answer of this project."""
 
-    where: str  # id of a place of the paper
+    where: str  # id of the place in the paper that contains the statement
     says: str
     here: Sequence[str]
     deviation: str
@@ -66,7 +68,8 @@ class PaperStatement:
 
 @dataclass(frozen=True)
 class Tuned:
-    """Constants whose values fit only one value of another constant."""
+    """Constants that depend on the constant ``to``. If somebody changes ``to``, these constants
+    need new values too."""
 
     to: str
     why: str
@@ -76,7 +79,8 @@ class Tuned:
 
 @dataclass(frozen=True)
 class Method:
-    """A member function of a module. Its id is ``Class::name``. Overloads have the same id."""
+    """A member function of a module. The id is ``Class::name``. Overloads of a method have the same
+    id."""
 
     id: str
     module: str
@@ -97,7 +101,9 @@ class Method:
     satisfies: Sequence[str] = field(default_factory=list)
     documented: bool = False
     inherited_from: str | None = (
-        None  # overridden method whose specification also applies to this method
+        # The overridden method from which this method takes its specification. None if the method
+        # has its own specification.
+        None
     )
     overrides: str | None = None
     calls: Sequence[Call] = field(default_factory=list)
@@ -106,8 +112,8 @@ class Method:
 
 @dataclass(frozen=True)
 class Function:
-    """A function of a composition. A composition is a folder that contains functions and no
-    module."""
+    """A function of a composition. A composition is a folder that creates and connects the objects
+    of a product. It contains functions and no module."""
 
     id: str
     place: Place
@@ -116,19 +122,19 @@ class Function:
 
 @dataclass(frozen=True)
 class DataPart:
-    """A member of a value type, or a value of an enumeration."""
+    """A data member of a value type, or an enumerator of an enumeration."""
 
     name: str
-    type: str  # "" for a value of an enumeration
+    type: str  # "" for an enumerator
     text: str
-    unit: str  # "" if it has no unit
+    unit: str  # "" without a unit
     makers: Sequence[str]  # modules
     readers: Sequence[str]
 
 
 @dataclass(frozen=True)
 class MessageField:
-    """A field of an order, a report or a welcome."""
+    """A field of the messages between the PC and the robot: an order, a report or a welcome."""
 
     name: str
     text: str
@@ -147,7 +153,7 @@ class RoleBinding:
 
 @dataclass(frozen=True)
 class Module:
-    """A design module, or a documented value type when ``datatype`` is true."""
+    """A design module. If ``datatype`` is true, it is a value type with documentation."""
 
     name: str
     qualified: str
@@ -164,27 +170,32 @@ class Module:
     subclasses: Sequence[str] = field(default_factory=list)
     roles: Sequence[RoleBinding] = field(default_factory=list)
     methods: Sequence[Method] = field(default_factory=list)
-    parts: Sequence[DataPart] = field(default_factory=list)  # parts of a value type
-    uses: Sequence[str] = field(default_factory=list)  # modules named in its header or source
+    # members of a value type; empty for a module
+    parts: Sequence[DataPart] = field(default_factory=list)
+    # modules that its header or its source file names
+    uses: Sequence[str] = field(default_factory=list)
     used_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
-    # headers, constants and types that its secret hides
+    # headers, constants and types that only this module may use (its secret)
     hides: Sequence[str] = field(default_factory=list)
-    registers: Sequence[str] = field(default_factory=list)  # blocks of registers that it owns
-    # tests that executed the module, or tests of its folder that have its name
+    # blocks of registers that only this module may access
+    registers: Sequence[str] = field(default_factory=list)
+    # tests that executed a method of the module, and the tests in the file that is named after the
+    # module
     tests: Sequence[str] = field(default_factory=list)
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
     branches_covered: int | None = None
-    line_hits: Mapping[str, dict[int, int]] = field(default_factory=dict)  # file -> line -> hits
+    # file -> source line -> number of executions
+    line_hits: Mapping[str, dict[int, int]] = field(default_factory=dict)
     flash_bytes: int | None = None
     ram_bytes: int | None = None
 
     @property
     def extension(self) -> bool:
-        """Returns whether the module belongs to an extension. The design does not count modules of
-        extensions."""
+        """Returns whether the module belongs to an extension. The checks that compare the number of
+        modules with the paper ignore these modules."""
         return is_extension(self.logic)
 
 
@@ -195,7 +206,8 @@ def is_extension(logic: str) -> bool:
 
 @dataclass(frozen=True)
 class LogicModule:
-    """A folder of the design. It has its name in the paper, for example ``OperationModes``."""
+    """A folder with design modules. ``name`` is the name that the paper uses, for example
+    ``OperationModes``."""
 
     id: str
     name: str
@@ -205,13 +217,15 @@ class LogicModule:
     secret: str
     place: Place
     modules: Sequence[str] = field(default_factory=list)
-    hides: Sequence[str] = field(default_factory=list)  # names that only its folder uses
+    # names that only the files of this folder may use
+    hides: Sequence[str] = field(default_factory=list)
     children: Sequence[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class Clause:
-    """A structural clause of a pattern, and whether one application fulfils it."""
+    """A rule about the structure of a pattern. ``holds`` is true if the code of one pattern
+    application fulfils the rule."""
 
     id: str
     says: str
@@ -226,23 +240,26 @@ class PatternApplication:
     title: str
     why: str
     changes: str
-    module: str  # module whose comment declares it
+    module: str  # the module whose comment contains the @patternapp
     place: Place
     roles: Sequence[RoleBinding] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class PatternPrice:
-    """The cost of an application: the cost of the virtual calls in the image."""
+    """The cost of a pattern application in the firmware image. It is the cost of its virtual
+    calls."""
 
-    instructions: float  # mean number in a cycle
-    flash: int  # bytes of the tables of its modules and of the instructions of the calls
-    virtual_calls: int  # number of places in the image
+    # mean number of instructions that the virtual calls cost in a control cycle
+    instructions: float
+    flash: int  # bytes of the virtual method tables and of the call instructions
+    virtual_calls: int  # number of virtual calls in the firmware image
 
 
 @dataclass(frozen=True)
 class TreeNode:
-    """A node of a requirement's tree. ``resolved`` is the method with the body."""
+    """A node in the invocation tree of a requirement. ``label`` is the method as the tree names it.
+    ``resolved`` is the method that contains the executed code."""
 
     label: str
     module: str
@@ -251,30 +268,35 @@ class TreeNode:
     kind: str  # "root", "call", "post"
     place: Place
     reachable: bool | None = None
-    # target with a recorded test -> whether a test executed the node there
+    # Target -> true if a test executed the node on this target. Only targets with recordings are
+    # listed.
     executed: Mapping[str, bool] = field(default_factory=dict)
-    # targets that implement the method without recording its call
+    # targets on which the method does not exist; for example the host for a method of a K64 driver
     outside: Sequence[str] = field(default_factory=list)
     children: Sequence[TreeNode] = field(default_factory=list)
-    # The code posts the method although the tree declares a call, or calls it although the tree
-    # declares a post.
+    # True if the code and the tree disagree about the kind of the call: one has a direct call, and
+    # the other has a post.
     otherwise: bool = False
-    often: str = ""  # declared: "" once, "?" under a condition, "*" several times
+    # the tree declares: "" one call, "?" a call under a condition, "*" several calls
+    often: str = ""
     often_in_code: str | None = None
     too_early: str = (
-        ""  # the previous node in the tree, if the code calls the previous node after this node
+        # If the code makes this call before the call of the previous node, the label of the
+        # previous node. Otherwise "".
+        ""
     )
 
     @property
     def ran(self) -> bool | None:
-        """Returns whether the node was executed on any target. Returns ``None`` when no target was
-        measured."""
+        """Returns whether a test executed the node on at least one target. Returns ``None`` if no
+        target has recordings."""
         return any(self.executed.values()) if self.executed else None
 
 
 @dataclass(frozen=True)
 class TraceRow:
-    """One call of a recorded run, with its depth and its method."""
+    """One call in the recording of a test. ``depth`` is the number of calls that enclose this
+    call."""
 
     depth: int
     method: str
@@ -283,41 +305,45 @@ class TraceRow:
 
 @dataclass(frozen=True)
 class TreeRun:
-    """A recorded run of a test that contains a whole tree. The page shows the run next to the
-    tree."""
+    """The recording of a test that made all calls of an invocation tree. The page of the
+    requirement shows the recording next to the tree."""
 
     test: str
     rows: Sequence[TraceRow]
     start: int  # index of the first shown row in the whole recording
-    # for each node of the tree, from the root: the row that matches it
+    # for each node of the tree, beginning at the root: the number of the row that matches the node
     places: Sequence[int | None]
     folded: Sequence[FoldedCall] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class FoldedCall:
-    """Calls of a recorded run from one module into another. Equal calls are combined."""
+    """A call from one module to another module in a recording. Equal calls that follow each other
+    are combined."""
 
     depth: int
     module: str
-    methods: Sequence[str]  # methods that the module above called
+    methods: Sequence[str]  # methods that the calling module called
     count: int
-    declared_by: Sequence[str]  # requirements whose trees have a call between the two modules
+    # requirements whose invocation trees contain a call between the two modules
+    declared_by: Sequence[str]
 
 
 @dataclass(frozen=True)
 class MethodCoverage:
-    """The part of a method that passing tests of a requirement executed on a target."""
+    """The source lines and branches of a method that the passed tests of one requirement executed
+    on one target."""
 
     method: str
     place: Place
     lines: Mapping[int, bool]
-    branches: Sequence[bool] | None  # None if branches are not recorded
+    branches: Sequence[bool] | None  # None if the target does not record branches
 
 
 @dataclass(frozen=True)
 class LineGap:
-    """Lines of a method that no test of its requirements executes, and their justification."""
+    """Source lines of a method that no test of the method's requirements executes. ``reason`` is
+    the justification, if design/justified.toml contains one."""
 
     method: str
     place: Place
@@ -328,25 +354,26 @@ class LineGap:
 
 @dataclass(frozen=True)
 class BindingResult:
-    """The result of a test on one target: "passed", "failed", "skipped", or None when the test did
+    """The result of a test on one target: "passed", "failed", "skipped", or None if the test did
     not run."""
 
     result: str | None = None
     milliseconds: float | None = None
     message: str = ""
     stale: bool = False
-    # files that may contain its recorded calls
+    # files that may contain the recorded calls of this test
     recordings: Sequence[str] = field(default_factory=list)
-    measured: str = ""  # additional text that the test reports
+    measured: str = ""  # text of the property "measured" that the test reports
     instances: Mapping[str, str] = field(
         default_factory=dict
-    )  # instance of a parameterised test -> result
-    images: Sequence[str] = field(default_factory=list)  # products whose images the test ran
+    )  # for a parameterised test: name of the instance -> result of the instance
+    # products whose firmware images the test executed
+    images: Sequence[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class Test:
-    """A test case. It has a result for each target that it is built for."""
+    """A test case. ``results`` has an entry for each target for which the test is built."""
 
     id: str
     suite: str
@@ -358,7 +385,7 @@ class Test:
     modules: Sequence[str] = field(default_factory=list)
 
     def gave(self, result: str | None) -> list[str]:
-        """Returns the targets on which the test had this result."""
+        """Returns the targets on which the test had the given result."""
         return [binding for binding, outcome in self.results.items() if outcome.result == result]
 
     @property
@@ -370,9 +397,8 @@ class Test:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A metric that a tool measures, with its bound. If the text could not be read, the relation is
-    empty.
-    """
+    """The @evidence of a requirement: a measured metric must meet a bound. The relation is empty if
+    the text of the tag could not be read."""
 
     figure: str
     relation: str  # "at most", "at least", "exactly"
@@ -385,7 +411,7 @@ class Evidence:
         return f"{self.relation} {self.bound:g} {self.unit}".strip()
 
     def holds(self, value: float | None) -> bool:
-        """Returns whether a measured value is within the bound."""
+        """Returns whether a measured value meets the bound."""
         if value is None:
             return False
         if self.relation == "at most":
@@ -397,7 +423,8 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Baseline:
-    """The hash of each text of each requirement. The key of a text is "kind name"."""
+    """The hashes of the texts on which each requirement depends. The key of a text is its kind and
+    its name, separated by a blank."""
 
     links: Mapping[str, Sequence[str]]
     hashes: Mapping[str, str]
@@ -405,7 +432,7 @@ class Baseline:
 
 @dataclass(frozen=True)
 class Review:
-    """The review of one requirement by a person. ``state`` is the hash of all texts."""
+    """The review of one requirement by a person. ``state`` is the hash of all reviewed texts."""
 
     requirement: str
     reviewer: str
@@ -416,25 +443,25 @@ class Review:
     remark: str
     answers: Mapping[str, str]  # question -> "yes", "no", "not applicable"
     place: Place
-    current: bool = False  # whether no text has changed since the review
-    # Reasons why the record is not a valid review.
+    current: bool = False  # true if no reviewed text has changed since the review
+    # Reasons why the record is not a valid review; empty for a valid review.
     objections: Sequence[str] = field(default_factory=list)
 
     @property
     def holds(self) -> bool:
-        """Returns whether the review is about the present texts."""
+        """Returns whether the review is valid and the reviewed texts have not changed since."""
         return self.current and not self.objections
 
     @property
     def open_points(self) -> list[str]:
-        """Returns the questions that the reviewer answered with no."""
+        """Returns the questions to which the reviewer answered "no"."""
         return [question for question, answer in self.answers.items() if answer == "no"]
 
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text that differs from the baseline, if a link depends on the text. For the kinds, see
-    ``KINDS`` of reviews."""
+    """A text that differs from its baseline, although a link of a requirement depends on it.
+    ``KINDS`` in model/reviews.py lists the kinds of texts."""
 
     kind: str
     name: str
@@ -444,19 +471,21 @@ class Suspicion:
 
 @dataclass(frozen=True)
 class SourceReference:
-    """The source of a requirement: ``kind`` is one of ``SOURCE_KINDS``."""
+    """The origin of a requirement, for example a section of the paper. ``kind`` is one of
+    ``SOURCE_KINDS``."""
 
     kind: str
     name: str
 
 
-# The kinds of sources of a requirement.
+# The kinds of origins of a requirement.
 SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
 
 
 @dataclass(frozen=True)
 class Requirement:
-    """A requirement. If no test shows a part of the requirement, ``partly`` describes this part."""
+    """A requirement. ``partly`` describes the part of the requirement that no test shows. It is
+    empty if there is no such part."""
 
     id: str
     text: str
@@ -466,39 +495,44 @@ class Requirement:
     source: str = ""
     priority: str = ""
     level: str = ""  # "system", "software", "driver"
-    products: Sequence[str] = field(default_factory=list)  # "all", or names of products
-    method: str = ""  # method of verification: "test", "analysis", "measurement", "inspection"
+    # "all", or the names of the products for which the requirement is valid
+    products: Sequence[str] = field(default_factory=list)
+    # method of verification; values: "test", "analysis", "measurement", "inspection"
+    method: str = ""
     partly: str = ""
-    goals: Sequence[str] = field(default_factory=list)  # safety goals that it serves
+    # the safety goals to which the requirement contributes
+    goals: Sequence[str] = field(default_factory=list)
     sources: Sequence[SourceReference] = field(default_factory=list)
     satisfied_by: Sequence[str] = field(default_factory=list)
     verified_by: Sequence[str] = field(default_factory=list)
     tree: TreeNode | None = None
-    # target -> run that contains the tree
+    # target -> recording of a test that contains all calls of the tree
     runs: Mapping[str, TreeRun] = field(default_factory=dict)
-    # target -> executed parts of the methods
+    # target -> executed lines and branches of the methods
     coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)
-    # fulfils the requirement instead of calls
+    # metrics that show that the requirement is fulfilled, for example for a requirement without
+    # calls
     evidence: Sequence[Evidence] = field(default_factory=list)
     reviews: Sequence[Review] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)
 
     @property
     def reviewed(self) -> bool:
-        """Returns whether a person reviewed the present texts of the requirement and found no open
-        point."""
+        """Returns whether a person reviewed the present texts of the requirement and answered no
+        question with "no"."""
         return any(review.holds and not review.open_points for review in self.reviews)
 
     @property
     def by_calls(self) -> bool:
-        """Returns whether calls fulfil the requirement. This is so if the requirement is functional
-        or has a tree."""
+        """Returns whether the requirement is fulfilled by calls of methods. Returns true for a
+        functional requirement (FR-n), and for a requirement with an invocation tree."""
         return self.id.startswith("FR-") or self.tree is not None
 
 
 @dataclass(frozen=True)
 class SafeState:
-    """A state of the robot, with the situations in which this state is safe and is not safe."""
+    """A safe state of the robot. ``safe`` and ``not_safe`` describe the situations in which the
+    state is safe and in which it is not."""
 
     id: str
     says: str
@@ -509,7 +543,8 @@ class SafeState:
 
 @dataclass(frozen=True)
 class Assumption:
-    """A demand on hardware or people, which safety needs and the firmware cannot fulfil."""
+    """A demand on the hardware or on people. It is necessary for safety, but the firmware cannot
+    fulfil it."""
 
     id: str
     title: str
@@ -522,8 +557,8 @@ class Assumption:
 
 @dataclass(frozen=True)
 class Hazard:
-    """A situation that can hurt somebody. ``level`` is its AgPLr. The level is empty when it cannot
-    be computed."""
+    """A situation that can hurt somebody. ``level`` is the required performance level (AgPLr). It
+    is empty if it cannot be computed."""
 
     id: str
     title: str
@@ -534,50 +569,53 @@ class Hazard:
     avoidance: str
     goals: Sequence[str]
     assumptions: Sequence[str]
-    answer: str  # reaction of the firmware
+    answer: str  # the reaction of the firmware to the situation
     place: Place
     level: str = ""
 
 
 @dataclass(frozen=True)
 class SafetyGoal:
-    """A goal that prevents hazards. Its times are in seconds."""
+    """A safety goal. If the robot meets the goal, its hazards cause no harm. All times are in
+    seconds."""
 
     id: str
     title: str
     text: str
     safe_states: Sequence[str]
-    time: float  # time in which the firmware must prevent harm
+    time: float  # the longest time that the firmware may need to reach the safe state
     formula: str
     because: str
-    reaction: float  # time that the firmware needs
+    reaction: float  # the time that the firmware needs
     reacts: str
     requirements: Sequence[str]
     scenarios: Sequence[str]
     place: Place
-    exceptions: Sequence[str] = field(default_factory=list)  # known exceptions to the goal
-    computed: float | None = None  # result of the formula
+    # known situations in which the robot does not meet the goal
+    exceptions: Sequence[str] = field(default_factory=list)
+    computed: float | None = None  # value of the formula; None if the formula is invalid
     hazards: Sequence[str] = field(default_factory=list)
-    level: str = ""  # the highest level of its hazards
+    level: str = ""  # the highest level among its hazards
 
 
 @dataclass(frozen=True)
 class FaultScenario:
-    """A scenario in which something fails, its goals, and the tests that play it."""
+    """A scenario in which a part of the robot or a person fails. ``goals`` are the safety goals
+    that must prevent harm. ``tests`` are the tests that play the scenario."""
 
     name: str
     title: str
     goals: Sequence[str]
     place: Place
-    # line -> time in the expectation of this line [s]
+    # number of the line in the scenario -> the time that its expectation allows [s]
     bounds: Mapping[int, float] = field(default_factory=dict)
     tests: Sequence[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class Correction:
-    """Files whose edits correct defects. ``for_safety`` counts the lines of these edits that serve
-    safety."""
+    """Files that were edited to correct defects, and not for a safety function. ``for_safety`` is
+    the number of edited lines in these files that nevertheless belong to a safety function."""
 
     paths: Sequence[str]
     why: str
@@ -587,13 +625,16 @@ class Correction:
 
 @dataclass(frozen=True)
 class TouchedFile:
-    """The edited lines of a file of the robot, counted since the base of the safety case."""
+    """The number of lines that were edited in a file of the robot since the base commit of the
+    safety case."""
 
     file: str
     added: int
     removed: int
     corrections: str = (
-        ""  # reason why the edits are not for a safety function; empty for a safety function
+        # The reason why the edits do not belong to a safety function. It is empty if they belong to
+        # a safety function.
+        ""
     )
 
     @property
@@ -603,28 +644,31 @@ class TouchedFile:
 
 @dataclass(frozen=True)
 class SafetyCost:
-    """The cost of the safety functions, which git counts. The model has ``None`` if git is
-    missing."""
+    """The cost of the safety functions: the files and lines that git counts. Without git, the model
+    has ``None`` instead."""
 
     base: str
     commit: str
     files_added: Sequence[str]
-    lines_added: int  # number of lines added in these files
+    lines_added: int  # number of lines in the added files
     touched: Sequence[TouchedFile]
-    for_safety: int  # number of lines of the robot that were edited for safety functions
+    # number of lines in existing files of the robot that were edited for safety functions
+    for_safety: int
 
 
 @dataclass(frozen=True)
 class SafetyCase:
-    """The hazards, the goals that prevent them, and the assumptions of the goals."""
+    """The safety case: the hazards, the goals that prevent harm, and the assumptions of use."""
 
     base: str = ""  # commit before the first safety function
     says: str = ""
     conditions: Sequence[str] = field(default_factory=list)
     limits: Sequence[str] = field(default_factory=list)
     risk_source: str = ""
-    levels: Sequence[str] = field(default_factory=list)  # levels in ascending order
-    graph: Mapping[str, list[str]] = field(default_factory=dict)  # severity -> rows of levels
+    # the performance levels; the lowest level is the first
+    levels: Sequence[str] = field(default_factory=list)
+    # severity -> the rows of levels in the risk graph
+    graph: Mapping[str, list[str]] = field(default_factory=dict)
     words: Mapping[str, str] = field(default_factory=dict)
     priorities: Mapping[str, str] = field(
         default_factory=dict
@@ -641,7 +685,8 @@ class SafetyCase:
 
 @dataclass(frozen=True)
 class RequirementNumbers:
-    """The constants with the numbers of a requirement: ``200 ms`` -> ``Class::name``."""
+    """The links from the numbers in a requirement to constants in the code, for example ``200 ms``
+    -> ``Class::name``."""
 
     requirement: str
     constants: Mapping[str, str]
@@ -650,7 +695,8 @@ class RequirementNumbers:
 
 @dataclass(frozen=True)
 class NumbersWithout:
-    """Numbers of requirements for which the code has no constant, for example ``FR-1 100 us``."""
+    """Numbers in requirements, for example ``FR-1 100 us``, for which the code has no constant.
+    ``why`` is the reason."""
 
     numbers: Sequence[str]
     why: str
@@ -659,25 +705,25 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """Methods, tests or lines of methods that serve no requirement, with the reason. There are two
-    other kinds: methods that only tests call, and functions with a loop that does not count its
-    iterations.
-    """
+    """A reason why some code breaks a rule. The rules: each method, test and source line serves a
+    requirement; code of the firmware calls each method ("uncalled"); each loop counts its
+    iterations ("loop")."""
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]
     why: str
     place: Place
-    covers: Sequence[str] = field(default_factory=list)  # ids that need the justification
+    # those names for which the justification is still necessary
+    covers: Sequence[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class Equivalent:
-    """A source line, the changes to this line that no test can detect, and the reason."""
+    """A source line, the changes of this line that no test can detect, and the reason."""
 
     file: str
     method: str
-    line: str  # the text of the line
+    line: str  # the text of the source line
     changes: Sequence[str]
     why: str
     place: Place
@@ -685,21 +731,23 @@ class Equivalent:
 
 @dataclass(frozen=True)
 class Mutant:
-    """A fault that the mutation test inserted in a method."""
+    """A fault that the mutation test inserted in a method, and the tests that found it."""
 
     place: Place
     method: str
     kind: str
     change: str
     killed_by: Sequence[str]  # tests
-    # requirement with the method in its tree -> whether one of its tests finds the fault
+    # requirement whose invocation tree contains the method -> true if a test of this requirement
+    # finds the fault
     own: Mapping[str, bool]
     why: str = ""  # reason why no test can find the fault; empty without a justification
 
 
 @dataclass(frozen=True)
 class Mutation:
-    """The faults that were tried, and the number of all possible faults."""
+    """The result of a mutation test: the faults that were tried, and the total number of possible
+    faults."""
 
     seed: int
     minutes: float
@@ -717,7 +765,8 @@ class Mutation:
 
 @dataclass(frozen=True)
 class TestRun:
-    """The time at which the tests ran on a target, and the seeds of the randomised tests."""
+    """The run of the tests on one target: its time, and the seeds of the tests that use random
+    numbers."""
 
     date: str
     seeds: Sequence[str]
@@ -725,7 +774,8 @@ class TestRun:
 
 @dataclass(frozen=True)
 class FileHash:
-    """The SHA-256 of a file of a build. Kind: "image", "input" or "result"."""
+    """The SHA-256 hash of a file that a build used or made. ``kind`` is "image", "input" or
+    "result"."""
 
     kind: str
     file: str
@@ -734,7 +784,7 @@ class FileHash:
 
 @dataclass(frozen=True)
 class BuildEvidence:
-    """The sources, the tools and the machine of this build of the pages."""
+    """The commit, the tools and the computer with which the pages were built."""
 
     commit: str  # empty without git
     changed: Sequence[str]  # files that differ from the commit
@@ -747,19 +797,20 @@ class BuildEvidence:
 
 @dataclass(frozen=True)
 class LastRecord:
-    """The last run of a test that takes too long to run in each build.
+    """The recorded result of a test that takes too long to run in each build.
 
-    Such a test tests the tests, tests the checks, or builds the release again and compares its
-    files.
+    There are three such tests: the mutation test of the tests, the mutation test of the checks, and
+    a second build of the release, which must give equal files.
     """
 
     command: str
     commit: str  # empty without git
     found: int
     tried: int
-    current: bool  # whether it ran with the present sources
+    current: bool  # true if the test ran with the present sources
     date: str  # YYYY-MM-DD
-    justified: int = 0  # faults that no test found, because no test can find them
+    # number of faults for which a justification states that no test can find them
+    justified: int = 0
 
 
 @dataclass(frozen=True)
@@ -771,17 +822,19 @@ class Transition:
     action: str
     place: Place
     requirements: Sequence[str] = field(default_factory=list)
-    # places in the code that make the transition; empty if the state does not change
+    # the places in the code that change the state; empty if the transition stays in its state
     changes: Sequence[Place] = field(default_factory=list)
     tests: Sequence[str] = field(default_factory=list)  # passed tests that made the transition
 
 
 @dataclass(frozen=True)
 class StateMachine:
-    """``states`` maps the name of a state to the module that implements the state.
+    """A declared state machine. ``states`` maps the name of a state to the module that implements
+    the state.
 
-    ``events`` maps an event to the operation of the state that the Context then calls. ``guards``
-    maps a guard or an event to its condition in the code. ``actions`` maps an action to its calls.
+    ``events`` maps an event to the operation of the State that the Context calls at this event.
+    ``guards`` maps a guard or an event to the conditions that the code checks. ``actions`` maps an
+    action to the methods that the code calls.
     """
 
     id: str
@@ -794,13 +847,15 @@ class StateMachine:
     events: Mapping[str, str] = field(default_factory=dict)
     guards: Mapping[str, Sequence[str]] = field(default_factory=dict)
     actions: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    # change that is not declared, as "from operation to" -> the tests that made it
+    # state change that the machine does not declare, as "from operation to" -> the tests that made
+    # this change
     undeclared: Mapping[str, list[str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class ProofProperty:
-    """A property of the state machines and their composition, in linear temporal logic."""
+    """A property that all runs of the composed state machines must have. ``formula`` states the
+    property in linear temporal logic."""
 
     name: str
     requirement: str
@@ -811,75 +866,80 @@ class ProofProperty:
 
 @dataclass(frozen=True)
 class ProofResult:
-    """The result of the proof of a property, and the size of the search."""
+    """The result of the proof of a property, and the size of the search for a counterexample."""
 
     verdict: str  # "proven", "false", "incomplete"
     states: int
     depth: int
     seconds: float
-    events: Sequence[str] = field(default_factory=list)  # lines of the counterexample
-    scenario: str = ""  # file that plays the counterexample, if its events can be played
-    recorded: str = ""  # commit of the earlier run with the same model, if this commit is known
-    recorded_on: str = ""  # date of this run, YYYY-MM-DD; empty if this build proved the property
+    # the events of the counterexample; empty for a proven property
+    events: Sequence[str] = field(default_factory=list)
+    # the scenario file that plays the counterexample; empty if the simulator cannot cause its
+    # events
+    scenario: str = ""
+    # commit of the earlier run with the same model; empty if the commit is unknown
+    recorded: str = ""
+    # date of the earlier run, YYYY-MM-DD; empty if this build proved the property
+    recorded_on: str = ""
 
 
 @dataclass(frozen=True)
 class Proofs:
-    """The properties, the model in Promela, and the results if the present sources gave results."""
+    """The properties, the model in Promela, and the results. ``results`` is None if the present
+    sources have no results."""
 
     properties: Mapping[str, ProofProperty] = field(default_factory=dict)
     results: Mapping[str, ProofResult] | None = None
     text: str = ""  # the machines and their composition in Promela
-    # the cycles of each counterexample
+    # property -> the cycles of its counterexample
     words: Mapping[str, Sequence[tuple[str, Sequence[str]]]] = field(default_factory=dict)
 
     def of(self, requirement: str) -> list[ProofProperty]:
-        """Returns the properties that formalise a requirement."""
+        """Returns the properties that state a requirement as a formula."""
         return [item for item in self.properties.values() if item.requirement == requirement]
 
     @property
     def proven(self) -> int | None:
-        """Returns the number of proven properties; None when nothing was proven with these
-        sources.
-        """
+        """Returns the number of proven properties. Returns None if there are no results for the
+        present sources."""
         results = self.results
         return None if results is None else sum(r.verdict == "proven" for r in results.values())
 
     @property
     def recorded(self) -> list[ProofResult]:
-        """Returns the results of an earlier run with the same models. This build did not repeat the
-        run.
-        """
+        """Returns the results that an earlier run with the same models recorded, and that this
+        build did not compute again."""
         return [result for result in (self.results or {}).values() if result.recorded_on]
 
 
 @dataclass(frozen=True)
 class ExecutionContext:
-    """Code that the hardware starts: an interrupt, the thread of a control system, or the start."""
+    """An execution context: code that the hardware starts. It is an interrupt, the thread of a
+    control system, or the program after a reset ("start")."""
 
     id: str
     kind: str  # "interrupt", "thread", "start"
     name: str
     says: str
     handlers: Sequence[str]
-    body: str  # the command that a thread executes
+    body: str  # the method that a thread executes; "" for other kinds
     place: Place
-    lines: Sequence[int] = field(default_factory=list)  # lines of the interrupt controller
+    lines: Sequence[int] = field(default_factory=list)  # numbers of its interrupt lines
     priority: int | None = None
-    # the first methods of modules that it executes
+    # the methods of modules with which the context begins
     first: Sequence[str] = field(default_factory=list)
-    # all methods of modules that it may execute
+    # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)
     intended: int | None = None  # priority that the design states
 
 
 @dataclass(frozen=True)
 class StackCall:
-    """A function of the deepest chain of calls, with its frame."""
+    """A function in the deepest chain of calls, with the bytes of its stack frame."""
 
     name: str
     bytes: int
-    # The frame is computed from the instructions, because the compiler did not report it.
+    # True if the frame is computed from the instructions, because the compiler did not report it.
     measured: bool
 
 
@@ -897,33 +957,39 @@ class StackContext:
 
 @dataclass(frozen=True)
 class TimeBound:
-    """The longest processor time of an interrupt, or of a thread with all its handlers."""
+    """The longest processor time that one execution of an interrupt, or of a thread with all its
+    handlers, can need."""
 
     context: str
     name: str
     cycles: int
-    # An interrupt is entered at most this often in any window of `ticks` ms. None means once in a
+    # In each interval of `ticks` ms, the context starts at most this often. None means: once in a
     # control cycle.
     entries: int | None
     ticks: int
     noise: (
         int | None
-    )  # entries in a tick of 1 ms with noise at all inputs, if noise causes more entries
+        # The number of starts in 1 ms if there is noise at all inputs. None if noise causes no
+        # additional starts.
+    )
     priority: int | None
     why: str
     response_ms: float | None = (
-        None  # for an interrupt: the time from its request to the end of its handler
+        # For an interrupt: the longest time from the request to the end of the handler. None for a
+        # thread.
+        None
     )
 
 
 @dataclass(frozen=True)
 class PathBound:
-    """The longest time from an input to its effect, which is the sum of its parts [ms]."""
+    """The longest time from an input to its effect [ms]. It is the sum of the times in
+    ``parts``."""
 
     name: str
     title: str
     parts: Sequence[tuple[str, float]]
-    seen_ms: float | None  # time of the path in its recording
+    seen_ms: float | None  # measured time of the path in a recording; None without a recording
     why: str
 
     @property
@@ -933,17 +999,22 @@ class PathBound:
 
 @dataclass(frozen=True)
 class TimeProof:
-    """The time bounds of the image of the robot."""
+    """The longest execution times of the robot's firmware image, computed from its instructions."""
 
     contexts: Sequence[TimeBound]
     cycle_ms: (
-        float  # time from the clock pulse to the end of the main thread, including all interrupts
+        # The longest time from the clock pulse to the end of the main thread, including all
+        # interrupts.
+        float
     )
-    noise_ms: float  # the same time with noise at all inputs
-    seen_ms: float | None  # longest time from the clock pulse to the report in a run of the bench
+    noise_ms: float  # the same as cycle_ms, but with noise at all inputs
+    # the longest measured time from the clock pulse to the report in the runs of the bench
+    seen_ms: float | None
     paths: Sequence[PathBound]
-    unbound: Sequence[tuple[str, Place]]  # loops and copies without a bound: function and place
-    unresolved: Sequence[tuple[str, Place]]  # calls without a known target: function and place
+    # loops and memory copies without a known bound: function and place of each
+    unbound: Sequence[tuple[str, Place]]
+    # indirect calls whose target is unknown: function and place of each
+    unresolved: Sequence[tuple[str, Place]]
 
     @property
     def proven(self) -> bool:
@@ -952,17 +1023,19 @@ class TimeProof:
 
 @dataclass(frozen=True)
 class StackProof:
-    """The largest stack use of the image of the robot, in bytes."""
+    """The largest stack use of the robot's firmware image in bytes, computed from its calls."""
 
-    exception_frame: int  # bytes that the hardware stores at each entry
+    # bytes that the hardware stores on the stack when it starts an interrupt handler
+    exception_frame: int
     limit: int = 0  # size of the stack in the linker script
-    seen: int | None = None  # largest stack use of a run in closed loop
+    seen: int | None = None  # largest measured stack use of a closed-loop run; None without a run
     contexts: Sequence[StackContext] = field(default_factory=list)
-    # calls without a known target: function and place
+    # indirect calls whose target is unknown: function and place of each
     unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)
     cycles: Sequence[list[str]] = field(default_factory=list)
-    dynamic: Sequence[str] = field(default_factory=list)  # functions whose frame has no bound
-    # functions of the project for which the compiler reported no frame
+    # functions whose stack frame has no known bound
+    dynamic: Sequence[str] = field(default_factory=list)
+    # functions of the project whose stack frame the compiler did not report
     untold: Sequence[str] = field(default_factory=list)
 
     @property
@@ -971,8 +1044,8 @@ class StackProof:
 
     @property
     def levels(self) -> list[StackContext]:
-        """Returns for each priority the context that needs the most stack. The start has the lowest
-        level."""
+        """Returns for each priority the context that needs the most stack. The order is from the
+        lowest priority to the highest. The program after a reset ("start") is the first."""
         worst: dict[int | None, StackContext] = {}
         for context in self.contexts:
             worst_here = worst.get(context.priority)
@@ -985,16 +1058,16 @@ class StackProof:
 
     @property
     def total(self) -> int:
-        """Returns the sum of all levels. Each level except the lowest includes the frame that the
-        hardware stores.
-        """
+        """Returns the largest possible stack use: the sum over all priorities. For each
+        interruption of a lower level, the sum contains the frame that the hardware stores."""
         levels = self.levels
         return sum(level.bytes for level in levels) + self.exception_frame * (len(levels) - 1)
 
 
 @dataclass(frozen=True)
 class SharedPipe:
-    """A pipe of the robot. ``writers`` and ``readers`` are methods with their contexts."""
+    """A pipe of the robot. ``writers`` and ``readers`` map each method that writes or reads the
+    pipe to its execution contexts."""
 
     id: str
     name: str
@@ -1007,7 +1080,8 @@ class SharedPipe:
 
 @dataclass(frozen=True)
 class SharedMember:
-    """A member that one context changes and another context changes or reads."""
+    """A data member that one execution context changes, and that another context changes or
+    reads."""
 
     id: str
     module: str
@@ -1015,13 +1089,14 @@ class SharedMember:
     place: Place
     writers: Sequence[str]
     readers: Sequence[str]
-    protection: str  # "" when the design states no protection
+    protection: str  # "" if the design states no protection
     why: str
 
 
 @dataclass(frozen=True)
 class Use:
-    """An actual use between logic modules: an include, or a call."""
+    """A use in the code: files of the logic module ``source`` include or call the logic module
+    ``target``."""
 
     source: str
     target: str
@@ -1038,7 +1113,8 @@ class AllowedUse:
 
 @dataclass(frozen=True)
 class Apart:
-    """Two groups of modules that never name each other."""
+    """Two groups of modules. The design demands that no module of one group names a module of the
+    other group."""
 
     modules: Sequence[str]
     others: Sequence[str]
@@ -1048,7 +1124,7 @@ class Apart:
 
 @dataclass(frozen=True)
 class Cycle:
-    """Logic modules that may use each other in a cycle, and the pattern that causes the cycle."""
+    """Logic modules whose uses may form a cycle, and the pattern that makes the cycle necessary."""
 
     within: str
     modules: Sequence[str]
@@ -1058,7 +1134,8 @@ class Cycle:
 
 @dataclass(frozen=True)
 class ArchitectureElement:
-    """An element of the Process Control architecture and the modules that refine it."""
+    """An element of the Process Control architecture, and the modules that implement this
+    element."""
 
     id: str
     kind: str
@@ -1080,21 +1157,23 @@ class PaperPlace:
 
 @dataclass(frozen=True)
 class PaperElement:
-    """A name of the paper and its counterpart here. ``here`` contains targets as "kind:name"."""
+    """A name in the paper and its counterparts in this project. ``here`` lists the counterparts as
+    "kind:name"."""
 
     kind: str
     name: str
     here: Sequence[str]
-    alias: str = ""  # reason why the name here is different
+    alias: str = ""  # reason why the name in this project differs from the paper
     deviation: str = ""  # intended difference from the paper
     note: str = ""
-    where: Sequence[str] = field(default_factory=list)  # places of the paper that contain the name
+    # ids of the places in the paper that contain the name
+    where: Sequence[str] = field(default_factory=list)
     place: Place = field(default_factory=lambda: Place("", 0))
 
 
 @dataclass(frozen=True)
 class KitTest:
-    """A test of a likely change. It has a result if it ran in this build."""
+    """A test of a likely change. ``result`` is None if the test did not run in this build."""
 
     id: str
     target: str
@@ -1104,22 +1183,23 @@ class KitTest:
 
 @dataclass(frozen=True)
 class Port:
-    """The firmware with another device or microcontroller."""
+    """A port: the firmware with another device or on another microcontroller."""
 
     title: str
     says: str
     program: str  # name of the test program
     image: str
-    needs: str  # program that the tests need; "" if they need none
-    files: Mapping[str, int]  # file -> number of lines that the port adds
+    needs: str  # program that must be installed for the tests; "" if no program is needed
+    files: Mapping[str, int]  # file that the port adds -> number of its lines
     composition_lines: (
         int  # number of existing lines of the composition that are removed or changed
     )
     outside_lines: int  # number of changed lines of other files
-    tests: Mapping[str, str] | None  # results of the tests, if the present sources gave results
-    # flash and RAM of its image [bytes], if the image was built from the present sources
+    tests: Mapping[str, str] | None  # test -> result; None if the present sources have no results
+    # flash and RAM of the port's image [byte]; empty if the image was not built from the present
+    # sources
     size: Mapping[str, int]
-    size_on_k64: Mapping[str, int]  # flash and RAM of this design on the K64
+    size_on_k64: Mapping[str, int]  # flash and RAM of the same design on the K64 [byte]
 
     @property
     def passed(self) -> bool:
@@ -1129,20 +1209,23 @@ class Port:
 
 @dataclass(frozen=True)
 class MadeChange:
-    """A likely change that a folder of changes/ or an extension makes."""
+    """A likely change that was really made, in a folder of changes/ or as an extension."""
 
     application: str
     event: str
-    hard: str  # name in the list of hard changes
-    why: str  # reason why existing files change
+    hard: str  # name of the event in the list of hard changes
+    why: str  # reason why the change must edit existing files
     classes: Sequence[str]
-    extension: str  # folder of the extension that makes it; "" for a folder of changes/
+    # folder of the extension that makes the change; "" if a folder of changes/ makes it
+    extension: str
     files: Sequence[str]  # added
     patched: Sequence[str]  # existing files
-    composition_lines: int  # number of existing lines that are removed or changed
-    outside_lines: int  # number of changed lines outside the composition
+    # number of existing lines of the composition that the change removes or edits
+    composition_lines: int
+    # number of existing lines outside the composition that the change removes or edits
+    outside_lines: int
     added_lines: int  # number of lines added to existing files
-    flash: float | None  # additional bytes
+    flash: float | None  # additional flash memory [byte]
     ram: float | None
     instructions: float | None  # additional instructions in a cycle, on average
     tests: Sequence[KitTest]
@@ -1150,24 +1233,26 @@ class MadeChange:
 
     @property
     def new_lines(self) -> int:
-        """Returns the number of lines added to existing files, without the changed lines."""
+        """Returns the number of new lines in existing files. An edited line does not count as a new
+        line."""
         return self.added_lines - self.composition_lines - self.outside_lines
 
 
 @dataclass(frozen=True)
 class LikelyChange:
-    """The effort of a change that an application of a pattern absorbs."""
+    """The work that a likely change needs. The application of a pattern limits this work to few
+    modules."""
 
     application: str
     pattern: str
     hidden_by: str  # module
-    altered: Sequence[str]  # modules, each of which hides one variant
-    role: str  # role of a new class; "" when the change adds no class
-    derives: Sequence[str]  # base classes of a new class
+    altered: Sequence[str]  # modules that the change edits; each hides one variant
+    role: str  # role of the class that the change adds; "" if the change adds no class
+    derives: Sequence[str]  # base classes of the class that the change adds
     logic: str  # folder of the existing classes
-    edits: Sequence[str]  # modules that register a new class
+    edits: Sequence[str]  # modules that must be edited to register the added class
     untouched: Sequence[str]
-    requirements: Sequence[str]  # requirements to review
+    requirements: Sequence[str]  # requirements that must be reviewed after the change
     tests: Sequence[str]
     steps: Sequence[str]
     examples: Sequence[str]  # modules of extensions that make such a change
@@ -1194,7 +1279,7 @@ class Connection:
     target: str
     connector: str
     place: Place
-    # Methods on the path of the connection. A connection outside the code has none.
+    # The methods that form the connection in the code. Empty for a connection outside the code.
     way: Sequence[str] = field(default_factory=list)
 
     @property
@@ -1215,36 +1300,38 @@ class BoardFinding:
 
 @dataclass(frozen=True)
 class BeliefSource:
-    """The source of a belief of the virtual board."""
+    """The document or fact that is the source of a belief of the virtual board."""
 
     id: str
     says: str
-    outside: bool  # Neither the driver nor the model was written from this source.
+    # true if neither the driver nor its model in the virtual board was written from this source
+    outside: bool
     place: Place
 
 
 @dataclass(frozen=True)
 class BoardBelief:
-    """A value of a register on which the virtual board depends, and its meaning."""
+    """A belief: the meaning of a register value, as the virtual board implements it."""
 
     register: str  # block::NAME
     value: str
     says: str
     source: str  # id of a BeliefSource
     model: str  # file of the virtual board
-    shared: bool  # Only the driver and the model state the belief.
+    # true if the belief has no independent source; the driver and the model could share a mistake
+    shared: bool
     place: Place
 
     @property
     def name(self) -> str:
-        """Returns the register without its block."""
+        """Returns the name of the register without its block."""
         return self.register.rpartition("::")[2]
 
 
 @dataclass(frozen=True)
 class DriverFault:
-    """A fault that a test inserted in a driver, and the findings of the virtual K64 in the image
-    with this fault."""
+    """A fault that a test inserted in a driver, and the finding of the virtual K64 when it ran the
+    firmware with this fault."""
 
     fault: str
     file: str
@@ -1255,8 +1342,8 @@ class DriverFault:
 
 @dataclass(frozen=True)
 class Finding:
-    """A finding of a check. ``text`` describes the fault. If the finding has no ``fix``, it gets
-    the fix of its check."""
+    """A finding of a check. ``text`` describes the fault. If ``fix`` is empty, the fix of the check
+    applies."""
 
     place: Place
     check: str
@@ -1266,7 +1353,8 @@ class Finding:
 
 @dataclass(frozen=True)
 class Curve:
-    """A value over time. Its kind is "set_point", "measured" or "truth"."""
+    """A curve of a value over time. ``kind`` is "set_point", "measured" (reported by the robot) or
+    "truth" (in the simulated robot)."""
 
     kind: str
     binding: str
@@ -1282,13 +1370,14 @@ class LoopPlot:
 
 @dataclass(frozen=True)
 class LoopFigure:
-    """A metric of a run in closed loop, with its limit."""
+    """A metric of a closed-loop scenario, with the greatest permitted value."""
 
     title: str
     limit: float
     unit: str
     requirement: str  # "" if no requirement states the limit
-    values: Mapping[str, float | None]  # target that ran -> value; None if the run has no value
+    # target on which the scenario ran -> value; None if the value could not be computed
+    values: Mapping[str, float | None]
 
     def holds(self, binding: str) -> bool:
         value = self.values[binding]
@@ -1297,12 +1386,12 @@ class LoopFigure:
 
 @dataclass(frozen=True)
 class LoopRun:
-    """Whether the run met all expectations of the scenario. If it did not, ``said`` is its
-    output."""
+    """The result of a closed-loop run. ``passed`` is true if the run met all expectations of the
+    scenario. If not, ``said`` is the output of the run."""
 
     passed: bool
     said: str
-    stack: int | None = None  # bytes of stack that the run used on the virtual K64
+    stack: int | None = None  # largest stack use of the run on the virtual K64 [byte]
 
 
 @dataclass(frozen=True)
@@ -1314,12 +1403,13 @@ class LoopScenario:
     place: Place
     plots: Sequence[LoopPlot]
     figures: Sequence[LoopFigure]
-    runs: Mapping[str, LoopRun]  # target -> run with these sources
+    runs: Mapping[str, LoopRun]  # target -> run with the present sources
 
 
 @dataclass(frozen=True)
 class ProductImage:
-    """The image of a product, with its bytes, its modules and its forbidden features."""
+    """The firmware image of a product. ``modules`` are the modules in the image. ``forbidden`` are
+    parts in the image that the product must not contain."""
 
     flash: int
     ram: int
@@ -1330,7 +1420,7 @@ class ProductImage:
 
 @dataclass(frozen=True)
 class Spread:
-    """The average, the least and the greatest value over the cycles of a run."""
+    """The average, the smallest and the greatest value of a quantity over the cycles of a run."""
 
     average: float
     minimum: float
@@ -1339,7 +1429,8 @@ class Spread:
 
 @dataclass(frozen=True)
 class Latency:
-    """The longest time from a request to its handler, and the source of the request."""
+    """The longest time from the request of an interrupt to the begin of its handler, and the name
+    of this handler."""
 
     us: float
     who: str
@@ -1347,7 +1438,7 @@ class Latency:
 
 @dataclass(frozen=True)
 class ExceptionCost:
-    """The average cost of an interrupt or thread in a cycle."""
+    """The average cost of an interrupt or thread in a control cycle."""
 
     who: str
     entries: float
@@ -1358,25 +1449,27 @@ class ExceptionCost:
 
 @dataclass(frozen=True)
 class BenchRun:
-    """One run of a scenario of the bench. A board measures neither instructions nor latencies."""
+    """One run of a scenario of the bench. Instructions and latencies are measured only on the
+    virtual board, and not on a real board."""
 
     report_ms: Spread  # time from the clock pulse to the report
-    load: Spread  # [%] of the cycle
+    load: Spread  # processor time in per cent of the cycle
     start_us: Spread  # time from the clock pulse to the first instruction of the cycle
     jitter_us: float
     times_us: Sequence[int]  # for each cycle: time from the clock pulse to the report
     cycles: int
     instructions: Spread | None = None
-    report_instructions: Spread | None = None  # instructions up to the report
+    report_instructions: Spread | None = None  # instructions from the clock pulse to the report
     latency: Mapping[str, Latency] = field(default_factory=dict)  # priority -> the longest latency
     exceptions: Sequence[ExceptionCost] = field(default_factory=list)
-    speed: float | None = None  # speed of the simulation, as a multiple of real time
+    speed: float | None = None  # speed of the simulation: simulated time divided by real time
 
 
 @dataclass(frozen=True)
 class Profile:
-    """The average number of instructions of each name in a cycle. The first number is the total,
-    and the second number counts up to the report."""
+    """The average number of instructions of each module and of each function in a cycle. The first
+    number is for the whole cycle. The second number is for the time from the clock pulse to the
+    report."""
 
     modules: Sequence[tuple[str, float, float]]
     functions: Sequence[tuple[str, float, float]]
@@ -1384,8 +1477,8 @@ class Profile:
 
 @dataclass(frozen=True)
 class BenchScenario:
-    """A scenario of the bench, with a run for each model of time and the instructions of each
-    module."""
+    """A scenario of the bench. ``runs`` has a run for each timing model. ``profile`` has the
+    instructions of each module."""
 
     runs: Mapping[str, BenchRun] = field(default_factory=dict)
     profile: Profile | None = None

@@ -1,4 +1,5 @@
-"""Hashes of files. They identify the inputs of a build, a test or a page."""
+"""Hashes of files. With these hashes, a tool detects that an input of a build, a test or a page has
+changed."""
 
 from __future__ import annotations
 
@@ -6,18 +7,19 @@ import hashlib
 from collections.abc import Iterable
 from pathlib import Path
 
-# The design, which consists of the robot and the extensions of the products.
+# The folders with the code of the firmware: the basic robot (src), and the extensions that some
+# products add.
 SRC, EXTENSIONS = "src", "extensions"
 DESIGN = (SRC, EXTENSIONS)
-# The table of frames and its reader. The build of the simulator makes a header from them.
+# The table of the protocol's frames, and the Python module that reads it. The build of the
+# simulator generates a header from these two files.
 FRAMES = ("design/frames.toml", "client/weeding_robot_client/layout.py")
 TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 
 def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()) -> list[Path]:
-    """Returns the files of the named folders, and the named files. The result is sorted and
-    contains no Python caches.
-    """
+    """Returns all files below the named folders, and the named files themselves. The result is
+    sorted. Files in Python caches are left out."""
     files: list[Path] = []
     for name in names:
         start = root / name
@@ -35,7 +37,7 @@ def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()
 
 
 def include_options(root: Path) -> list[str]:
-    """Returns the folders in which a compiler finds the headers of the design."""
+    """Returns the compiler options (-I) for the folders with the headers of the design."""
     return [word for name in DESIGN for word in ("-I", str(root / name))]
 
 
@@ -56,9 +58,9 @@ def hash_of(root: Path, paths: Iterable[Path]) -> str:
 
 
 def source_hash(root: Path) -> str:
-    """Computes the hash of the files on which test results depend.
+    """Computes the hash of all files that can change the result of a C++ test.
 
-    Tests of the Python tools and records of campaigns are not included.
+    The files in tests/python and tests/records are not included.
     """
     suffixes = (".cpp", ".hpp", ".h", ".cmake", ".txt", ".json", ".S", ".ld")
     paths = files_below(root, TESTED, suffixes)

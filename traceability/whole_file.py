@@ -1,5 +1,5 @@
-"""Writes a file in one step. A reader finds either the previous content or the new content. This is
-true even if the writer is killed or the disk is full."""
+"""Writes a file in one step. A program that reads the file finds either the complete previous
+content or the complete new content, even if the writing program is killed or the disk is full."""
 
 from __future__ import annotations
 

@@ -70,8 +70,8 @@ FAMILIES = (
 
 
 def run_checks(model: Model, facts: Facts) -> Report:
-    """Returns the report with all findings, sorted. The findings of the site's links are not
-    included."""
+    """Returns the report with all findings, sorted. It does not include findings about links of the
+    site, because the site is built later."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
     all_findings = [finding for family in families for finding in family(model, facts)]
     clauses, broken = pattern_checks.decide(model, facts)
@@ -88,7 +88,8 @@ def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
 
 
 def sort(findings: list[Finding]) -> list[Finding]:
-    """Returns the findings, sorted by their places. Each finding has its fix."""
+    """Returns the findings, sorted by file and line. A finding without a fix gets the fix of its
+    check."""
     return sorted(
         (replace(each, fix=each.fix or KNOWN[each.check].fix.rstrip(".")) for each in findings),
         key=lambda finding: (finding.place.file, finding.place.line, finding.check, finding.text),

@@ -1,6 +1,5 @@
-"""arch-*: each module that the architecture names exists, and each connection that the architecture
-declares exists in the code.
-"""
+"""arch-*: each module that the architecture names exists, and the code contains each connection
+that the architecture declares."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""board-*: findings of the virtual K64 are declared and tested, and each belief has a source."""
+"""board-*: each kind of mistake that the virtual K64 detects is declared and tested, and each
+belief about the hardware has a source, for example the manual."""
 
 from __future__ import annotations
 
@@ -53,7 +54,8 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds registers of the drivers that have no belief."""
+    """Finds registers in the table of the drivers for which design/board_beliefs.toml has no
+    entry."""
     believed, block = {belief.register for belief in model.beliefs}, ""
     for number, line in enumerate(_text(facts, REGISTERS).splitlines(), 1):
         if begin := re.match(r"namespace (\w+) \{", line):
@@ -74,7 +76,8 @@ def _text(facts: Facts, file: str) -> str:
 
 
 def _declares(registers: str, belief: BoardBelief) -> bool:
-    """Returns whether the namespace of the block declares the register."""
+    """Returns whether the table of registers declares the register in the namespace of the
+    block."""
     block, _, name = belief.register.rpartition("::")
     inside = registers.partition(f"namespace {block} {{")[2].partition("}  // namespace")[0]
     return re.search(rf"> {re.escape(name)};", inside) is not None

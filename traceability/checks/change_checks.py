@@ -1,4 +1,4 @@
-"""pattern-change: the likely changes name existing parts."""
+"""pattern-change: the roles, modules and applications that design/changes.toml names exist."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from traceability.reading.change_texts import Particular, Recipe
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 
-STANDING = {"derives", "edits", "id"}  # words that the model replaces in the text of a step
+# placeholders in the text of a step, which the model replaces by names
+STANDING = {"derives", "edits", "id"}
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:

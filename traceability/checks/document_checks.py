@@ -1,4 +1,5 @@
-"""syntax-error, doc-warning and design-entry: the tools can read the sources."""
+"""syntax-error, doc-warning and design-entry: the tools can read the code, the comments, the pages
+and the files of design/ without an error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""exec-*: the contexts agree with the code, and their shared data is protected."""
+"""exec-*: the declared contexts (interrupts and threads) agree with the code, and data that several
+contexts share is protected."""
 
 from __future__ import annotations
 
@@ -71,9 +72,8 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Returns the context of each handler. Each handler must have a single context, whose kind
-    exists.
-    """
+    """Returns the context of each handler, and findings about wrong contexts: a context has an
+    unknown kind, only threads may have a body, and a handler may belong to one context only."""
     declared: dict[str, ExecutionContext] = {}
     findings: list[Finding] = []
     for context in model.contexts.values():
@@ -85,7 +85,7 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
             findings.append(_declared(context.place, text))
         if (context.kind == THREAD) != bool(context.body):
             body = "a body" if context.body else "no body"
-            text = f"{context.id} has the kind {context.kind}, and has {body}"
+            text = f"{context.id} has the kind {context.kind}, but has {body}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
             findings.append(_declared(place, text))
@@ -140,8 +140,8 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
-                # The place of the finding is the call, because another context may need this value
-                # of the constant.
+                # The finding points to the call if the constant is right for another context.
+                # Otherwise, it points to the definition of the constant.
                 shared = name in right
                 place = _enabled_at(name, context, facts) if shared else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
@@ -150,9 +150,9 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled_at(constant: str, context: ExecutionContext, facts: Facts) -> Place:
-    """Returns the last call that enables a line with this priority. A call that names a line of the
-    context has precedence over all other calls.
-    """
+    """Returns the place of the last call that enables an interrupt line with this priority
+    constant. If some of these calls name an interrupt line of the context, only they are
+    considered."""
     constants = facts.syntax.constants
     calls = [
         call
@@ -166,7 +166,7 @@ def _enabled_at(constant: str, context: ExecutionContext, facts: Facts) -> Place
 
 
 def _place_of(constant: str, facts: Facts) -> Place:
-    """Returns the first place of a constant in a file."""
+    """Returns the first source line in which the name of a constant occurs."""
     file, _, name = constant.removeprefix("var ").partition(":")
     lines = (facts.root / file).read_text(encoding="utf-8").splitlines()
     return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))
@@ -177,7 +177,10 @@ def _ends(facts: Facts) -> Iterator[Finding]:
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
     for name in facts.declared.ends:
         if name not in called:
-            yield _declared(place, f"no code calls {name}, which must end the firmware")
+            yield _declared(
+                place,
+                f"design/execution.toml lists {name} in 'ends', but no code calls this method",
+            )
 
 
 def _declared(place: Place, text: str) -> Finding:
@@ -185,7 +188,7 @@ def _declared(place: Place, text: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds methods that an interrupt runs although no interrupt may call them."""
+    """Finds methods with @isr{no} that the handler of an interrupt reaches by calls."""
     forbidden = {
         method.id: method
         for module in model.modules.values()
@@ -199,7 +202,7 @@ def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
         reached = facts.references.reached(start, {}, facts.declared.ends)
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
-            text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
+            text = f"{name} is @isr{{no}}, but the interrupt '{context.name}' calls it: {way}"
             yield Finding(forbidden[name].place, "exec-isr", text)
 
 
@@ -216,13 +219,13 @@ def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
             for call in body.calls:
                 for target in facts.references.targets(call):
                     if claims.get(target) == "no":
-                        text = f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}"
+                        text = f"{body.id} is @isr{{yes}}, but calls {target}, which is @isr{{no}}"
                         yield Finding(call.place, "exec-isr", text)
 
 
 def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds floating-point numbers in interrupts. An interrupt does not save the floating-point
-    registers."""
+    """Finds floating-point numbers in code that an interrupt executes. This is a fault, because an
+    interrupt does not save the floating-point registers."""
     findings: dict[Place, Finding] = {}
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
@@ -238,24 +241,25 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _loops(facts: Facts) -> Iterator[Finding]:
-    """Finds a loop that does not count its iterations and is not in design/justified.toml."""
+    """Finds loops that do not count their iterations and have no entry in design/justified.toml.
+    Also finds entries there whose function has no such loop."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
     for name, body in looping.items():
         if name not in named:
-            text = f"the head of a loop in {name} does not count the iterations"
+            text = f"a loop in {name} does not count its iterations in its head"
             yield Finding(Place(body.place.file, body.loops[0]), "exec-loop", text)
     for entry in entries:
         for name in entry.names:
             if name not in looping:
-                text = f"{name} has no such loop"
+                text = f"{name} has no loop that needs this justification"
                 yield Finding(entry.place, "exec-loop", text, "remove the name")
 
 
 def _heap(facts: Facts) -> Iterator[Finding]:
-    """Finds uses of the heap in the source. The image is not read, because it may be older than the
-    source."""
+    """Finds uses of the heap in the source files. The firmware image is not read, because it may be
+    older than the source files."""
     for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
         bare = comment_blanked(path.read_text(encoding="utf-8"))
@@ -267,7 +271,8 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled(facts: Facts) -> Iterator[Finding]:
-    """Finds an interrupt line that no call enables, although it has a handler."""
+    """Finds interrupt lines that have a handler in the table of vectors but that no call
+    enables."""
     for line, handler in silent_lines(facts).items():
         yield _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
@@ -276,7 +281,8 @@ def _enabled(facts: Facts) -> Iterator[Finding]:
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
-    """Returns the calls of the handlers of products with extensions."""
+    """Returns the functions that these handlers call in the extensions. Products with extensions
+    have their own versions of the handlers there."""
     return [
         call.target
         for handler in handlers
@@ -287,7 +293,8 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
 
 
 def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds members that are declared as atomic or locked, but are not atomic or locked."""
+    """Finds members that are declared as atomic although their type is not atomic. Also finds
+    functions that use a member without the lock that its declaration demands."""
     contexts = {context.id: context for context in model.contexts.values()}
     for member in model.shared:
         if "atomic" in member.protection and "atomic" not in member.type:
@@ -312,7 +319,7 @@ def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 member.place,
                 "exec-shared",
-                f"{member.id} is changed by {' and '.join(member.writers)}"
+                f"several contexts use {member.id}: it is changed by {' and '.join(member.writers)}"
                 + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
                 + ", and the design declares no protection",
             )
@@ -321,5 +328,5 @@ def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
     for name, protection in facts.declared.protections.items():
         owner, _, last = name.rpartition("::")
         if name not in members and not (last == "*" and owner in owners):
-            text = f"{name} is not shared by two contexts"
+            text = f"{name} is declared as shared, but two contexts do not use it"
             yield _declared(protection.place, text)

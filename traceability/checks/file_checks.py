@@ -1,5 +1,5 @@
-"""module-file and module-preprocessor: every file belongs to the design and needs no
-preprocessor."""
+"""module-file and module-preprocessor: every file belongs to a part of the design, and uses the
+preprocessor only to include files."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# Files that are not C++. They are texts about folders, and inputs of the linker and of the K64
-# build.
+# Files that are not C++: descriptions of folders, linker scripts, and settings of the K64 build.
+# They need no module.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
 NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
@@ -35,8 +35,8 @@ def _finding(place: Place, text: str) -> Finding:
 
 
 def _files(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds a file that belongs to no module, to no data type and to no composition, and is not
-    listed as shared."""
+    """Finds files that belong to nothing in the design: to no module, no data type and no
+    composition. Files that design/modules.toml lists as shared are permitted."""
     described = {fact.place.file for fact in facts.syntax.classes if _is_described(fact, facts)}
     described |= {shared.file for shared in facts.declared.shared}
     for path in files_below(facts.root, DESIGN):
@@ -54,20 +54,21 @@ def _files(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _is_described(fact: ClassFact, facts: Facts) -> bool:
-    """Returns whether a class is a module or a data type with a @datatype."""
+    """Returns whether a class is a module, or a data type that has the tag @datatype."""
     name = fact.qualified.rsplit("::", maxsplit=1)[-1]
     return bool(facts.comment(fact).of("datatype")) or name in facts.with_file
 
 
 def _composes(model: Model, folder: str) -> bool:
-    """Returns whether a folder contains functions and no module. Such a folder is the composition
-    of a product."""
+    """Returns whether a folder is the composition of a product. Such a folder has a @function in
+    its module.dox, but contains no module."""
     logic = model.logic_modules.get(folder.removeprefix("src/"))
     return logic is not None and bool(logic.function) and not logic.modules
 
 
 def _outside(facts: Facts) -> Iterator[Finding]:
-    """Finds functions and classes next to a module that other files can use without the module."""
+    """Finds functions and classes that are in the file of a module but not part of its class, if
+    other files can use them."""
     shared = {Path(item.file).stem for item in facts.declared.shared}
     for body in facts.syntax.bodies:
         stem = Path(body.place.file).stem
@@ -75,7 +76,10 @@ def _outside(facts: Facts) -> Iterator[Finding]:
         if body.owner or body.local or module not in facts.modules or stem in shared:
             continue
         if not body.id.startswith("operator"):
-            text = f"the function {body.id} is next to {module}, and other files can call it"
+            text = (
+                f"the function {body.id} is in a file of {module} but not in the class, and other "
+                "files can call it"
+            )
             yield _finding(body.place, text)
     for fact in facts.syntax.classes:
         if (
@@ -88,11 +92,14 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _loose(facts: Facts) -> Iterator[Finding]:
-    """Finds a variable that belongs to no object. All objects of a class share such a variable."""
+    """Finds variables in the file of a module that are not members of an object. All objects of the
+    class would share such a variable."""
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)
         if module in facts.modules:
-            text = f"{variable.name} can change, and is outside the objects of {module}"
+            text = (
+                f"the variable {variable.name} is not a member, so all objects of {module} share it"
+            )
             fix = "make it a member, or a constant"
             yield Finding(variable.place, "module-file", text, fix)
 
@@ -105,7 +112,8 @@ def _idle(facts: Facts) -> Iterator[Finding]:
 
 
 def _preprocessor(root: Path) -> Iterator[Finding]:
-    """Finds macros and conditions. With them, products would compile different texts."""
+    """Finds macros and #if conditions. They are forbidden because the compiler could then read
+    different code for different products."""
     for place, line in lines_below(root, DESIGN, (".cpp", ".hpp")):
         match = DIRECTIVE.match(line)
         if match is None or (match[1] == "include" and NAMED.match(match[2])):

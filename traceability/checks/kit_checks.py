@@ -1,4 +1,5 @@
-"""change-kit: a class with the role of the recipe makes each likely change."""
+"""change-kit: for each likely change, a folder shows how to make it. The folder adds a class with
+the role that the recipe of the pattern demands, or edits a file that the recipe names."""
 
 from __future__ import annotations
 
@@ -22,7 +23,9 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     for name, change in model.changes.items():
         if change.made is None:
             place = model.patterns[name].place
-            wrong.append((place, f"no folder of changes/ makes the likely change of {name}"))
+            wrong.append(
+                (place, f"no folder of changes/ shows how to make the likely change of {name}")
+            )
         else:
             problems = _change(model, facts, change, change.made, kits[name])
             wrong += [(change.made.place, text) for text in problems]
@@ -42,7 +45,7 @@ def _change(
             parts = " or ".join(change.derives or change.altered)
             yield (
                 f"{name} has no role in {change.application}: "
-                f"it does not derive from {parts} and does not use it"
+                f"it neither derives from {parts} nor uses {parts}"
             )
     if not made.classes and not _touches(model, change, made):
         yield f"the folder of the change edits none of {', '.join(change.altered)}"
@@ -56,7 +59,8 @@ def _change(
 
 
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
-    """Returns whether a class of the folder makes the change of the recipe."""
+    """Returns whether a class in the folder has one of the roles that the recipe demands for the
+    new class."""
     above = set(_above(facts, kit, name))
     if change.derives:
         return not above.isdisjoint(change.derives)
@@ -71,14 +75,15 @@ def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str
 
 
 def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> bool:
-    """Returns whether the folder changes the file of an altered module."""
+    """Returns whether the folder edits the file of a module that the recipe lists as altered."""
     headers = [model.modules[name].place.file for name in change.altered]
     files = {*headers, *(name.replace(".hpp", ".cpp") for name in headers)}
     return made is not None and not files.isdisjoint(made.patched)
 
 
 def _above(facts: Facts, kit: Kit, name: str) -> Iterator[str]:
-    """Returns all base classes of a class of the folder, or of the design."""
+    """Returns all direct and indirect base classes of a class. The class can be in the folder of
+    the change or in the design."""
     bases = [kit.bases[name]] if kit.bases.get(name) else []
     if name in facts.classes:
         bases = list(facts.classes[name].bases)

@@ -1,4 +1,5 @@
-"""link-site: the built site has no dead link. link-doc: the files that the pages name exist."""
+"""link-site: the built site has no dead link. link-doc: the files, commands, programs and pins that
+hand-written pages name exist."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
 
 PAGES = ("README.md", "docs")
-# A path of a file of the project. It is in backticks, or is the target of a link.
+# Matches the path of a project file that is in backticks or is the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # links in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
@@ -30,12 +31,13 @@ PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
 KEY = re.compile(r"\bkey ``(\w)``")
-HELP = '"--help"'  # an option of every command
+HELP = '"--help"'  # this option exists for every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
-CACHE = "pages-cache/links"  # a folder next to the site
-FEW = 100  # With at most this number of pages, a single process is as fast as several processes.
+CACHE = "pages-cache/links"  # the folder with this cache is next to the site
+# Up to this number of pages, a single process is used, because several processes are not faster.
+FEW = 100
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -59,7 +61,7 @@ def _read(file: str) -> _Page:
     for attribute in ATTRIBUTE.finditer(text):
         start = text.rfind("<", 0, attribute.start())
         if start < text.rfind(">", 0, attribute.start()):
-            continue  # The match is in the text outside of tags.
+            continue  # The match is in the text between tags, and not in a tag. Ignore it.
         name, value = attribute[1], html.unescape(attribute[2][1:-1])
         if name == "id" or (name == "name" and text.startswith("<a ", start)):
             page.anchors.add(value)
@@ -73,7 +75,8 @@ def _read(file: str) -> _Page:
 
 
 def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
-    """Reads each file that is new or has changed since the last read."""
+    """Reads each file that is new or has changed since the last run. The contents of the other
+    files are in the cache."""
     cached: dict[str, tuple[object, _Page]] = {}
     code = file_hash(Path(__file__))
     with suppress(OSError, EOFError, pickle.UnpicklingError), cache.open("rb") as stream:
@@ -86,7 +89,8 @@ def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
         cached |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
     cached = {name: cached[name] for name in names}
     cache.parent.mkdir(parents=True, exist_ok=True)
-    # Another process may read the cache at the same time.
+    # The cache is replaced in one step, because another process may read the cache at the same
+    # time.
     new = cache.with_suffix(f".{os.getpid()}")
     new.write_bytes(pickle.dumps(code) + pickle.dumps(cached))
     new.replace(cache)
@@ -94,7 +98,7 @@ def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
 
 
 class _Site:
-    """The files below a folder, and the targets in its pages."""
+    """The built site: its files, and the links and anchors of its pages."""
 
     def __init__(self, root: Path) -> None:
         self.root = str(root.resolve())
@@ -104,14 +108,15 @@ class _Site:
         self.away = functools.cache(self._away)
 
     def reason(self, file: str, folder: str, link: str) -> str:
-        """Returns the reason why a link is dead. The reason is empty if the target exists."""
+        """Returns the reason why a link of a page is dead. Returns the empty string if the target
+        of the link exists."""
         if link.startswith(("#", "?")):
             return self._without(file, link.partition("#")[2])
         return self.away(folder, link)
 
     def _away(self, folder: str, link: str) -> str:
-        """Returns the reason why a link is dead. The reason is the same for all pages of a folder,
-        and is computed once."""
+        """Returns the reason why a link is dead, or the empty string. All pages of a folder have
+        the same result, so a cache avoids the second computation."""
         path, _, fragment = link.partition("#")
         path = path.partition("?")[0]
         if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
@@ -146,8 +151,8 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
 
 
 def check(model: Model, site: Path) -> Iterator[Finding]:
-    """Returns one finding for each link in a source text, even if several pages contain the
-    link."""
+    """Finds dead links. If a dead link of one source text is in several pages, there is only one
+    finding."""
     places = _sources(model)
     root = site.resolve()
     texts = Texts(root.parent.parent)
@@ -168,7 +173,8 @@ def _others(links: list[tuple[str, str]]) -> str:
 
 
 def dead_clicks(site: Path) -> Iterator[Finding]:
-    """Finds clicks of questions that lead to no page of the site."""
+    """Finds clicks in design/questions.toml whose target page the site does not contain. The clicks
+    are the links that lead a reader to the answer of a question."""
     path = site.resolve().parent.parent / QUESTIONS
     lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
     for number, line in enumerate(lines, 1):
@@ -180,7 +186,8 @@ def dead_clicks(site: Path) -> Iterator[Finding]:
 
 
 def has_page(site: Path, name: str) -> bool:
-    """Returns whether the site has a page, and whether the page has the anchor after the #."""
+    """Returns whether the site contains the named page. If the name has an anchor after a "#", the
+    page must contain this anchor too."""
     page, _, anchor = name.partition("#")
     path = site / page
     if not path.is_file():
@@ -189,15 +196,16 @@ def has_page(site: Path, name: str) -> bool:
 
 
 class Texts:
-    """The source texts of pages, which contain links."""
+    """The source texts of the pages: the files of docs/ and the templates. Finds the source line of
+    a link."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """Returns the place of a link. It returns no place if the text contains only parts of the
-        link."""
+        """Returns the source line that contains a link as it is. Returns None if the link is
+        composed of several parts, because then no source text contains the whole link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
@@ -222,7 +230,8 @@ class Texts:
 
 
 def missing_paths(root: Path) -> Iterator[Finding]:
-    """Finds missing files and folders that a page or a text of the design names."""
+    """Finds names of files and folders that do not exist, in the pages of docs/ and in the texts of
+    design/."""
     names, suffixes = ("README.md", "docs", "design"), (".md", ".rst", ".toml")
     for place, line in lines_below(root, names, suffixes):
         if place.file.endswith(".toml") and line.startswith("#"):
@@ -236,7 +245,8 @@ def missing_paths(root: Path) -> Iterator[Finding]:
 
 
 def missing_commands(root: Path) -> Iterator[Finding]:
-    """Finds missing commands of ./wr and missing options that a page or the README names."""
+    """Finds commands of ./wr and options of these commands that do not exist, in the pages of docs/
+    and in the README."""
     code = "".join(
         path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
     )
@@ -250,7 +260,8 @@ def missing_commands(root: Path) -> Iterator[Finding]:
 
 
 def missing_parts(root: Path) -> Iterator[Finding]:
-    """Finds missing products, programs and pins that a page names."""
+    """Finds names of products, programs, keys and pins that do not exist, in the pages of docs/ and
+    in the README."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     targets, keys = _targets(root), _keys(root)
@@ -264,7 +275,7 @@ def missing_parts(root: Path) -> Iterator[Finding]:
 
 
 def _pins(root: Path) -> set[str]:
-    """Returns the pins of the table of pins, and the pins that its comments name."""
+    """Returns the pins that src/k64/pins.hpp lists or names in comments."""
     path = root / "src" / "k64" / "pins.hpp"
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     rows = {f"PT{port}{number}" for port, number in re.findall(r"Port::([A-E]), (\d+)", text)}
@@ -272,7 +283,7 @@ def _pins(root: Path) -> set[str]:
 
 
 def _keys(root: Path) -> set[str]:
-    """Returns the keys that the client reads."""
+    """Returns the keys of the keyboard to which the client reacts."""
     files = files_below(root, ("client",), (".py",))
     return set(re.findall(r'\bb"(\w)"', "".join(path.read_text("utf-8") for path in files)))
 
@@ -287,7 +298,7 @@ def _targets(root: Path) -> set[str]:
 
 
 def _sources(model: Model) -> dict[str, Place]:
-    """Returns the place of the source of each page."""
+    """Returns for each generated page the place of the source from which it is generated."""
     places = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
     places |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
     places |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}

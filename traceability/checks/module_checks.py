@@ -1,4 +1,5 @@
-"""module-*: each design module has one place, one function, one secret and a full interface."""
+"""module-*: each design module has its own header, one function, one secret and a complete
+description of its interface."""
 
 from __future__ import annotations
 
@@ -17,10 +18,10 @@ from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
 FEWEST_WORDS = 3  # smallest number of words of a useful sentence
-FEWEST_OF_BRIEF = 2  # a verb and its object
+FEWEST_OF_BRIEF = 2  # words: a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
-# The text of a number states a unit, a count, the number of an item, bytes, or the value of a
-# field.
+# A description of a number must contain one of these words. They show the meaning of the number: a
+# unit, a count, the number of an item, bytes, or the value of a field.
 MEANING = re.compile(
     r"\[.+?\]|\bunit\b|\bnumbers?\b|\bbytes?\b|\bfields?\b|\bcount|\bhow many\b|\bsteps?\b"
     r"|\bfactor\b|\braw\b|\bcheck sum\b|\bits value\b|\bidentif",
@@ -28,7 +29,8 @@ MEANING = re.compile(
 )
 
 
-# Types of values with a unit. Their text states the unit, or states that the value has no meaning.
+# Types of values with a unit. The description of such a value must state the unit, or must state
+# that the value has no meaning.
 QUANTITY = re.compile(
     r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
 )
@@ -59,9 +61,11 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds modules that no composition reaches. The search follows names in the code and base
-    classes."""
-    named: dict[str, set[str]] = {}  # Module -> names in its code. The key of a composition is "".
+    """Finds modules that are part of no product. The search starts at the compositions of the
+    products. From there, it follows the names of classes in the code, and the base classes."""
+    # Module -> classes that its code names. The key "" contains the classes that the compositions
+    # name.
+    named: dict[str, set[str]] = {}
     for name in facts.syntax.names:
         user = facts.user(name.by, name.place)
         owner = user if user in model.modules else ""
@@ -73,12 +77,15 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
         work += reached
     for module in model.modules.values():
         if not module.datatype and module.name not in used and named.get(""):
-            text = f"no composition uses {module.name}, so no product contains it"
+            text = (
+                f"no composition uses {module.name}, directly or through other modules, so no "
+                "product contains it"
+            )
             yield Finding(module.place, "module-used", text)
 
 
 def _products(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds modules that the list of products names and that do not exist."""
+    """Finds names in design/products.toml for which no module exists."""
     file = str(PRODUCT_LIST)
     products = listed(facts.root) if (facts.root / PRODUCT_LIST).exists() else []
     place = Place(file, 1)
@@ -94,7 +101,7 @@ def _products(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds a method of a data type with a condition or a loop."""
+    """Finds methods of data types that contain a condition or a loop."""
     for body in facts.syntax.bodies:
         if (module := model.modules.get(body.owner)) and module.datatype and body.branches:
             text = f"{body.id} has a condition or a loop, and {body.owner} is a data type"
@@ -125,8 +132,8 @@ def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
 
 
 def _written(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds modules of the design that are missing in the code. Also finds a number of modules that
-    differs from the paper."""
+    """Finds modules that design/modules.toml lists but the code does not contain. Also reports if
+    the number of listed modules differs from the number in the paper."""
     names = facts.declared.names
     written = {name: str(Path(fact.place.file).parent) for name, fact in facts.classes.items()}
     for logic, place in facts.declared.name_places.items():
@@ -170,7 +177,8 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> It
 
 
 def says(text: str) -> bool:
-    """Returns whether a text is a sentence and not a placeholder."""
+    """Returns whether a text is long enough for a sentence and contains no placeholder such as
+    TODO."""
     return len(text.split()) >= FEWEST_WORDS and not PROMISE.search(text)
 
 
@@ -180,7 +188,7 @@ def words_of(text: str) -> str:
 
 
 def _nested(facts: Facts) -> Iterator[Finding]:
-    """Finds public classes of a module without a brief."""
+    """Finds public nested classes of a module that have no @brief."""
     nested = [
         fact
         for fact in facts.syntax.classes
@@ -192,8 +200,8 @@ def _nested(facts: Facts) -> Iterator[Finding]:
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
-    """Finds public parts of a header that have no brief. Registers need no brief, because the
-    manual defines them."""
+    """Finds public declarations in headers that have no @brief. Registers need no @brief, because
+    the manual of the microcontroller describes them."""
     seen = {
         (finding.place.file, finding.place.line)
         for finding in findings
@@ -214,8 +222,9 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
 
 
 def _units(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds a unit in a text that differs from the unit of the type."""
-    texts: list[tuple[Place, str, str, str]] = []  # place of the text, name, text and type
+    """Finds descriptions of a parameter or a result that state another unit than the type."""
+    # each element: place of the description, name, description, type
+    texts: list[tuple[Place, str, str, str]] = []
     for module in model.modules.values():
         for method in module.methods:
             texts += [
@@ -238,9 +247,8 @@ def _units(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
-    """Returns whether a declaration has a comment. For an object, the comment of its class is
-    sufficient.
-    """
+    """Returns whether a declaration has a comment. A declared object needs no comment of its own if
+    its class has a comment."""
     if facts.comments.at(place.file, place.end or 0).tags:
         return True
     above, line = facts.lines_of(place.file)[max(0, place.line - 2) : place.line]
@@ -306,7 +314,7 @@ def _gives_result(method: Method) -> bool:
 
 
 def _result_of(method: Method) -> str:
-    """Returns the type of the result and the name of the method, as they are in the signature."""
+    """Returns the beginning of the signature: the type of the result and the name of the method."""
     return method.signature.split("(")[0].removeprefix("virtual ").removeprefix("static ")
 
 

@@ -1,4 +1,4 @@
-"""doc-name: the names of the code in texts exist.
+"""doc-name: if a text contains a name of the code, this name exists in the code.
 
 A text is a comment of the code, a literal of a page of docs/, or a text of design/.
 """
@@ -27,14 +27,14 @@ IN_PAGE = re.compile(r"``([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``")
 IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
-PLACEHOLDER = "Class"  # docs/ writes Class::method for any method
+PLACEHOLDER = "Class"  # In docs/, Class::method is an example that represents any method.
 # For each file of the design, the check that finds a wrong name in it.
 CHECKS = {"concordance": "paper-stale", "changes": "pattern-change"}
 
 
 @dataclass
 class Words:
-    """The names that texts may use."""
+    """All names that a text may contain: names of the code and names of the paper."""
 
     code: set[str]
     paper: set[str]
@@ -52,7 +52,8 @@ class Words:
         return member in self.members(owner)
 
     def members(self, owner: str) -> set[str]:
-        """Returns the names that a class declares, inherits or nests."""
+        """Returns the names of the members of a class: own members, inherited members and nested
+        classes."""
         fact = self.facts.classes.get(owner)
         if fact is None:
             return set()

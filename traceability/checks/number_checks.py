@@ -1,4 +1,5 @@
-"""req-number: each number of a requirement is equal to a constant in the code."""
+"""req-number: each number in the text of a requirement is linked to a constant in the code, and has
+the value of this constant."""
 
 from __future__ import annotations
 
@@ -40,7 +41,8 @@ def _unlinked(
     links: RequirementNumbers | None,
     without: dict[str, Place],
 ) -> Iterator[Finding]:
-    """Finds numbers of requirements that are linked with no constant in the design."""
+    """Finds numbers in the texts of requirements that design/requirement_numbers.toml links to no
+    constant."""
     for number in stated.keys() - (links.constants.keys() if links else set()):
         if f"{requirement.id} {number}" not in without:
             text = f"{requirement.id} states {number}, but no constant is linked with it"
@@ -50,7 +52,8 @@ def _unlinked(
 def _linked(
     entry: RequirementNumbers, stated: dict[str, Quantity], facts: Facts
 ) -> Iterator[Finding]:
-    """Finds links to a missing number, or to a constant with another value."""
+    """Finds links with a number that the requirement does not contain, with a constant that does
+    not exist, or with a constant that has another value."""
     for number, name in entry.constants.items():
         place = facts.declared.entries.line_in(entry.place, number)
         constants = constants_named(name, facts.syntax.values)
@@ -62,7 +65,7 @@ def _linked(
             yield Finding(place, "req-number", text)
         elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
             value = f"{constants[0].number} {constants[0].unit}".strip()
-            text = f"{name} is {value}, and {entry.requirement} states {number}"
+            text = f"{name} is {value}, but {entry.requirement} states {number}"
             yield Finding(constants[0].place, "req-number", text)
 
 

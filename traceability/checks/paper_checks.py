@@ -11,7 +11,7 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, PaperElement
 
-# kinds of elements that have the same names in the code
+# kinds of elements whose names in the code must equal the names in the paper
 EXACT = (
     "module",
     "method",
@@ -19,7 +19,7 @@ EXACT = (
     "application",
 )
 COUNT, CONSTANT = "figure-of-design", "constant"
-PAGES = ("view", "docs")  # pages that exist only in the built site
+PAGES = ("view", "docs")  # kinds of link targets that are pages of the built site
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -33,7 +33,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds statements without a place in the paper, and statements whose answer does not exist."""
+    """Finds statements of the paper with a wrong entry: the paper has no such place, the named
+    answer does not exist, or the entry has neither an answer nor a deviation."""
     places = {place.id for place in model.paper_places}
     for statement in model.statements:
         texts = [
@@ -51,8 +52,8 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _unstated(model: Model) -> Iterator[Finding]:
-    """Finds requirements whose source is a place of the paper, and that answer no statement of the
-    paper."""
+    """Finds requirements whose source is a place of the paper, although no statement at this place
+    names the requirement as its answer."""
     answered = {
         (statement.where, target) for statement in model.statements for target in statement.here
     }
@@ -65,7 +66,8 @@ def _unstated(model: Model) -> Iterator[Finding]:
 
 
 def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds elements without exactly one entry, and entries without an element."""
+    """Finds elements of the paper that have no entry or several entries in the concordance. Also
+    finds entries for elements that design/paper.toml does not list."""
     concordance = facts.declared.concordance
     entries: dict[tuple[str, str], PaperElement] = {}
     for entry in model.paper:
@@ -89,8 +91,9 @@ def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 entry.place,
                 "paper-complete",
-                f"the entry of the {entry.kind} {entry.name} names neither a part nor a deviation",
-                "name the part that replaces it, or write a deviation with the reason",
+                f"the entry of the {entry.kind} {entry.name} names neither a counterpart nor a "
+                "deviation",
+                "name the counterpart in this project, or write a deviation with the reason",
             )
     yield from _arrows(model)
 
@@ -115,9 +118,8 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]
 
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
-    """Returns whether the model contains the part that an entry names. Generated pages are in the
-    site, and another check finds them.
-    """
+    """Returns whether the target of an entry exists in the model, for example "module:Wheel". For a
+    generated page, always returns true, because check_pages() searches these pages in the site."""
     kind, _, name = target.partition(":")
     if kind == "method":
         owner, _, method = name.partition("::")
@@ -142,8 +144,8 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
 
 
 def _alias(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds a name that differs from the paper without a reason, and an equal name with a
-    reason."""
+    """Finds a name that differs from the name in the paper although the entry gives no reason. Also
+    finds an entry that gives a reason although both names are equal."""
     if entry.kind not in EXACT or not entry.here:
         return
     same = entry.name in {_name_here(target, model) for target in entry.here}
@@ -165,7 +167,8 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]
 
 
 def _figure(entry: PaperElement, facts: Facts) -> Iterator[Finding]:
-    """Compares counts of the design with the model, and values of constants with the code."""
+    """Compares the numbers in the paper with this project: the number of modules and applications,
+    and the values of constants."""
     said = re.search(r"\d+", entry.name if entry.kind == COUNT else entry.note)
     if said is None or entry.kind not in (COUNT, CONSTANT):
         return
@@ -179,28 +182,32 @@ def _figure(entry: PaperElement, facts: Facts) -> Iterator[Finding]:
         true = {figure for method in methods for figure in _returned(method, facts)}
     if not true or said[0] in true:
         return
-    text = f"the number {said[0]} of {entry.name} is {' or '.join(sorted(true, key=int))} here"
+    text = (
+        f"the paper has the number {said[0]} for {entry.name}, but this project has "
+        f"{' or '.join(sorted(true, key=int))}"
+    )
     place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
     yield Finding(place, "paper-stale", text, "correct the number, or the design")
 
 
 def _returned(method: str, facts: Facts) -> Iterator[str]:
-    """Returns the number that a method returns."""
+    """Yields the numbers that the `return` statements of a method contain."""
     for body in facts.bodies.get(method, []):
         lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
         yield from re.findall(r"\breturn (\d+);", "\n".join(lines))
 
 
 def _name_here(target: str, model: Model) -> str:
-    """Returns the name of an element in this project. The name of an application is its title."""
+    """Returns the name that a target has in this project. A pattern application is named by its
+    title."""
     kind, _, name = target.partition(":")
     application = model.patterns.get(name) if kind == "pattern" else None
     return application.title if application else name
 
 
 def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
-    """Finds generated pages and anchors that entries name and that the built site does not
-    contain."""
+    """Finds links from the concordance and the statements to pages or anchors that the built site
+    does not contain."""
     named = [
         (entry.place, target, "paper-stale", f"the paper's {entry.kind} {entry.name}")
         for entry in model.paper

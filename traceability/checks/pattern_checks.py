@@ -1,5 +1,5 @@
-"""pattern-*: each application binds its roles, and each clause of its pattern is true in the
-code."""
+"""pattern-*: each application of a pattern assigns modules to all roles of the pattern, and the
+code has the structure that the clauses of the pattern demand."""
 
 from __future__ import annotations
 
@@ -16,11 +16,13 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# The comment of a class with an abstract role (such as Strategy) must state why the pattern is used
-# there. If several uses of the pattern share the class, the comments of its subclasses state this.
+# The roles of the classes whose comments may contain @patternapp, which states why the pattern is
+# applied. Usually the comment of the abstract class (for example the Strategy) contains the tag. If
+# the pattern is applied several times to one abstract class, each subclass has its own tag.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
-# The roles of subclasses. A Decorator is a subclass of its Component, and has subclasses.
+# The roles that a subclass can have. The role Decorator is in this list and in ABSTRACTIONS,
+# because a Decorator derives from its Component and also has subclasses.
 SUBCLASS_ROLES = (
     *("Concrete State", "Concrete Strategy", "Concrete Component", "Decorator"),
     *("Concrete Decorator", "Concrete Command", "Concrete Class", "Concrete Builder"),
@@ -41,7 +43,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
-    """Decides every clause in every application of its pattern."""
+    """Checks for every pattern application whether the code fulfils each clause of the pattern.
+    Returns the clauses by the id of the application, and a finding for each violation."""
     parts = {name: _clauses(pattern, model, facts) for name, pattern in model.patterns.items()}
     clauses = {name: clauses for name, (clauses, _) in parts.items()}
     return clauses, [finding for _, findings in parts.values() for finding in findings]
@@ -62,8 +65,8 @@ def _known(application: PatternApplication, facts: Facts) -> Iterator[Finding]:
         )
     module = application.module
     if not any(b.module == module and b.role in DECLARING for b in application.roles):
-        text = f"{module} is not the abstraction of {application.id}"
-        problems.append((text, "write the @patternapp above the abstraction"))
+        text = f"{module} is not the abstract class of {application.id}"
+        problems.append((text, "write the @patternapp above the abstract class"))
     texts = {"title": application.title, "@why": application.why, "@changes": application.changes}
     problems += [
         (f"the application {application.id} has no {name}", "write it below the @patternapp")
@@ -100,7 +103,8 @@ def _roles(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _lost(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds tags that are not above a module. No document shows such tags."""
+    """Finds @patternapp and @role tags that are not above a module. The documents would not show
+    these tags."""
     above = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
     above |= {(pattern.place.file, pattern.place.line) for pattern in model.patterns.values()}
     checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
@@ -129,7 +133,7 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     if binding.application not in model.patterns:
         return (
             f"the application {binding.application} is not declared",
-            "declare it with @patternapp above its abstraction",
+            "declare it with @patternapp above its abstract class",
         )
     return None
 
@@ -139,12 +143,13 @@ def _undeclared(model: Model, facts: Facts) -> Iterator[Finding]:
         if item.id not in model.patterns:
             text = f"no module declares the application {item.id}"
             yield Finding(
-                item.place, "pattern-known", text, "write its @patternapp above its abstraction"
+                item.place, "pattern-known", text, "write its @patternapp above its abstract class"
             )
 
 
 def _undecided(facts: Facts) -> Iterator[Finding]:
-    """Finds clauses of the design that no function decides, and functions without a clause."""
+    """Finds clauses in design/clauses.toml that have no function in pattern_clauses.py, and
+    functions there that have no clause."""
     clauses = facts.declared.clauses
     if not clauses:
         return
@@ -153,7 +158,7 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 Place("design/clauses.toml", 1),
                 "pattern-known",
-                f"no clause {name} is declared, so no application uses this function",
+                f"the clause {name} is not declared, so its function is never used",
                 "declare the clause",
             )
     for clause in clauses.values():
@@ -164,7 +169,8 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
-    """Yields the faults of a clause. A fault has a text, a word at its place, and a fix."""
+    """Returns the faults of a clause. Each fault has a text, the word of the entry to which the
+    finding points, and a fix."""
     problems: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
@@ -198,8 +204,8 @@ def _counts(facts: Facts) -> Iterator[Finding]:
 
 
 def _required(facts: Facts) -> Iterator[Finding]:
-    """Finds roles of an application that are not bound, or that are bound to modules that do not
-    exist."""
+    """Finds pattern applications in the design with wrong roles: a role has no module, a role is
+    unknown, or the module of a role does not exist."""
     patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
     for item in facts.declared.applications.values():
         roles = patterns.get(item.pattern, [])
@@ -208,7 +214,11 @@ def _required(facts: Facts) -> Iterator[Finding]:
         else:
             problems = _roles_of(item, roles)
         problems += [
-            (f"there is no module {module}, which the design binds to {role} in {item.id}", module)
+            (
+                f"there is no module {module}, to which the design assigns the role {role} in "
+                f"{item.id}",
+                module,
+            )
             for role, modules in item.roles.items()
             for module in modules
             if module not in facts.classes
@@ -220,14 +230,15 @@ def _required(facts: Facts) -> Iterator[Finding]:
 
 
 def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
-    """Yields the faults of the roles of an application. Each fault has the word at its place."""
+    """Returns the faults in the roles of a pattern application. Each fault has a text, and the word
+    of the entry to which the finding points."""
     unbound = [
-        (f"{item.id} binds nothing to the role {role}", "roles")
+        (f"{item.id} assigns no module to the role {role}", "roles")
         for role in roles
         if not item.roles.get(role)
     ]
     twice = [
-        (f"{item.id} binds {module} to the role {role} twice", f'"{module}"')
+        (f"{item.id} assigns {module} to the role {role} twice", f'"{module}"')
         for role, modules in item.roles.items()
         for module in {name for name in modules if modules.count(name) > 1}
     ]
@@ -252,9 +263,8 @@ def _missing_roles(
 
 
 def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds subclasses without a role. A nested Command needs no role, because it is the body of a
-    thread.
-    """
+    """Finds subclasses that have no role although their base class has one. A Command that is
+    nested in a module needs no role, because it contains only the code of a thread."""
     findings: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:
@@ -278,11 +288,13 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _has_subclass_role(subclass: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
-    """Returns whether a subclass has a role of a subclass, in this application or in an application
-    that replaces it.
+    """Returns whether a class has the role of a subclass. The role may belong to this pattern
+    application, or to another application that is sufficient.
 
-    Each subclass of a Command or of a Builder has its own application. A decorator of a component,
-    or a decorated component, need not also be an alternative.
+    For most patterns, a role in any application of one of its base classes is sufficient, because
+    each subclass of a Command or of a Builder has its own application. For State, Strategy and
+    Abstract Class, the role must belong to this application. Decorators and the components that
+    they decorate are an exception: they need no second role.
     """
     module = model.modules.get(subclass)
     for role in module.roles if module else []:
@@ -302,7 +314,8 @@ def _has_subclass_role(subclass: str, binding: RoleBinding, model: Model, facts:
 def _clauses(
     application: PatternApplication, model: Model, facts: Facts
 ) -> tuple[list[Clause], list[Finding]]:
-    """Decides every clause of the pattern in an application."""
+    """Checks whether a pattern application fulfils each clause of its pattern. Returns the clauses
+    with their results, and a finding for each violation."""
     clauses: list[Clause] = []
     findings: list[Finding] = []
     shape = Shape(application, facts)
@@ -320,7 +333,7 @@ def _clauses(
 
 
 def _about(application: PatternApplication, clause: ClauseText, model: Model) -> list[Place]:
-    """Returns the places of the modules of a clause."""
+    """Returns the places of the modules whose roles the clause mentions."""
     return [
         model.modules[binding.module].place
         for binding in application.roles

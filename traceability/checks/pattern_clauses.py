@@ -1,7 +1,8 @@
-"""The structural clauses of the patterns, which are decided on the syntax tree.
+"""The functions that check the clauses of the patterns in the syntax tree. A clause is a rule about
+the structure of the code.
 
-The function of a clause gets one application. It yields the places at which the code violates the
-clause.
+The function of a clause receives one pattern application. It yields each place at which the code
+violates the clause, with a text.
 """
 
 from __future__ import annotations
@@ -19,22 +20,21 @@ Broken = Iterator[tuple[Place, str]]
 
 @dataclass
 class Shape:
-    """An application, with queries that the functions of clauses use."""
+    """A pattern application, with queries about its code for the functions of the clauses."""
 
     application: PatternApplication
     facts: Facts
 
     @property
     def replaced(self) -> list[str]:
-        """Returns the operations that decorators of the application replace. Decorators extend the
-        other operations.
-        """
+        """Returns the operations that the decorators implement without a call of the component. For
+        all other operations, a decorator calls the component and adds something."""
         declared = self.facts.declared.applications.get(self.application.id)
         return declared.replaces if declared else []
 
     @property
     def declared_at(self) -> Place:
-        """Returns the place in the design that lists the replaced operations."""
+        """Returns the place of the key `replaces` in design/applications.toml."""
         declared = self.facts.declared.applications.get(self.application.id)
         place = declared.place if declared else self.application.place
         return self.facts.declared.entries.line_in(place, "replaces")
@@ -55,7 +55,7 @@ class Shape:
         return [method for method in self.facts.classes[module].methods if not method.deleted]
 
     def fields(self, module: str) -> list[FieldFact]:
-        """Returns the fields of a class and of the classes nested in it."""
+        """Returns the data members of a class and of its nested classes."""
         inner = f"{module}::"
         return [
             field
@@ -65,9 +65,8 @@ class Shape:
         ]
 
     def bodies(self, module: str) -> list[BodyFact]:
-        """Returns the bodies of a class, of its nested classes, and of the functions in its
-        files.
-        """
+        """Returns the bodies of all functions in the files of a class: its methods, the methods of
+        its nested classes, and free functions."""
         return self.facts.bodies_of.get(module, [])
 
     def user(self, body: BodyFact) -> str:
@@ -84,7 +83,8 @@ class Shape:
         )
 
     def is_given(self, module: str, base: str) -> bool:
-        """Returns whether an own or inherited method of the class gets a reference to the base."""
+        """Returns whether a method of the class, or an inherited method, has a parameter or a
+        result that is a reference or a pointer to the base class."""
         marks = (f"{base}&", f"{base}*")
         for owner in (module, *self.bases(module)):
             for method in self.methods(owner):
@@ -94,9 +94,8 @@ class Shape:
         return False
 
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
-        """Returns the places at which the code of a class names a target, or includes its
-        header.
-        """
+        """Yields the places at which the code of a class names one of the target classes or
+        includes its header. Yields the target with each place."""
         for name in self.facts.names_of.get(by, []):
             target = owner_of(name.target)
             if target in targets and target != by:
@@ -107,7 +106,8 @@ class Shape:
                 yield include.place, target
 
     def marks(self, module: str) -> set[tuple[str, str]]:
-        """Returns the values of an enumeration that a class names."""
+        """Returns the enumerators that the code of a class names, each as enumeration and
+        enumerator."""
         return {
             (name.target, name.member)
             for name in self.facts.names_of.get(module, [])
@@ -115,14 +115,15 @@ class Shape:
         }
 
     def calls(self, module: str) -> Iterator[tuple[str, Place]]:
-        """Returns the methods that the bodies of a class call, by their declared names."""
+        """Yields the calls in the code of a class. Each call has the name of the called method as
+        declared, and the place of the call."""
         for body in self.bodies(module):
             for call in body.calls:
                 yield call.target, call.place
 
     def calls_from(self, method: str, module: str) -> set[str]:
-        """Returns the calls of a method. Calls in methods and functions of its class that it calls
-        are included."""
+        """Returns all methods that a method calls, directly or through other functions of the same
+        class."""
         own = {body.id: body for body in self.bodies(module)}
         work, seen = [method], {method}
         called: set[str] = set()
@@ -183,14 +184,15 @@ def unnamed(role: str, concrete: str) -> Callable[[Shape], Broken]:
 
 
 def state_unmarked(shape: Shape) -> Broken:
-    """Finds a Context that uses the number of a single state."""
+    """Finds a Context that uses an enumerator which only one of the states uses. With this
+    enumerator, the Context could distinguish the states."""
     states = shape.playing("Concrete State")
     named = [mark for state in states for mark in shape.marks(state)]
     own = {mark: state for state in states for mark in shape.marks(state) if named.count(mark) == 1}
     for context in shape.playing("Context"):
         for name in shape.facts.names_of.get(context, []):
             state = own.get((name.target, name.member))
-            # The name is in a data type of the same header.
+            # True if a data type in the same header, and not the Context, uses the name.
             beside = owner_of(name.by) not in (
                 "",
                 context,
@@ -204,8 +206,8 @@ def state_unmarked(shape: Shape) -> Broken:
 
 
 def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
-    """Finds a Context that compares the address of a state, or that branches on the number of a
-    state."""
+    """Finds a Context that tries to detect its present state: the Context compares the address of a
+    state, or has a branch on the enumerator of a state."""
     states = {name for base in shape.playing("State") for name in shape.family(base)}
     contexts = set(shape.playing("Context")) - states
     for branch in shape.facts.syntax.branches:
@@ -217,8 +219,8 @@ def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
 
 
 def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
-    """Finds a Context that takes the address of its present state, because it can compare the
-    address later."""
+    """Finds a Context that takes the address of its present state. The Context could compare this
+    address later to detect the state."""
     bases = shape.playing("State")
     for body in shape.facts.syntax.bodies:
         if body.owner not in contexts:
@@ -236,7 +238,8 @@ def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
 
 
 def called(role: str) -> Callable[[Shape], Broken]:
-    """Finds Contexts that do not call the abstraction, directly or through an inherited method."""
+    """Finds Contexts that never call the abstract class with this role. Calls in inherited methods
+    of the Context count too."""
 
     def clause(shape: Shape) -> Broken:
         for base in shape.playing(role):
@@ -253,8 +256,8 @@ def called(role: str) -> Callable[[Shape], Broken]:
 
 
 def state_change(shape: Shape) -> Broken:
-    """Finds a Context without exactly one operation that assigns the field that refers to the
-    State."""
+    """Finds a Context in which no operation or several operations change the present state. Exactly
+    one operation must assign the member that refers to the State."""
     for base in shape.playing("State"):
         states = shape.family(base)
         for context in shape.playing("Context"):
@@ -281,9 +284,8 @@ def state_change(shape: Shape) -> Broken:
 def change_operation(
     shape: Shape, states: set[str], context: str, changers: dict[str, Place]
 ) -> str:
-    """Returns the operation of the Context that the states call. If there are several, returns the
-    first operation.
-    """
+    """Returns the operation of the Context that the states call to change the state. If no state
+    calls such an operation, returns the first operation that changes the state."""
     by_states = {target for state in states for target, _ in shape.calls(state)}
     own = [method for method in changers if owner_of(method) == context]
     return next((m for m in own if m in by_states), next(iter(own), ""))
@@ -305,9 +307,8 @@ def decorator_holds(shape: Shape) -> Broken:
 
 
 def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
-    """Returns whether a call goes to the component of the Decorator. The component is the only
-    member of its type.
-    """
+    """Returns whether a decorator makes this call on the component that it decorates. The component
+    is the only member of this type in the decorator."""
     return all(
         place.startswith("this ") or owner_of(place.split()[1]) in decorators for place in call.on
     )
@@ -360,7 +361,7 @@ def decorator_forwards(shape: Shape) -> Broken:
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Returns the virtual methods of the same class that each method calls."""
+    """Returns for each method the virtual methods of the same class that it calls."""
     virtual = {method.id for method in shape.methods(module) if method.virtual}
     return {
         body.id: primitives
@@ -370,7 +371,8 @@ def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
 
 
 def template_methods(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Returns the methods that are not virtual and call virtual methods of their class."""
+    """Returns the template methods of a class: the methods that are not virtual and that call
+    virtual methods of the same class."""
     plain = {method.id for method in shape.methods(module) if not method.virtual}
     return {m: called for m, called in primitives_called(shape, module).items() if m in plain}
 
@@ -443,19 +445,19 @@ def command_invoker(shape: Shape) -> Broken:
             yield shape.place(invoker), f"{invoker} does not call {', '.join(commands)}"
         elif calls and not executed(shape, calls):
             concrete = " or ".join(shape.playing("Concrete Command"))
-            yield shape.place(invoker), f"{invoker} gets no {concrete} to execute"
+            yield shape.place(invoker), f"{invoker} receives no {concrete} that it can execute"
 
 
 def executed(shape: Shape, calls: list[CallFact]) -> bool:
-    """Returns whether calls reach a Concrete Command of the application, through the objects that
-    the builders passed."""
+    """Returns whether one of the calls executes a Concrete Command of this pattern application. A
+    call of an abstract Command counts if a builder passed a Concrete Command to the caller."""
     targets = {owner_of(name) for call in calls for name in shape.facts.references.targets(call)}
     return not targets.isdisjoint(shape.playing("Concrete Command"))
 
 
 def command_receiver(shape: Shape) -> Broken:
-    """Finds Concrete Commands whose operation calls no Receiver, and Receivers that no Concrete
-    Command calls."""
+    """Finds Concrete Commands that call no Receiver. Also finds Receivers that no Concrete Command
+    calls."""
     receivers = shape.playing("Receiver")
     reached: set[str] = set()
     for command in shape.playing("Concrete Command"):
@@ -491,8 +493,8 @@ def command_client(shape: Shape) -> Broken:
 
 
 def makers(shape: Shape, product: str) -> Iterator[tuple[Place, str]]:
-    """Yields the places at which an object of a class is constructed, and the constructing class.
-    The class is "" in a composition."""
+    """Yields each place that constructs an object of a class, and the class that contains this
+    place. The name of this class is "" if the place is in a composition."""
     for fact in shape.facts.syntax.names:
         if fact.how == "construct" and fact.target == product:
             yield fact.place, shape.facts.user(fact.by, fact.place)
@@ -514,9 +516,8 @@ def builder_constructs(shape: Shape) -> Broken:
 
 
 def passes_steps_on(shape: Shape, builder: str) -> bool:
-    """Returns whether a Concrete Builder calls the steps of the Builder, which other builders
-    implement.
-    """
+    """Returns whether a Concrete Builder only calls the build steps of the abstract Builder. Other
+    builders then implement these steps and construct the objects."""
     abstract = shape.playing("Builder")
     return builder not in abstract and any(
         owner_of(target) in abstract for target, _ in shape.calls(builder)
@@ -524,7 +525,8 @@ def passes_steps_on(shape: Shape, builder: str) -> bool:
 
 
 def builder_parts(shape: Shape) -> Broken:
-    """Finds the parts of a builder that a module other than a builder constructs."""
+    """Finds places at which a module that is not a builder constructs an object that only a builder
+    may construct."""
     builders = shape.playing("Concrete Builder")
     for part in sorted(parts_of(shape, builders)):
         for place, maker in makers(shape, part):
@@ -533,7 +535,8 @@ def builder_parts(shape: Shape) -> Broken:
 
 
 def parts_of(shape: Shape, builders: list[str]) -> set[str]:
-    """Returns the modules that the builders store or construct, and that have a role."""
+    """Returns the modules that the builders contain as members by value and that have a role in a
+    pattern. The Products are left out."""
     parts = {
         name
         for builder in builders
@@ -545,7 +548,9 @@ def parts_of(shape: Shape, builders: list[str]) -> set[str]:
 
 
 def builder_director(shape: Shape) -> Broken:
-    """Finds a Director that does not call the Builder, or that calls a built part."""
+    """Finds Directors that do not call the Builder, that name a class which they must not use, or
+    that call a method of an object that the builders construct. Also finds Builders that name a
+    Concrete Builder."""
     builders = shape.playing("Builder")
     products = shape.playing("Product")
     concrete = shape.playing("Concrete Builder")
@@ -566,8 +571,9 @@ def builder_director(shape: Shape) -> Broken:
 
 
 def unknown_to(shape: Shape, director: str) -> list[str]:
-    """Returns the parts of builders that the Director must not name. Builders and the Director's
-    own parts are not among them."""
+    """Returns the classes that a Director must not name: the Products and the Concrete Builders.
+    Abstract Builders are permitted. If the Director is itself a Concrete Builder of an application,
+    the classes of this application are permitted too."""
     applications = shape.facts.declared.applications.values()
     bound = [item.roles for item in applications if item.pattern == shape.application.pattern]
     bound.append({role: shape.playing(role) for role in ("Builder", "Concrete Builder", "Product")})
@@ -632,8 +638,7 @@ def singleton_copy(shape: Shape) -> Broken:
 
 
 def serializer_used(shape: Shape) -> Broken:
-    """Finds operations of an element that do not read from a Reader and do not write to a
-    Writer."""
+    """Finds operations of a serialised element that call neither a Reader nor a Writer."""
     abstractions = shape.playing("Reader") + shape.playing("Writer")
     for element in shape.playing("Concrete Element"):
         operations = [body for body in shape.bodies(element) if body.overrides]

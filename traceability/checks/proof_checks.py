@@ -1,4 +1,5 @@
-"""proof-*: the properties are proven, and the model of the proofs agrees with the design."""
+"""proof-*: Spin has proven each property, and the model that Spin explores agrees with the design
+and the code."""
 
 from __future__ import annotations
 
@@ -43,7 +44,7 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
     words = set(re.findall(r"\w+", text))
     for machine in model.machines.values():
         if f"{name_of(machine)}_step" not in words:
-            said = f"the machine {machine.id} is not in the composition"
+            said = f"the state machine {machine.id} is not in the composition of the proofs"
             yield Finding(
                 machine.place, "proof-composition", said, f"call its step in {COMPOSITION}"
             )
@@ -55,13 +56,15 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
             if (name := f"{name_of(machine)}_on_{slug(event)}") not in words
         ]
         for name in missing:
-            said = f"the composition never uses {name} of the machine {machine.id}"
+            said = (
+                f"the composition of the proofs never uses {name} of the state machine {machine.id}"
+            )
             yield Finding(machine.place, "proof-composition", said, f"set it in {COMPOSITION}")
 
 
 def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
-    """Finds hand-written steps that do not name the methods that they model, or name methods that
-    do not exist."""
+    """Finds hand-written steps of the model without a comment that names the modelled methods. Also
+    finds comments that name a method that does not exist."""
     methods = {method.id for module in model.modules.values() for method in module.methods}
     methods |= set(facts.bodies)
     for above, line in zip([Line("", lines[0].place), *lines], lines, strict=False):
@@ -77,14 +80,14 @@ def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
 
 
 def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
-    """Finds numbers of the composition that differ from the code."""
+    """Finds numbers in the composition of the proofs that differ from the constants in the code."""
     for line in lines:
         match = NUMBER.match(line.text)
         if not match:
             continue
         constants = [model.constants.get(name) for name in match.groups()[2:] if name]
         if None in constants:
-            said = f"{match[1]} names a constant that does not exist"
+            said = f"the number {match[1]} is linked with a constant that does not exist"
             yield Finding(line.place, "proof-composition", said)
             continue
         first, *rest = [constant.number for constant in constants if constant]

@@ -1,4 +1,5 @@
-"""doc-frame and doc-example: the table of frames and the worked examples match the code."""
+"""doc-frame and doc-example: the numbers in the table of frames equal the numbers in the code, and
+the bytes of the worked examples are right."""
 
 from __future__ import annotations
 
@@ -21,8 +22,8 @@ def check(_model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _numbers(facts: Facts) -> Iterator[Finding]:
-    """Finds values of an enumeration whose number differs from the enumerator of this name in the
-    firmware."""
+    """Finds values in design/frames.toml whose number differs from the number of the enumerator
+    with the same name in the firmware."""
     path = facts.root / FRAMES
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for table in facts.declared.entries.whole(path).get("enumeration", []):
@@ -40,7 +41,7 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
 
 
 def _enumerators(name: str, facts: Facts) -> dict[str, int]:
-    """Returns the number of each enumerator."""
+    """Returns the number of each enumerator of an enumeration, by name."""
     fact = facts.classes.get(name)
     if fact is None or fact.kind != "enum":
         return {}
@@ -56,7 +57,8 @@ def _enumerators(name: str, facts: Facts) -> dict[str, int]:
 
 
 def _examples(facts: Facts) -> Iterator[Finding]:
-    """Finds examples whose check sum or bytes on the line do not belong to their body."""
+    """Finds examples with a wrong check sum or wrong bytes on the serial line. Both are computed
+    from the body of the frame."""
     path = facts.root / EXAMPLES
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for number, line in enumerate(lines, 1):
@@ -74,7 +76,7 @@ def _examples(facts: Facts) -> Iterator[Finding]:
 
 
 def _crc(data: bytes) -> int:
-    """Returns the CRC-16/CCITT-FALSE."""
+    """Returns the check sum CRC-16/CCITT-FALSE of the bytes."""
     value = 0xFFFF
     for byte in data:
         value ^= byte << 8

@@ -1,4 +1,5 @@
-"""secret-registers: a block of registers is named only by the owners of the block."""
+"""secret-registers: only the modules that own a block of registers use the registers of this
+block."""
 
 from __future__ import annotations
 
@@ -42,7 +43,8 @@ def _owners(facts: Facts) -> dict[str, Block]:
 
 
 def _files(module: str, facts: Facts) -> set[str]:
-    """Returns the place of a module. The place is empty if no module has the name."""
+    """Returns the header and the source file of a module. Returns nothing if no module has this
+    name."""
     fact = facts.classes.get(module)
     if fact is None:
         return set()
@@ -83,8 +85,8 @@ def _used(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _past_the_table(facts: Facts) -> Iterator[Finding]:
-    """Finds a register that is not in the table. Also finds an address that is converted from a
-    number."""
+    """Finds registers that are defined outside the table of registers. Also finds other code that
+    accesses a register by its address."""
     fix = f"add the register to {REGISTERS}, and use it there"
     for name in facts.syntax.names:
         if (
@@ -107,17 +109,16 @@ def _past_the_table(facts: Facts) -> Iterator[Finding]:
 
 
 def _reaches(place: Place, facts: Facts) -> bool:
-    """Returns whether an instruction of a driver reads or writes an address that the driver
-    computes."""
+    """Returns whether an assembler instruction reads or writes memory. The start-up code may do
+    this."""
     lines = (facts.root / place.file).read_text(encoding="utf-8").splitlines()[place.line - 1 :]
     words = "\n".join(lines).partition(";")[0]
     return START_UP not in place.file and MEMORY.search(words) is not None
 
 
 def _twice(facts: Facts) -> Iterator[Finding]:
-    """Finds an address that is in two blocks. The owners of one block could then access the
-    registers of the other block.
-    """
+    """Finds register addresses that occur in two blocks. With such an address, the owner of one
+    block could access a register of the other block."""
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
         if address is None:
@@ -127,14 +128,14 @@ def _twice(facts: Facts) -> Iterator[Finding]:
             continue
         owner = first.setdefault(address, block)
         if owner != block:
-            text = f"the address {address:#x} of {block} is in {owner} already"
+            text = f"the address {address:#x} in the block {block} is already in the block {owner}"
             fix = "keep it only in the block that the manual names"
             yield _finding(Place(REGISTERS, number), text, fix)
 
 
 def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
-    """Yields the line, the block and the address of each register of the table. The address is None
-    if it is not a number."""
+    """Yields the source line, the block and the address of each register in the table. The address
+    is None if the table does not state it as a number."""
     path = facts.root / REGISTERS
     block = ""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
@@ -149,14 +150,15 @@ def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
 
 
 def _outside(facts: Facts) -> Iterator[Finding]:
-    """Finds an offset that leads from one block of registers to another block."""
+    """Finds accesses with an offset that is so large that the accessed register belongs to another
+    block."""
     blocks: dict[str, list[int]] = {}
     for _, block, address in _table(facts):
         if address is not None:
             blocks.setdefault(block, []).append(address)
     for fact in facts.syntax.offsets:
         if fact.offset >= PERIPHERALS:
-            text = f"an offset contains the address {fact.offset:#x}"
+            text = f"the number {fact.offset:#x} in this offset is an address of registers"
             yield _finding(fact.place, text, "call an operation of the owner")
             continue
         own = {block for block, registers in blocks.items() if fact.base in registers}
@@ -170,20 +172,21 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
-    """Returns whether an address is in a block. The address is between the block's registers or in
-    the page of its last register."""
+    """Returns whether an address belongs to a block with these registers. This is the case if the
+    address is between the first and the last register, or in the same memory page as the last
+    register."""
     first, last = min(registers), max(registers)
     return first <= address <= last or _page(address) == _page(last)
 
 
 def _page(address: int) -> int:
-    """Returns the page of an address. A page of a peripheral has 4 KiB. In the core, blocks share
-    pages, so each address is a page."""
+    """Returns the number of the memory page (4 KiB) that contains an address. In the address range
+    of the core, several blocks share a page. There, returns the address itself."""
     return address >> 12 if address < CORE else address
 
 
 def _borrowed(facts: Facts) -> Iterator[Finding]:
-    """Finds a block of the table that contains the address of another block."""
+    """Finds blocks in the table of registers that name a register of another block."""
     own: dict[int, str] = {}
     path = facts.root / REGISTERS
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
@@ -204,7 +207,8 @@ def _borrowed(facts: Facts) -> Iterator[Finding]:
 
 
 def _given(facts: Facts) -> Iterator[Finding]:
-    """Finds a register that a module passes to other modules."""
+    """Finds functions and public members by which a module gives other modules access to a
+    register."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
     table.add(f"result {CLASS}::at")
@@ -218,7 +222,10 @@ def _given(facts: Facts) -> Iterator[Finding]:
             own = _module_of(body.place.file) == _module_of(flow.file)
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
-            text = f"{function} {'returns' if word == 'result' else 'gets'} a register"
+            text = (
+                f"{function} {'returns' if word == 'result' else 'receives'} a register, so two "
+                "modules can access this register"
+            )
             fix = "let the owner read or write the register, and return the meaning of its value"
             findings[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
@@ -235,7 +242,8 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Returns whether other modules can call a function to get its result."""
+    """Returns whether other modules can call a function and receive a register as the result.
+    Returns false for `word` "param"."""
     if word == "param" or body.local:
         return False
     methods = facts.classes[body.owner].methods if body.owner in facts.classes else []
@@ -243,7 +251,7 @@ def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
 
 
 def _linked(facts: Facts) -> Iterator[Finding]:
-    """Finds a symbol that the linker places at the address of a register."""
+    """Finds symbols of linker scripts whose address is the address of a register."""
     text = "the linker defines a symbol at an address of registers"
     for place, line in lines_below(facts.root, DESIGN, (".ld",)):
         if any(int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line)):

@@ -1,4 +1,5 @@
-"""Every check: its rule, its limits and the fix of a finding."""
+"""The list of all checks. Each entry states the rule, the limits of the check, and how to fix a
+finding."""
 
 from __future__ import annotations
 
@@ -20,16 +21,16 @@ class Check:
 
     @property
     def why(self) -> str:
-        """Returns the purpose of the family of the check."""
+        """Returns the reason why the family of this check exists."""
         return WHY[self.id.split("-", maxsplit=1)[0]]
 
     @property
     def text(self) -> str:
-        """Returns the whole description, as plain text."""
+        """Returns the complete description of the check as plain text."""
         return f"{self.holds} {self.blind} To fix a finding: {self.fix}"
 
 
-# The first word of an id names its family.
+# The purpose of each family of checks. The first word of a check's id is the name of its family.
 WHY = {
     "syntax": "All other checks read the syntax tree. They need a tree without errors.",
     "design": "The checks compare design/ with the code. They cannot compare a file that they "
@@ -41,7 +42,8 @@ WHY = {
         "specification. To do this, the developer need not read the other modules."
     ),
     "secret": (
-        "If another module uses hidden names, a change of the secret also changes that module."
+        "Names that only one module may use hide a design decision, the secret of this module. If "
+        "another module uses these names, a change of the decision also changes that other module."
     ),
     "pattern": (
         "A pattern makes changes easy only while the code has the structure of the pattern. Each "
@@ -52,18 +54,25 @@ WHY = {
         "The allowed uses of a module show two facts: which modules must be reused together with "
         "it, and which changes can break it."
     ),
-    "board": "The virtual K64 replaces the hardware. A mistake that the virtual K64 does not "
-    "detect reaches the robot.",
-    "tree": (
-        "A tree shows how the code fulfils a requirement. The code must be able to make the calls "
-        "of the tree, and a run must make them."
+    "board": (
+        "In the tests, the virtual K64 replaces the hardware. If the virtual K64 does not detect "
+        "a mistake, the mistake can reach the robot."
     ),
-    "fsm": "People read a state machine instead of the code of its states. Both must therefore be "
-    "equal.",
-    "proof": "A test covers some sequences of events. A proof covers all sequences of the model.",
+    "tree": (
+        "An invocation tree shows the calls by which the code fulfils a requirement. The code "
+        "must contain these calls, and a test must execute them."
+    ),
+    "fsm": (
+        "People read the declared state machine instead of the code of the states. Therefore, "
+        "the machine and the code must have the same transitions."
+    ),
+    "proof": (
+        "A test checks only some sequences of events. A proof checks all sequences that are "
+        "possible in the model."
+    ),
     "exec": (
-        "Contexts of different priorities share data. A wrong call may cause a fault only once in "
-        "a thousand cycles."
+        "Interrupts and threads of different priorities share data. A wrong access may cause a "
+        "fault only once in a thousand cycles, so that tests do not find it."
     ),
     "stack": (
         "The threads and interrupts share one stack. The stack must be large enough for the "
@@ -75,16 +84,16 @@ WHY = {
     "req": "A requirement is fulfilled only when the code, the tests and the test results show "
     "this.",
     "suspect": (
-        "A verdict is valid only for the texts that were judged. The baseline shows which of these "
-        "texts changed."
+        "A verdict is valid only for the texts that were judged. By comparison with the baseline, "
+        "the checks find the texts that changed since."
     ),
     "hazard": (
-        "The safety case links each hazard with tests that ran. A missing link makes the argument "
-        "invalid, and a reader may not notice the missing link."
+        "The safety case leads from each hazard to tests that ran. If a link in this chain is "
+        "missing, the argument is invalid, and a reader may not notice the gap."
     ),
     "paper": (
-        "The paper is the reference of the design. The project uses the names of the paper, or "
-        "states the difference."
+        "The paper describes the design that this project implements. The project uses the names "
+        "of the paper, or explains why a name is different."
     ),
     "arch": "The architecture is the first picture that a newcomer sees. It must match the code.",
     "link": "A reader who follows a link must find the target.",
@@ -189,45 +198,47 @@ _FIXED = [
     Check(
         "module-count",
         "The modules of the design, and no others",
-        "Every design module below src is listed for its folder in design/modules.toml. Every "
-        "listed module exists and is not a data type. The number of listed modules equals the "
-        "number in the paper. Modules of extensions are not counted.",
+        "design/modules.toml lists every design module below src, under the folder of the module. "
+        "Every listed module exists and is not a data type. The number of listed modules equals "
+        "the number in the paper. Modules of extensions are not counted.",
         "The check cannot judge whether the list is correct.",
         "remove the module, mark a value type with @datatype, or change design/modules.toml.",
     ),
     Check(
         "module-used",
         "Each design module is part of a product",
-        "The names in the code lead from a composition to every design module. Every module that "
-        "design/products.toml lists exists.",
-        "The check does not detect whether the product runs the code of the module, or whether "
-        "CMake builds the composition.",
-        "let a builder construct the module, or remove it.",
+        "Every design module is used: a composition names the module, or a used module names it. "
+        "Every module that design/products.toml lists exists.",
+        "The check does not detect whether the product ever executes the code of the module. It "
+        "also does not detect whether CMake builds the composition.",
+        "let a builder construct the module, or remove the module.",
     ),
     Check(
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "The check does not find a computation without a condition and without a loop, or a free "
-        "function that works on the data.",
+        "The check does not find a computation that needs no condition and no loop. It does not "
+        "find a free function that works on the data.",
         "move the behaviour into a module.",
     ),
     Check(
         "pattern-known",
         "Known pattern applications",
-        "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes. It is declared once, above its abstraction. Every application of the design is "
-        "declared. Every clause that a check decides is declared with its pattern and its roles.",
+        "Every @patternapp has a title, @why, @changes, and the id and the pattern of an entry in "
+        "design/applications.toml. The tag is above the abstract class of the pattern. Every "
+        "entry of design/applications.toml has exactly one @patternapp. Every clause that a "
+        "function of the checks decides is declared in design/clauses.toml with its pattern and "
+        "its roles.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
     Check(
         "change-tuned",
         "Tuned constants are declared",
-        "If the name or the comment of a constant mentions control cycles or ticks, the constant "
-        "depends on SystemConstants. The code then computes the constant from SystemConstants, or "
-        "design/tuned.toml declares this dependence. The page of the change lists the computed and "
-        "the declared constants.",
+        "If the name or the comment of a constant mentions control cycles or ticks, the check "
+        "assumes that the value depends on SystemConstants. Then the code must compute the value "
+        "from SystemConstants, or design/tuned.toml must declare the dependence. The page about a "
+        "change of SystemConstants lists the computed and the declared constants.",
         "The check does not find a value that depends on another constant if neither its name nor "
         "its comment shows this.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
@@ -246,11 +257,11 @@ _FIXED = [
     Check(
         "change-kit",
         "Likely changes are made",
-        "Each application of a pattern has a folder of its name in changes/, which makes the "
-        "likely change. The folder names a class that derives from a base class of the recipe, or "
-        "it edits a module that the recipe alters. The folder names tests on the host and on the "
-        "virtual K64, and these tests exist. If the change alters existing lines, the folder "
-        "states the reason.",
+        "For each application of a pattern, changes/ contains a folder with the id of the "
+        "application. The files in the folder make the likely change. The folder names a class "
+        "that derives from a base class of the recipe, or it edits a module that the recipe "
+        "alters. The folder names tests on the host and on the virtual K64, and these tests "
+        "exist. If the change alters existing lines, the folder states the reason.",
         "The check cannot judge whether the change is likely, or whether the tests of the change "
         "find a fault in it.",
         "complete the folder of the change as changes/README.md explains.",
@@ -261,16 +272,17 @@ _FIXED = [
         "Every @role names an application that is declared, and a role of its pattern. The tag is "
         "written once. It is above a module that the design binds to that role, or above a module "
         "of an extension.",
-        "The check does not find a class that has a role without a mark. The clauses of the "
-        "pattern find some of these classes.",
-        "correct the application or the role, or change the design.",
+        "The check does not find a class that plays a role in a pattern but has no @role. The "
+        "clauses of the pattern find some of these classes.",
+        "correct the application or the role in the tag, or change design/applications.toml.",
     ),
     Check(
         "pattern-role-missing",
         "All roles bound",
-        "Every module that the design binds to a role of a declared application has the @role.",
+        "If the design assigns a module to a role of a pattern application, the comment of the "
+        "module contains this @role.",
         "The check does not find a role that the design does not list. `pattern-role-required` "
-        "finds it.",
+        "finds such a role.",
         "write the @role above the class.",
     ),
     Check(
@@ -280,7 +292,8 @@ _FIXED = [
         "that exist. It assigns no other role.",
         "The check cannot judge whether the module has the function of the role. The clauses of "
         "the pattern find some wrong modules.",
-        "bind the role, or correct the name of the module.",
+        "assign a module to the role in design/applications.toml, or correct the name of the "
+        "module.",
     ),
     Check(
         "pattern-count",
@@ -293,20 +306,21 @@ _FIXED = [
     Check(
         "pattern-heir-unbound",
         "Every subclass has a role",
-        "Every class that derives from an abstraction of an application has the role of a "
-        "subclass. A subclass of a State, a Strategy or an Abstract Class has this role in each "
-        "application of the abstraction. The role is not needed if the subclass extends a "
-        "component or is an extended component. A Command that is nested in a module is the body "
-        "of a thread, and needs no role.",
-        "The check cannot judge whether the role is right.",
-        "bind the subclass to a role, or derive it from another class.",
+        "If a class has an abstract role in a pattern application (for example Strategy), every "
+        "subclass has the role of a subclass (for example Concrete Strategy). For a State, a "
+        "Strategy or an Abstract Class, the subclass needs this role in each application of the "
+        "base class. There are two exceptions. A decorator, or a component that is decorated, "
+        "needs no second role. A Command that is nested in a module contains only the code of a "
+        "thread, and needs no role.",
+        "The check cannot judge whether the subclass has the right role.",
+        "give the subclass a role, or derive the subclass from another class.",
     ),
     Check(
         "uses-allowed",
         "Only allowed uses",
         "Every include, call and name of a class from one logic module in another is allowed in "
         "design/uses.toml.",
-        "The check does not find a use only through a number, such as an address.",
+        "The check does not find a use that needs no name, such as an access to a fixed address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
@@ -317,58 +331,60 @@ _FIXED = [
         "extension uses another extension only where design/uses.toml states the reason.",
         "The check does not compare the parts that the linker adds to the image of a product. "
         "Tests of the products check these parts.",
-        "remove the include or the call: a composition of the extension binds it to the robot.",
+        "remove the include or the call. A composition of the extension must connect the "
+        "extension to the robot.",
     ),
     Check(
         "uses-board",
         "Drivers and virtual board are independent",
         "No file of sim/ or tests/ includes a file that is only for the K64. No file of "
-        "sim/emulator includes a file of the design, because a driver and its model must not share "
-        "a mistake. The programs of tests/k64/program and tests/usual_design/k64 are exceptions: "
-        "they are compositions of drivers that run on the virtual K64. For src, `uses-allowed` "
-        "shows the users of src/k64.",
-        "The check does not find a number that is wrong in the same way in the driver and in its "
-        "model.",
-        "write the facts from the manual of the microcontroller, or test the image.",
+        "sim/emulator includes a file of the design, because a driver and the model of its device "
+        "must not contain the same mistake. The programs of tests/k64/program and "
+        "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
+        "In src, `uses-allowed` checks which modules use src/k64.",
+        "The check does not find the same wrong number in a driver and in the model of the device.",
+        "write the numbers from the manual of the microcontroller, or test the firmware image on "
+        "the virtual K64.",
     ),
     Check(
         "secret-registers",
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
         "design/register_owners.toml. Each owner uses its namespace. No address is in two "
-        "namespaces. No other file and no linker script defines a register, converts a number to "
-        "an address, names a volatile object, or passes a register to other modules. No offset "
-        "leads from one block of registers to another block. Only the drivers use instructions of "
-        "the processor.",
-        "The check does not detect which channel or pin of a block an owner uses. It does not "
-        "follow an offset that other code computes, and it does not model the effect of a register "
-        "on another block.",
+        "namespaces. Only this file defines registers: no other file and no linker script defines "
+        "a register, converts a number to an address, or names a volatile object. No module "
+        "passes a register to another module. No offset leads from one block of registers to "
+        "another block. Only the drivers use instructions of the processor.",
+        "If a block has several owners, the check does not detect which channel or pin each owner "
+        "uses. It does not follow an offset that is computed elsewhere. It does not detect that a "
+        "register has an effect on another block.",
         "call an operation of the owner, or change the design.",
     ),
     Check(
         "board-finding",
         "Each finding of the virtual K64 has a test",
-        "A test of tests/sim/emulator names every finding in design/board_findings.toml. If a "
-        "seeded fault of a driver caused a finding, this file declares the finding.",
-        "The check does not detect whether the test causes the finding. The result of the test "
-        "shows this.",
+        "For every finding in design/board_findings.toml, a test of tests/sim/emulator names the "
+        "finding. If a seeded fault of a driver caused a finding, design/board_findings.toml "
+        "declares this finding.",
+        "The check does not detect whether the test really causes the finding. The result of the "
+        "test shows this.",
         "write a test that causes the finding, or declare the finding.",
     ),
     Check(
         "board-belief",
         "Each belief of the virtual K64 has a source",
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
-        "file of sim/emulator that contains it, and a declared source. Every register of that "
-        "file has a belief.",
-        "The check does not find a value of a register that is not listed. It cannot judge whether "
-        "the source confirms the belief.",
+        "file of sim/emulator that contains this register, and a declared source. Every register "
+        "of src/k64/registers.hpp has a belief.",
+        "The check does not detect that a value of a register is missing in the list. It cannot "
+        "judge whether the source confirms the belief.",
         "correct the entry or add it, with its source.",
     ),
     Check(
         "uses-cycle",
         "No cycles of uses",
-        "The uses between the top folders form no cycle. Inside a top folder, all cycles are "
-        "declared in design/uses.toml.",
+        "The uses between the top folders form no cycle. Inside a top folder, "
+        "design/uses.toml declares each cycle.",
         "The check does not find cycles between classes of one folder.",
         "remove one of the uses, or declare the cycle in design/uses.toml with the pattern that "
         "causes it.",
@@ -376,8 +392,8 @@ _FIXED = [
     Check(
         "uses-unused",
         "No allowance without use",
-        "Every use that design/uses.toml allows occurs in the code, and is allowed only once. "
-        "Every declared cycle is a cycle of uses within its folder.",
+        "Every use that design/uses.toml allows occurs in the code, and only one entry allows "
+        "this use. Every declared cycle exists in the code, within the declared folder.",
         "The check cannot judge whether the declared reason is good.",
         "remove the entry.",
     ),
@@ -385,17 +401,18 @@ _FIXED = [
         "arch-module",
         "The architecture names modules that exist",
         "Every module that design/architecture.toml names in an element, a group or a connection "
-        "exists. The element of every connector exists too.",
-        "The check cannot judge whether the element is refined into the right modules.",
+        "exists. Every connector that a connection names exists as an element.",
+        "The check cannot judge whether the named modules are the right modules for the element.",
         "correct the name.",
     ),
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "The code has calls from the first module of a connection to the second module. If the "
-        "connection is a command, the calls pass through a Command. A pipe has its writer in the "
-        "first module and its reader in the second module.",
-        "The check does not find physical connections, or connections that nobody declared.",
+        "For each declared connection, the code contains calls from the first module to the "
+        "second module. If the kind of the connection is command, a Command makes the calls. If "
+        "the kind is pipe, the first module writes the pipe and the second module reads it.",
+        "The check does not read physical connections. It does not find connections in the code "
+        "that the architecture does not declare.",
         "correct the connection, or the code.",
     ),
     Check(
@@ -403,20 +420,20 @@ _FIXED = [
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "
         "and a call enables its interrupt line. Each handler, thread body and shared member that "
-        "the file names exists. The lines of a context have its priority, and each pipe of the "
-        "robot has a name.",
+        "design/execution.toml names exists. The interrupt lines of a context have the declared "
+        "priority of the context. Each pipe of the robot has a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
     Check(
         "exec-isr",
         "No interrupt calls a forbidden method",
-        "The handler of an interrupt never reaches a method with @isr{no}. A method with @isr{yes} "
-        "never calls a method with @isr{no}. The check follows calls of an abstraction to the "
-        "objects that the builders passed.",
+        "The handler of an interrupt never reaches a method with @isr{no}. A method with "
+        "@isr{yes} never calls a method with @isr{no}. If the code calls a method of an abstract "
+        "class, the check follows the call to the objects that the builders passed.",
         "The check does not follow calls through pointers to functions. It does not find methods "
         "without @isr, and it cannot judge whether @isr{yes} is true.",
-        "let a thread call the method, or make it safe and write @isr{yes}.",
+        "let a thread call the method, or make the method safe for interrupts and write @isr{yes}.",
     ),
     Check(
         "exec-float",
@@ -440,9 +457,9 @@ _FIXED = [
         "No heap in the source",
         "No file of src and extensions has new, delete, malloc or free. No such file includes a "
         "header of the standard library whose types allocate memory.",
-        "The check does not find a library that allocates memory inside. The symbols of the image "
-        "show such a library.",
-        "use an array or a std::optional of a fixed size.",
+        "The check does not find library code that allocates memory internally. The symbols of "
+        "the firmware image show such code.",
+        "use an array of fixed size or a std::optional.",
     ),
     Check(
         "exec-shared",
@@ -451,17 +468,17 @@ _FIXED = [
         "design/execution.toml declares its protection. A member that is declared as atomic is "
         "atomic. Each use of a member that is declared as masked is under an InterruptLock. One "
         "context writes a pipe, and one context reads it.",
-        "The check does not find changes through parameters that are references, or changes in the "
-        "standard library. It cannot judge whether the protection is sufficient. It does not "
-        "compare two threads of one kind.",
+        "The check does not find changes through parameters that are references, or changes in "
+        "the standard library. It cannot judge whether the protection is sufficient. It does not "
+        "compare two threads of the same kind, such as the threads of two wheels.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
         "stack-call",
         "Each indirect call of the image is known",
-        "The compiler lists the calls of the image through a pointer. Each of these calls is a "
-        "call of a virtual method whose objects the builders passed, or design/stack.toml declares "
-        "the call.",
+        "The compiler lists the indirect calls of the firmware image. For each of these calls, "
+        "the possible targets are known: it is a call of a virtual method, and a builder passed "
+        "the object; or design/stack.toml declares the targets.",
         "The check does not read images with extensions, or an image that was not built from the "
         "present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
@@ -472,16 +489,18 @@ _FIXED = [
         "No function calls itself, directly or through functions of its file. No chain of calls "
         "from a handler enters a function twice. A chain of decorators passes at most once through "
         "each Concrete Decorator of its application.",
-        "The check does not find a decorator that wraps another object of the same class.",
+        "The check does not find a decorator object that decorates another object of the same "
+        "class.",
         "write a loop with a bound.",
     ),
     Check(
         "stack-bound",
         "The stack is large enough for the worst case",
-        "The sum of the deepest chains of calls of all priorities fits into the stack. Each frame "
-        "has a bound. No run in closed loop used more than this sum.",
-        "The check does not count the words that the hardware stores when a fault occurs in a "
-        "fault handler.",
+        "For each interrupt priority, the deepest chain of calls is computed. The sum of the "
+        "stack that these chains need is not larger than the stack. Each stack frame has a known "
+        "size. No closed-loop run used more stack than this sum.",
+        "The check does not count the stack that is needed if a second fault occurs in a fault "
+        "handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
@@ -497,13 +516,14 @@ _FIXED = [
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "Two measured times are at most the bound of the control cycle. These times are the "
-        "longest time to the report in the runs of the bench, and the longest time to the end of "
-        "the main thread in the published random drives. The recorded time of each path is at most "
-        "the bound of the path.",
-        "The check does not find interrupts that occur more often than design/times.toml states.",
-        "correct the bound that is too small. It is the bound of a loop, or a number in "
-        "design/times.toml.",
+        "Two measured times are at most the computed bound of the control cycle: the longest time "
+        "to the report in the runs of the bench, and the longest time to the end of the main "
+        "thread in the published random drives. The recorded time of each path is at most the "
+        "computed bound of this path.",
+        "The check does not detect that an interrupt can occur more often than design/times.toml "
+        "states.",
+        "find the bound that is too small and correct it. It is the declared bound of a loop or a "
+        "number in design/times.toml.",
     ),
     Check(
         "fsm-declared",
@@ -520,29 +540,31 @@ _FIXED = [
     Check(
         "fsm-code",
         "Declared transitions agree with the code",
-        "In each operation, the bodies of the states change to each successor as often as the "
-        "machine declares. The check follows the calls of the operation that assigns the Context's "
-        "state, back to the states. It follows each successor to the object that the builder "
-        "passed. The builder begins with the initial state. If an operation always changes the "
-        "state, no transition of this operation stays in the state. If an operation has a single "
-        "transition, this transition has a guard exactly when the code makes the change "
-        "conditional. Before each change, the code evaluates the conditions that [guards] states "
-        "for the guard. Before the change, the operations of a state also call the methods that "
-        "[actions] states for their actions. They call no other methods of [actions].",
-        "The check cannot judge whether the name of a guard or of an action fits the code. It does "
-        "not detect whether a condition must be true or false. It does not read states that "
+        "In each operation of a state, the code contains as many changes to each successor as the "
+        "machine declares transitions. To find these changes, the check searches all calls of the "
+        "operation that assigns the state of the Context. To find the successor, it searches the "
+        "object that the builder passed. The builder passes the initial state to the Context "
+        "first. If an operation always changes the state, the machine declares no transition that "
+        "stays in the state at this operation. If an operation has a single transition, this "
+        "transition has a guard exactly when the code makes the change conditional. Before each "
+        "change, the code checks the conditions that [guards] lists for the guard, and calls the "
+        "methods that [actions] lists for the action. The operation of a state calls no other "
+        "methods of [actions].",
+        "The check cannot judge whether the name of a guard or of an action fits the code. It "
+        "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
         "correct the code, or the transition in design/fsm.",
     ),
     Check(
         "fsm-seen",
         "Each transition is made in a test",
-        "In the recorded calls of a passed test on the host, the Context calls the operation of "
-        "the state. The next call of a state in these calls fits only the successor. For each "
-        "requirement that a transition names, a test of the requirement makes the transition. No "
-        "test makes a change that is not declared.",
-        "The check does not detect which guard prevented a change of the state. It does not find a "
-        "change after which the test calls no state. It compares nothing while results are stale.",
+        "A passed test on the host made each transition. This is shown by its recorded calls: the "
+        "Context calls the operation of the state, and the next call of a state can only be a "
+        "call of the successor. For each requirement that a transition names, a test of the "
+        "requirement makes the transition. No test makes a change that is not declared.",
+        "The check does not detect which guard prevented a change of the state. It does not find "
+        "a change of the state if the test calls no state after the change. It compares nothing "
+        "while the test results are older than the sources.",
         "make the transition through its Context in a test of its requirement, or correct the "
         "machine.",
     ),
@@ -552,8 +574,9 @@ _FIXED = [
         "Every machine of design/fsm has its step, its guards and its events in the composition "
         "design/proofs/robot.pml. Each hand-written step of the composition lists methods that "
         "exist. Each number of a step equals the constant that the step names.",
-        "The check does not prove that a step behaves like its methods.",
-        "correct the composition, or the names of the code in it.",
+        "The check does not prove that a step of the model behaves like the methods that the step "
+        "names.",
+        "correct the composition, or the names of methods and constants in the composition.",
     ),
     Check(
         "proof-property",
@@ -569,7 +592,7 @@ _FIXED = [
         "Each property is proven",
         "Spin explored every state of the model and found no sequence of events that violates the "
         "property.",
-        "The check does not accept a proof of an older design. It compares nothing until Spin ran "
+        "A proof of an older design does not count. The check reports nothing until Spin has run "
         "on the present design.",
         "correct the design, or the formula; the page Proofs shows the counterexample.",
     ),
@@ -578,8 +601,8 @@ _FIXED = [
         "Controllers and sensors are independent",
         "If design/uses.toml separates two modules, neither module names the other module or "
         "includes its header. No controller names a sensor, and no sensor names a controller.",
-        "The check does not find a third module that passes a sensor to a controller, or a "
-        "controller to a sensor.",
+        "The check does not find a third module that gives a controller a reference to a sensor, "
+        "or gives a sensor a reference to a controller.",
         "pass the value through a pipe.",
     ),
     Check(
@@ -595,27 +618,28 @@ _FIXED = [
         "module-preprocessor",
         "No macro, no condition",
         "The preprocessor only includes named files, so every product compiles the same text.",
-        "The check does not find the files that the build leaves out of a product. The tests of "
-        "the products check these files.",
+        "The check does not detect which files the build includes in a product. The tests of the "
+        "products check this.",
         "use a constant, a template, or another module that the build chooses.",
     ),
     Check(
         "secret-open",
         "No access except through the interface",
-        "No module has public variables or a friend that is not nested in the module. No operation "
-        "returns a reference through which a caller can change a number of the module. No source "
-        "file declares a name that another file defines.",
-        "The check does not find an operation that returns an object or a record of the module, "
-        "such as a part of a builder.",
+        "No module has public variables. Each friend of a module is nested in this module. No "
+        "operation returns a reference with which a caller can change a number of the module. No "
+        "source file declares a name that another file defines.",
+        "The check does not find an operation that returns a reference to a whole object inside "
+        "the module, such as an object that a builder contains.",
         "make the data private and add an operation to the module.",
     ),
     Check(
         "secret-hidden",
         "Hidden names stay inside",
-        "If a module names a header, class, function or constant in @hides, only this module uses "
-        "it. If a logic module hides the name, only files of its folder use it. If a constant is "
-        "hidden, no other constant has the same value and a similar name.",
-        "The check does not find a copy of the same fact with a different name.",
+        "If a module lists a header, class, function or constant in @hides, only this module uses "
+        "it. If a logic module lists a name in @hides, only files of its folder use this name. If "
+        "a constant is listed, no other constant has the same value and a similar name.",
+        "The check does not find a second constant or function that states the same fact under a "
+        "different name.",
         "call an operation of the module instead.",
     ),
     Check(
@@ -628,16 +652,17 @@ _FIXED = [
     Check(
         "tree-node",
         "Trees name existing methods",
-        "Every tree belongs to a requirement. Every node is a method that its class has or "
-        "inherits. A requirement has one tree.",
-        "The check does not distinguish overloads. Methods with one name are one node.",
+        "Every tree belongs to a requirement. Every node names a method that the named class "
+        "declares or inherits. No requirement has two trees.",
+        "The check does not distinguish overloads: all methods with the same name in a class "
+        "count as one method.",
         "correct the name in the tree.",
     ),
     Check(
         "tree-static",
         "Each edge of a tree is a possible call",
-        "The body of each parent has a call that can reach the child. A call of a virtual method "
-        "reaches every method that overrides it.",
+        "For each edge of a tree, the body of the parent method contains a call that can execute "
+        "the child method. A call of a virtual method can execute every method that overrides it.",
         "The check does not detect whether the call is ever executed. It does not follow calls "
         "through pointers to functions.",
         "restore the call in the code, or change the tree.",
@@ -656,10 +681,11 @@ _FIXED = [
     Check(
         "tree-dynamic",
         "Each tree was executed",
-        "A test that verifies the requirement passed, and its recorded calls contain the tree. "
-        "Each child is called within the call of its parent, and in order.",
-        "Operations that the platform implements, such as operations of a port, are not recorded. "
-        "The check compares nothing while results are stale.",
+        "A test that verifies the requirement passed, and its recorded calls contain all calls of "
+        "the tree. Each child is called during the call of its parent, and the children are "
+        "called in the order of the tree.",
+        "Operations that only the target implements, such as reading a pin, are not recorded. The "
+        "check compares nothing while the test results are older than the sources.",
         "correct the tree, or make the calls in a test of the requirement.",
     ),
     Check(
@@ -668,7 +694,7 @@ _FIXED = [
         "Every requirement has a unique id, a sentence with a shall, @rationale, @source and "
         "@priority. The priority is high, medium or low.",
         "The check cannot judge whether the sentence is clear and can be verified.",
-        "write the missing part.",
+        "write the missing part of the requirement.",
     ),
     Check(
         "req-attribute",
@@ -712,7 +738,7 @@ _FIXED = [
         "Every requirement is named in the @satisfies of a method.",
         "The check does not detect whether the method fulfils the requirement. The tests show "
         "this.",
-        "tag the method that does the work with @satisfies.",
+        "write the @satisfies above the method that fulfils the requirement.",
     ),
     Check(
         "req-verified",
@@ -738,8 +764,9 @@ _FIXED = [
         "Code of the firmware calls every public method of a design module, or the method that it "
         "overrides. A builder calls each step and uses each part. Methods without a caller are "
         "justified in design/justified.toml.",
-        "The check does not detect whether the caller runs. It accepts a call in dead code.",
-        "call the method, remove it, or justify it in design/justified.toml.",
+        "The check does not detect whether the calling code is ever executed. It also accepts a "
+        "call in dead code.",
+        "call the method, remove the method, or justify it in design/justified.toml.",
     ),
     Check(
         "req-test",
@@ -833,8 +860,8 @@ _FIXED = [
     Check(
         "hazard-goal",
         "Each safety goal is complete",
-        "A hazard names every safety goal. Every safety goal lists requirements and names a safe "
-        "state.",
+        "For every safety goal, at least one hazard names the goal. Every safety goal lists "
+        "requirements and names a safe state.",
         "The check cannot judge whether the requirements are sufficient to reach the goal.",
         "complete the goal in design/safety_case.toml.",
     ),
@@ -843,8 +870,8 @@ _FIXED = [
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
         "10 %. The reaction time of the firmware is at most this time.",
-        "The check cannot judge whether the distances and energies in the formula fit the robot, "
-        "or whether the tests measure this reaction.",
+        "The check cannot judge whether the distances and energies in the formula are right for "
+        "the robot. It cannot judge whether the tests measure the right reaction.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
     ),
     Check(
@@ -852,9 +879,9 @@ _FIXED = [
         "Goals and requirements name each other",
         "Each goal lists the requirements that name it in @goal. Each listed requirement exists "
         "and has the @goal.",
-        "The check cannot judge whether the requirement serves the goal. It reports nothing if "
-        "some requirements of a goal are not verified. The page of the goal then shows the goal as "
-        "open.",
+        "The check cannot judge whether the requirement really contributes to the goal. If some "
+        "requirements of a goal are not verified, the check reports nothing, but the page of the "
+        "goal shows the goal as open.",
         "add the missing link.",
     ),
     Check(
@@ -869,7 +896,7 @@ _FIXED = [
     Check(
         "hazard-assumption",
         "Each assumption of use covers a hazard",
-        "A hazard names every assumption of use.",
+        "For every assumption of use, at least one hazard names the assumption.",
         "The check cannot judge whether people follow the assumption.",
         "name the assumption in a hazard, or remove it.",
     ),
@@ -878,7 +905,7 @@ _FIXED = [
         "Safety has priority",
         "The priority of a requirement is at least the priority that design/safety_case.toml "
         "derives from the level of its safety goals.",
-        "The check does not read requirements without a goal.",
+        "The check ignores requirements that serve no safety goal.",
         "raise the priority.",
     ),
     Check(
@@ -886,8 +913,8 @@ _FIXED = [
         "A requirement is as in its baseline",
         "These texts of each requirement are unchanged since its baseline: the requirement, its "
         "invocation tree, its transitions of state machines, its safety goals and their hazards.",
-        "The check cannot judge whether the texts are right. A review answers this question. It "
-        "does not find changes of line breaks.",
+        "The check cannot judge whether the texts are right. A review answers this question. The "
+        "check ignores changes of line breaks.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
@@ -945,8 +972,8 @@ _FIXED = [
         "Each entry of design/statements.toml names a place of the paper. The answer of each entry "
         "exists. Each requirement whose source is a place of the paper answers a statement of the "
         "paper.",
-        "The check does not detect whether the list contains every statement of the paper, or "
-        "whether an answer is good. A person compares the list with the paper.",
+        "The check does not detect that a statement of the paper is missing in the list, or that "
+        "an answer is wrong. A person compares the list with the paper.",
         "correct the entry, or add the statement to design/statements.toml.",
     ),
     Check(
@@ -956,7 +983,8 @@ _FIXED = [
         "existing modules, methods, applications, state machines, requirements, checks and pages. "
         "A count of modules or of applications equals the count in the code, and the value of a "
         "constant equals the value in the code.",
-        "The check cannot judge whether the paper means this part. Only a reader can judge this.",
+        "The check cannot judge whether the named part is really the counterpart of the element "
+        "in the paper. Only a reader can judge this.",
         "name the part that replaced the missing part.",
     ),
     Check(
@@ -980,14 +1008,16 @@ _FIXED = [
         "Numbers of the protocol agree with the code",
         "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
         "the same name in the firmware.",
-        "The check does not compare fields, their types and their limits. The tests compare them.",
+        "The check does not compare the fields of the frames, the types of the fields and their "
+        "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",
     ),
     Check(
         "doc-example",
         "Worked examples of the protocol are consistent",
-        "For each example in docs/protocol_examples.txt, the body determines the check sum and the "
-        "bytes on the line.",
+        "For each example in docs/protocol_examples.txt, the stated check sum and the stated "
+        "bytes on the serial line are equal to the values that are computed from the body of the "
+        "frame.",
         "The check does not detect whether the body has the described content. Tests of the "
         "firmware and of the client decode the body.",
         "run tests/python/client/examples.py, which writes the examples.",
@@ -1014,7 +1044,7 @@ _FIXED = [
 
 
 def _clauses() -> list[Check]:
-    # The reader of the model reports errors of this file.
+    # If the file has errors, the reader of the model reports them. They are ignored here.
     entries = Entries(CLAUSES.parents[1]).tables(
         CLAUSES, "clause", {"id": str, "pattern": str, "says": str, "fix": str}, {"about": list}
     )
@@ -1023,7 +1053,8 @@ def _clauses() -> list[Check]:
             entry["id"],
             f"{entry['pattern']}: {entry['id'].split('-', 2)[2].replace('-', ' ')}",
             f"In every application of {entry['pattern']}: {entry['says']}",
-            "The check cannot judge the intent. It compares only the shape of the code.",
+            "The check compares only the structure of the code. It cannot judge whether the "
+            "pattern is used for its purpose.",
             f"{entry['fix']}.",
         )
         for entry, _ in entries

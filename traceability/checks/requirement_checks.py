@@ -1,6 +1,7 @@
-"""req-* and suspect-*: code satisfies each requirement, and passed tests verify it.
+"""req-* and suspect-*: for each requirement, code satisfies it and passed tests verify it.
 
-The texts of each requirement are unchanged since its baseline, and each review is valid.
+Also checks that the texts on which a requirement depends are unchanged since the baseline, and that
+each recorded review is valid.
 """
 
 from __future__ import annotations
@@ -77,7 +78,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _texts(model: Model) -> Iterator[Finding]:
-    """Finds requirements that are not one sentence with a shall, or have no rationale."""
+    """Finds requirements whose text is not one sentence with "shall", and requirements with a
+    missing attribute such as the rationale."""
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
@@ -118,7 +120,8 @@ def _has_way(requirement: Requirement) -> bool:
 
 
 def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds sources that are not a reference to something that exists."""
+    """Finds requirements whose @source has no known kind, or names something that does not exist (a
+    place of the paper, a goal, a chapter or a data sheet)."""
     protocol = facts.root / "docs" / "protocol.rst"
     names = {
         "paper": {place.id for place in model.paper_places},
@@ -157,7 +160,8 @@ def headings(page: Path) -> list[str]:
 
 
 def _without(model: Model) -> list[Finding]:
-    """Finds methods and tests that serve no requirement and are not justified."""
+    """Finds methods and tests that serve no requirement and have no entry in
+    design/justified.toml."""
     justified = {name for item in model.justified for name in item.covers}
     methods = [
         Finding(method.place, "req-method", f"{method.id} serves no requirement")
@@ -202,12 +206,13 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
 def _unneeded(model: Model) -> Iterator[Finding]:
     for item in model.justified:
         if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST)):
-            text = f"no {item.kind} needs this justification: {', '.join(spare)}"
+            text = f"this justification of a {item.kind} is no longer needed for {', '.join(spare)}"
             yield Finding(item.place, "req-justified", text)
 
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds entries of design/mutants.toml that name a line or a mutant that does not exist."""
+    """Finds entries of design/mutants.toml whose source line does not exist in the method. If all
+    mutants were tried, also finds entries whose change was found by a test or was not tried."""
     bodies: dict[tuple[str, str], list[BodyFact]] = {}
     for body in facts.syntax.bodies:
         bodies.setdefault((body.place.file, body.id), []).append(body)
@@ -237,7 +242,8 @@ def _lines_of(root: Path, body: BodyFact) -> list[str]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """Returns the names that are not in use. A path is in use if any of its parts is in use."""
+    """Returns the names of a justification that are no longer necessary. A name with "/" counts as
+    necessary while at least one name of the entry is necessary."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -262,17 +268,15 @@ def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
 
 
 def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
-    """Returns the place of the first requirement that a finding concerns. Results have no place in
-    a source.
-    """
+    """Returns the place of the first requirement to which a finding applies. A finding about test
+    results uses this place, because test results are not in a source file."""
     ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
     return ordered[0].place if ordered else Place("requirements", 1)
 
 
 def _old_image(model: Model, facts: Facts) -> list[Finding]:
-    """Finds an image that is older than the sources. The checks of the image and of its stack do
-    not run for such an image.
-    """
+    """Returns a finding if the firmware image is older than the sources. In this case, the checks
+    of the image and of its stack do not run."""
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
     text = "the image is older than the sources, so no check compares its size and its stack"
@@ -293,11 +297,11 @@ def _requirements(model: Model) -> Iterator[Finding]:
 def unmet(
     model: Model, measured: Mapping[str, float | None], others: Sequence[Finding] = ()
 ) -> Iterator[Finding]:
-    """Finds evidence that is missing or beyond its bound.
+    """Finds metrics of requirements (@evidence) that were not measured or do not meet their bound.
 
-    ``others`` are the findings of the other checks. Some evidence counts these findings. Other
-    evidence is not measured because results are stale. Both kinds of evidence are not reported
-    again.
+    ``others`` are the findings of the other checks. If one of these findings already shows the
+    problem, it is not reported again. Examples are a metric that counts findings, and a metric that
+    was not measured because the results are stale.
     """
     checks = {finding.check for finding in others}
     for requirement in model.requirements.values():
@@ -309,7 +313,8 @@ def unmet(
 
 
 def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
-    """Returns whether findings of other checks state that the evidence does not meet its bound."""
+    """Returns whether the findings of the other checks already report that a metric does not meet
+    its bound."""
     if value is None:
         known = bool(evidence.relation) and not evidence.figure.startswith(CHECKS)
         return known and "req-stale" in checks
@@ -334,7 +339,7 @@ def _results(model: Model) -> Iterator[Finding]:
 
 
 def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds folders of tests that belong to no test program."""
+    """Finds folders with tests that no test program contains."""
     build = facts.root / TEST_BUILD
     text = build.read_text(encoding="utf-8") if build.exists() else ""
     words = {word.strip("./") for word in re.findall(r"[\w./]+", text)}
@@ -352,7 +357,7 @@ def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _built(folder: Path, words: set[str]) -> bool:
-    """Returns whether the build of the tests names the folder, or a folder above it."""
+    """Returns whether the CMake file of the tests names the folder or one of its parent folders."""
     above = [folder, *folder.parents]
     return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
@@ -371,8 +376,8 @@ def _unknown(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds tags that do not name exactly one requirement that exists. Doxygen would ignore a text
-    after the id."""
+    """Finds @satisfies and @verifies tags that name no existing requirement, or several
+    requirements. Several ids in one tag are a fault, because Doxygen reads only the first id."""
     for comment in facts.comments.below(TAGGED):
         for tag in comment.tags:
             if tag.name in _VERBS.values():
@@ -398,8 +403,8 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 
 def _tags(model: Model) -> Iterator[Finding]:
-    """Finds tests whose name contains the id of a requirement, and that do not verify this
-    requirement."""
+    """Finds tests whose name contains the id of a requirement, although the tests have no @verifies
+    for this requirement."""
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
         if match is None:
@@ -414,8 +419,8 @@ def _tags(model: Model) -> Iterator[Finding]:
 
 
 def _lines(model: Model) -> Iterator[Finding]:
-    """Finds lines of a method that no test of its requirements executes, and that are not
-    justified."""
+    """Finds source lines of a method that no test of the method's requirements executes, and that
+    design/justified.toml does not justify."""
     if model.stale_on(HOST):
         return
     for gap in model.line_gaps:
@@ -432,8 +437,8 @@ def _listed(lines: Sequence[int]) -> str:
 
 
 def _suspects(model: Model) -> Iterator[Finding]:
-    """Returns one finding for each changed text. The finding names all requirements that depend on
-    the text."""
+    """Returns one finding for each text that changed since the baseline. The finding names all
+    requirements that depend on this text."""
     asking: dict[Suspicion, list[str]] = {}
     for requirement in model.requirements.values():
         for suspicion in requirement.suspicions:
@@ -459,8 +464,8 @@ def _suspects(model: Model) -> Iterator[Finding]:
 
 
 def _reviews(model: Model) -> Iterator[Finding]:
-    """Finds reviews that are not valid. A valid review is by a person who wrote none of the texts,
-    and answers all questions."""
+    """Finds recorded reviews that are not valid. The reviewer must be a person who wrote none of
+    the reviewed texts, and must have answered all questions."""
     for requirement in model.requirements.values():
         for review in requirement.reviews:
             for objection in review.objections:
@@ -469,7 +474,8 @@ def _reviews(model: Model) -> Iterator[Finding]:
 
 
 def _macros(facts: Facts) -> Iterator[Finding]:
-    """Finds macros of tests that the reader of tests does not recognise."""
+    """Finds test macros that gtest_cases.py cannot read. The tests that they define would be
+    missing in the model."""
     for path in files_below(facts.root, ["tests"], (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
         for line, name in unknown_macros(path.read_text(encoding="utf-8")):
@@ -479,7 +485,7 @@ def _macros(facts: Facts) -> Iterator[Finding]:
 
 
 def _switched_off(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds tests of requirements that GoogleTest does not run, or that skip themselves."""
+    """Finds tests that are disabled. Also finds tests of requirements that skip themselves."""
     for file in sorted({test.place.file for test in model.tests.values()}):
         text = (facts.root / file).read_text(encoding="utf-8")
         if DISABLED not in text and SKIPS not in text:

@@ -1,4 +1,5 @@
-"""hazard-*: the safety case is complete, and its links exist in both directions."""
+"""hazard-*: the safety case is complete. If an entry A must name an entry B and B must name A, both
+links exist."""
 
 from __future__ import annotations
 
@@ -36,7 +37,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds ids without the form of their kind, and names of parts that do not exist."""
+    """Finds ids with a wrong form (the id of a hazard must be HZ-n). Also finds names in the safety
+    case that nothing declares."""
     case = model.safety
     kinds = (("HZ", case.hazards), ("SG", case.goals), ("AU", case.assumptions))
     for prefix, items in kinds:
@@ -70,8 +72,8 @@ def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
 
 
 def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds hazards without a goal and without an assumption, and hazards without a place in the
-    risk graph."""
+    """Finds hazards that have neither a goal nor an assumption. Also finds hazards for which the
+    risk graph has no level."""
     for hazard in model.safety.hazards.values():
         if not hazard.goals and not hazard.assumptions:
             text = f"{hazard.id} has no safety goal and no assumption of use"
@@ -85,7 +87,7 @@ def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds goals without a hazard, without requirements or without a safe state."""
+    """Finds safety goals for which a hazard, the requirements or the safe state is missing."""
     for goal in model.safety.goals.values():
         parts = {
             "hazard": (goal.hazards, "name it in the goals of a hazard, or remove it"),
@@ -98,8 +100,8 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _times(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds goals whose time does not follow from the formula, or is shorter than the reaction time
-    of the firmware."""
+    """Finds safety goals with a wrong time. The time must agree with the value of the goal's
+    formula, and must not be shorter than the reaction time of the firmware."""
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
@@ -117,8 +119,8 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds scenarios that accept a reaction after the time of their goal, although the goal has no
-    exceptions."""
+    """Finds scenarios that accept a slower reaction than their safety goal allows. Goals with
+    declared exceptions are not checked."""
     for goal in model.safety.goals.values():
         for scenario in () if goal.exceptions else scenarios_of(model, goal):
             for line, bound in scenario.bounds.items():
@@ -130,7 +132,7 @@ def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds requirements that name a goal that does not list them."""
+    """Finds requirements whose @goal does not exist, or does not list the requirement."""
     for requirement in model.requirements.values():
         for name in requirement.goals:
             goal = model.safety.goals.get(name)
@@ -144,7 +146,8 @@ def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds listed requirements that do not exist or do not name the goal."""
+    """Finds requirements that a goal lists, although they do not exist or do not name the goal in
+    @goal."""
     for goal in model.safety.goals.values():
         for name in goal.requirements:
             requirement = model.requirements.get(name)
@@ -160,7 +163,9 @@ def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds fault scenarios that name no goal that lists them, or that did not pass in this run."""
+    """Finds fault scenarios without a valid goal: the scenario names no goal, or the goal does not
+    list the scenario. Also finds fault scenarios that no test plays, or whose tests did not pass.
+    """
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"
         if not scenario.goals:
@@ -185,7 +190,7 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds listed scenarios that do not exist or do not name the goal."""
+    """Finds scenarios that a goal lists, although they do not exist or do not name the goal."""
     for goal in model.safety.goals.values():
         for name in goal.scenarios:
             scenario = model.safety.scenarios.get(name)
@@ -202,7 +207,7 @@ def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds assumptions that cover no hazard."""
+    """Finds assumptions of use that no hazard names."""
     for assumption in model.safety.assumptions.values():
         if not assumption.hazards:
             text = f"{assumption.id} covers no hazard"
@@ -210,7 +215,8 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds requirements whose priority is lower than the goals demand that they serve."""
+    """Finds requirements with a priority that is too low. The level of the safety goals that a
+    requirement serves determines its least priority."""
     case = model.safety
     for requirement in model.requirements.values():
         demanded = [

@@ -1,4 +1,5 @@
-"""secret-open and secret-hidden: no module uses the hidden names of another module."""
+"""secret-open and secret-hidden: no module uses a name (of a header, constant, function or type)
+that is private to another module."""
 
 from __future__ import annotations
 
@@ -25,7 +26,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _open(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public data and friends. Both allow access that the interface does not contain."""
+    """Finds public data members and friend declarations. With both, another class can use members
+    without a call of the interface."""
     for module in model.modules.values():
         if module.datatype:
             continue
@@ -43,7 +45,8 @@ def _open(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds an operation that returns a reference, if a caller can change the module through it."""
+    """Finds public operations that return a non-const reference or pointer to a member of the
+    module. A caller could change the member with it."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)
@@ -65,8 +68,8 @@ def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _declared_again(facts: Facts) -> Iterator[Finding]:
-    """Finds a source file that declares a name of another file. Some of these names are defined by
-    the linker."""
+    """Finds source files that declare a name of another file instead of including the header with
+    this name. Names that a linker script defines are permitted."""
     scripts = files_below(facts.root, DESIGN, (".ld",))
     linked = " ".join(path.read_text(encoding="utf-8") for path in scripts)
     for name, place in facts.syntax.declared_again.items():
@@ -82,7 +85,7 @@ def _declared_again(facts: Facts) -> Iterator[Finding]:
 
 @dataclass
 class Hidden:
-    """A hidden name, with the files of a module or of a folder that may use it."""
+    """A name that is private to a module or to a folder, and the files that may use it."""
 
     name: str
     owner: str
@@ -122,8 +125,8 @@ def _declared(model: Model) -> Iterator[Hidden]:
 
 
 def _uses(name: str, facts: Facts) -> list[Place] | None:
-    """Returns the places that name a header, class or member. Returns None when it does not
-    exist."""
+    """Returns the places in the code that name a header, a class or a member. Returns None if the
+    name does not exist."""
     if name.endswith(".hpp"):
         headers = [f"{folder}/{name}" for folder in DESIGN if (facts.root / folder / name).exists()]
         includes = [include.place for include in facts.syntax.includes if include.target in headers]
@@ -144,7 +147,7 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
 
 
 def _standard(name: str, root: Path) -> list[Place] | None:
-    """Returns the places that include a header of the library."""
+    """Returns the places that include a header of the standard library."""
     places = [
         place
         for place, line in lines_below(root, DESIGN, (".cpp", ".hpp"))
@@ -154,8 +157,8 @@ def _standard(name: str, root: Path) -> list[Place] | None:
 
 
 def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds a constant in another file that has the value of a hidden constant and a similar
-    name."""
+    """Finds copies of a private constant: a constant in another file has the same value and a
+    similar name."""
     values = {(value.place.file, value.place.line): value for value in facts.syntax.values}
     for hidden in _declared(model):
         numbers = {each.number for each in facts.syntax.values if each.name == hidden.name}
@@ -168,7 +171,7 @@ def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _is_similar(name: str, other: str) -> bool:
-    """Returns whether all words of one name occur in the other name, as in kGroup and
+    """Returns whether one of two names contains all words of the other name, for example kGroup and
     kSampleGroup."""
     words, others = (
         set(re.findall(r"[A-Z][a-z]*|\d+", part.rpartition("::")[2])) for part in (name, other)

@@ -1,4 +1,5 @@
-"""stack-*: the largest stack use of the image is computed, and is not larger than the stack."""
+"""stack-*: the largest stack use of the firmware image can be computed, and is not larger than the
+stack."""
 
 from __future__ import annotations
 
@@ -22,8 +23,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _self_calls(facts: Facts) -> Iterator[Finding]:
-    """Finds recursion within a source file. This check is used while the image is older than the
-    sources."""
+    """Finds functions that call themselves through functions of the same source file. This check
+    reads only sources. It is used while the firmware image is older than the sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
@@ -35,8 +36,8 @@ def _self_calls(facts: Facts) -> Iterator[Finding]:
 
 
 def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
-    """Returns the functions that a function calls. Calls through other functions of its file are
-    included."""
+    """Returns the functions that a function calls, directly or through other functions of the same
+    file."""
     reached: set[str] = set()
     work = [function]
     while work:

@@ -1,4 +1,5 @@
-"""fsm-*: a declared machine is equal to the code, and the tests make each of its transitions."""
+"""fsm-*: each state machine in design/fsm has the same transitions as the code, and passed tests
+make each of these transitions."""
 
 from __future__ import annotations
 
@@ -56,7 +57,8 @@ def _machines_missing(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
-    """Finds names in a machine that do not exist."""
+    """Finds states, events, operations and requirements that a state machine names but that do not
+    exist."""
 
     def finding(text: str, fix: str, name: str, step: Transition | None = None) -> Finding:
         place = facts.declared.entries.line_in(step.place if step else machine.place, name)
@@ -123,8 +125,8 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
 ) -> list[tuple[str, str, str]]:
-    """Yields the faults of the requirements of a transition. A fault has a text, a fix and the word
-    at its place."""
+    """Yields the faults in the requirements of a transition. Each fault has a text, a fix, and the
+    word to which the finding points."""
     requirements = [
         model.requirements[name] for name in step.requirements if name in model.requirements
     ]
@@ -158,7 +160,8 @@ def _asked_for(
 
 
 def _serving(requirement: Requirement) -> list[str]:
-    """Returns the methods that satisfy a requirement, and the methods of its tree."""
+    """Returns the methods with @satisfies for a requirement, and the methods in its invocation
+    tree."""
     methods = list(requirement.satisfied_by)
     work = [requirement.tree] if requirement.tree else []
     while work:
@@ -169,8 +172,8 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Returns whether another transition has the same state and the same event as this
-    transition."""
+    """Returns whether another transition from the same state at the same event makes this
+    transition ambiguous. The guards must distinguish the two transitions."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)
@@ -214,8 +217,8 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
 def _operation(
     machine: StateMachine, code: MachineCode, state: str, operation: str
 ) -> Iterator[Finding]:
-    """Compares the changes in one operation of a state with the rows. Each target must have as many
-    changes as rows."""
+    """Compares the state changes in one operation of a state with the declared transitions. For
+    each target state, the code must contain as many changes as the machine has transitions."""
     rows = [
         step
         for step in machine.transitions
@@ -234,15 +237,20 @@ def _operation(
     if not code.stays(state, operation):
         for row in rows:
             if is_stay(row):
-                text = f"{state}::{operation} always changes the state, so {words(row)} cannot stay"
+                text = (
+                    f"{state}::{operation} always changes the state, so the transition "
+                    f"{words(row)} cannot stay in the state"
+                )
                 yield Finding(row.place, "fsm-code", text)
 
 
 def _differs(row: Transition, change: Change) -> bool:
-    """Returns whether either the change or its row has a condition, but not both.
+    """Returns whether only one of the two is conditional: the change in the code, or the declared
+    transition (the row).
 
-    The time of an event also counts as a condition. A guard on another machine is a condition of
-    the caller, and does not count.
+    An event with a time, such as "after 2 s", counts as a condition of the transition. A guard
+    about the state of another machine ("in ...") is not compared, because the caller checks this
+    guard.
     """
     if row.guard.startswith("in "):
         return False
@@ -258,15 +266,17 @@ def _rows(machine: StateMachine, state: str, operation: str) -> list[Transition]
 
 
 def _asked(machine: StateMachine, row: Transition) -> set[str]:
-    """Returns the conditions in the code for the guard and the event of a transition."""
+    """Returns the conditions that the code must check for a transition. [guards] lists these
+    conditions for the guard and for the event."""
     return {*machine.guards.get(row.guard, ()), *machine.guards.get(row.event, ())}
 
 
 def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> set[str]:
-    """Returns the conditions of the guards of a change, and of the operation's guards before it."""
+    """Returns all declared conditions that the code may have checked before a change: the
+    conditions of the change itself, and of the changes above it in the same operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    # The other change is a target of the same call.
+    # Changes at the same place are different targets of one call.
     before += [other for other in changes if other.place == change.place]
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
@@ -277,14 +287,17 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
 
 
 def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
-    """Compares the conditions of the code before a change with the declared guards."""
+    """Compares the conditions that the code checks before a state change with the conditions of the
+    declared guards."""
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
-            text = f"[guards] has no condition of the code for '{row.guard}'"
+            text = f"[guards] lists no condition for the guard '{row.guard}'"
             yield Finding(row.place, "fsm-code", text, "write it, or correct the guard")
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
-                text = f"{words(row)} needs '{question}', but the code does not check it"
+                text = (
+                    f"{words(row)} needs '{question}', but the code does not check this condition"
+                )
                 fix = "correct the guard, or the code"
                 yield Finding(change.place, "fsm-code", text, fix)
     for change in code.changes:
@@ -292,12 +305,13 @@ def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
         for question in sorted(set(change.asked) - evaluated):
             change_text = f"the change from {change.source} to {change.target}"
             text = f"{change_text} checks '{question}', but no guard contains this condition"
-            fix = f"declare it in [guards] of {machine.place.file}, or remove it"
+            fix = f"declare the condition in [guards] of {machine.place.file}, or remove its check"
             yield Finding(change.place, "fsm-code", text, fix)
 
 
 def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
-    """Compares the calls in the operation of a state with the actions of its transitions."""
+    """Compares the calls in an operation of a state with the actions that the transitions of this
+    operation declare."""
     for state, operations in code.runs.items():
         for operation, method in operations.items():
             rows = _rows(machine, state, operation)
@@ -319,8 +333,8 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
-    """Returns the calls that can precede a change. They are above the change in the same
-    function."""
+    """Returns the methods that can be called before a state change. In the function that contains
+    the change, only the calls above the change count."""
     return {
         call.target
         for change in changes
@@ -370,7 +384,8 @@ def _seen(machine: StateMachine) -> Iterator[Finding]:
 
 
 def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds transitions that no test of their requirement makes."""
+    """Finds transitions that name a requirement, although no passed test of this requirement makes
+    the transition."""
     for step in machine.transitions:
         for name in step.requirements:
             if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests):
@@ -379,7 +394,8 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Findin
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
-    """Returns the numbers with a unit in a text that none of the requirements states."""
+    """Returns each number with a unit in a text (for example "2 s"), if none of these requirements
+    states the number."""
     numbers = {
         re.sub(r"\s+", " ", number) for r in requirements for number in _WITH_UNIT.findall(r.text)
     }

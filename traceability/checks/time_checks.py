@@ -1,4 +1,5 @@
-"""time-*: the longest time of the image is computed, and no run needed more time."""
+"""time-*: the longest execution times of the firmware image can be computed, and no measured run
+needed more time than computed."""
 
 from __future__ import annotations
 
@@ -39,7 +40,7 @@ def _loops(proof: TimeProof) -> Iterator[Finding]:
     bound = "write the bound above the loop or the copy (// bound: NUMBER)"
     call = "call an object that a builder passes, or declare the call in design/stack.toml"
     for name, place in proof.unbound:
-        yield Finding(place, "time-bound", f"a loop or a copy in {name} has no bound", bound)
+        yield Finding(place, "time-bound", f"a loop or a memory copy in {name} has no bound", bound)
     for name, place in proof.unresolved:
         yield Finding(place, "time-bound", f"the target of a call in {name} is unknown", call)
 

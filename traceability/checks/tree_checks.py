@@ -1,4 +1,4 @@
-"""tree-*: the intended invocations are possible, and tests executed them."""
+"""tree-*: the code can make each call of an invocation tree, and a passed test made the calls."""
 
 from __future__ import annotations
 
@@ -64,8 +64,9 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
 def _order(
     node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
 ) -> Iterator[Finding]:
-    """Checks that the code makes the call as often as the tree states, and after the previous
-    call."""
+    """Checks that the code makes a call once, under a condition, or several times, as its node in
+    the tree states. Also checks that the code makes the call after the previous call of the tree.
+    """
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
     texts = []
     if child.often_in_code is not None and child.often_in_code != child.often:
@@ -96,8 +97,8 @@ def _executed(requirement: Requirement, model: Model) -> Iterator[Finding]:
         return
     if requirement.runs:
         return
-    # If no passed test has a recording, no node is measured. The place of the finding is then the
-    # root.
+    # If no passed test has recorded its calls, no node has a measured result. The finding then
+    # points to the root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
     text = (
         f"no passing test of {requirement.id} made the call of {failed.label} at this place of the "

@@ -1,4 +1,5 @@
-"""change-tuned: if a constant depends on another constant, the design declares it."""
+"""change-tuned: if the value of a constant depends on the cycle time or the tick time, the code
+computes the value from this time, or design/tuned.toml declares the dependence."""
 
 from __future__ import annotations
 
@@ -16,7 +17,8 @@ WRITTEN = re.compile(
     r"(?://(.*))?$"
 )
 REMARK = re.compile(r"^\s*//(.*)$")
-# Words in the name or in the comment of a value that show that the value depends on a constant.
+# If the name or the comment of a constant contains one of these words, the constant probably
+# depends on the named constant of SystemConstants.
 SIGNS = {
     "SystemConstants::cyclePeriod": re.compile(r"(?<!duty )\b[Cc]ycles?\b|[a-z]Cycles?\b"),
     "SystemConstants::tickPeriod": re.compile(r"\bticks?\b|Ticks?\b"),
@@ -26,7 +28,8 @@ DECLARATIONS = "design/tuned.toml"
 
 @dataclass
 class Written:
-    """A constant of a file, with its name and with the comments next to it and above it."""
+    """A constant in a source file. ``text`` contains its name and the comments above and next to
+    the constant."""
 
     name: str
     code: str
@@ -56,7 +59,7 @@ def written(facts: Facts) -> Iterator[Written]:
 
 
 def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
-    """Finds declarations that name no existing constant."""
+    """Finds entries of design/tuned.toml that name a constant which does not exist."""
     methods = {method.id for module in model.modules.values() for method in module.methods}
     for item in model.tuned:
         for name in [item.to, *item.constants]:
@@ -66,14 +69,14 @@ def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
 
 
 def _read_by(constant: Written) -> set[str]:
-    """Returns the constants of the same file in the initialiser."""
+    """Returns the constants of the same file that the initialiser of a constant contains."""
     file = constant.name.split("::", maxsplit=1)[0]
     return {f"{file}::{name}" for name in re.findall(r"\bk[A-Z]\w*", constant.code)}
 
 
 def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
-    """Finds values that seem to depend on a constant, but are neither computed from it nor
-    declared."""
+    """Finds constants that seem to depend on a constant of SystemConstants, but are neither
+    computed from it nor declared in design/tuned.toml."""
     computed = {(fact.name, fact.target) for fact in facts.syntax.initial}
     declared = {(name, item.to) for item in model.tuned for name in item.constants}
     for constant in constants.values():

@@ -1,4 +1,5 @@
-"""uses-*: a logic module uses only modules that the design allows, and the uses form no cycle."""
+"""uses-*: a logic module uses only the logic modules that the design allows, and no undeclared
+cycle of uses exists."""
 
 from __future__ import annotations
 
@@ -13,7 +14,8 @@ from traceability.schema import AllowedUse, Finding, Use, is_extension
 from traceability.sources import DESIGN, files_below
 
 VIRTUAL_BOARD = "sim/emulator/"
-# Separate compositions of drivers, which run on the virtual K64.
+# Folders of test programs that contain drivers and run on the virtual K64. These programs may
+# include the headers of the drivers.
 PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
 OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
 
@@ -31,8 +33,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _board(root: Path) -> Iterator[Finding]:
-    """Finds simulators and tests that include a driver. Also finds files of the virtual K64 that
-    include a file of the firmware."""
+    """Finds files of the simulator and of the tests that include a header of a K64 driver. Also
+    finds files of the virtual K64 that include a file of the firmware."""
     for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
         file = str(path.relative_to(root))
         for include in includes_of(root, file):
@@ -69,10 +71,10 @@ def _forbidden(model: Model) -> Iterator[Finding]:
 
 
 def _extensions(model: Model) -> Iterator[Finding]:
-    """Finds files of the robot that name an extension. An extension may name the extensions that it
-    needs."""
-    # An extension may use another extension if the design states the reason. The robot never uses
-    # an extension.
+    """Finds files in src that use an extension. Also finds extensions that use another extension
+    although design/uses.toml states no reason for this use."""
+    # An extension may use another extension if design/uses.toml states the reason. The files in src
+    # never use an extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     for use in model.uses:
         if (
@@ -86,7 +88,7 @@ def _extensions(model: Model) -> Iterator[Finding]:
 
 
 def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
-    """Finds a number in src that an extension adds to an enumeration."""
+    """Finds numbers in src that are values of an enumeration which only an extension names."""
     numbers = facts.syntax.enum_numbers
     added = {
         (fact.kind, fact.number): fact.place for fact in numbers if is_extension(fact.place.file)
@@ -107,7 +109,8 @@ def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
 
 
 def _extension(logic: str) -> list[str]:
-    """Returns the extension of a logic module. Modules of the robot have no extension."""
+    """Returns the two folder names that identify the extension of a logic module. Returns an empty
+    list for a logic module in src."""
     return logic.split("/")[:2] if is_extension(logic) else []
 
 
@@ -131,7 +134,8 @@ def _allowed_twice(model: Model) -> Iterator[Finding]:
 
 
 def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
-    """Finds cycles of allowed uses. Another check reports a use that is not allowed."""
+    """Finds cycles in the uses that the design allows. Uses that are not allowed are ignored here,
+    because uses-allowed reports them."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
     for use in uses:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
@@ -146,11 +150,14 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
             members = {m for m in loop if use.source in _reached(graph, m)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                yield _finding(use, f"no entry declares the cycle of {names}")
+                yield _finding(
+                    use, f"the uses of {names} form a cycle that design/uses.toml does not declare"
+                )
 
 
 def _apart(facts: Facts) -> Iterator[Finding]:
-    """Finds pairs of modules that the design separates, although one module names the other."""
+    """Finds modules that name each other although design/uses.toml demands that they are
+    separate."""
     pairs = {
         (user, other): rule
         for rule in facts.declared.apart
@@ -172,7 +179,8 @@ def _apart(facts: Facts) -> Iterator[Finding]:
         (place.file, place.line, user, target): Finding(
             place,
             "uses-apart",
-            f"{user} names {target}, but design/uses.toml separates the two modules",
+            f"{user} names {target}, but design/uses.toml demands that these modules do not name "
+            "each other",
         )
         for user, target, place in named
         if (user, target) in pairs
@@ -186,7 +194,7 @@ def _apart(facts: Facts) -> Iterator[Finding]:
 
 
 def _idle_cycles(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds a declared cycle that no uses form."""
+    """Finds declared cycles that do not exist in the code."""
     graph = _graph(model.uses, depth=9)
     for cycle in facts.declared.cycles:
         for module in cycle.modules:
@@ -217,7 +225,8 @@ def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
 
 
 def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
-    """Returns the start and all modules that it uses, directly or through other modules."""
+    """Returns the module `start` and all modules that `start` uses, directly or through other
+    modules."""
     reached, work = {start}, [start]
     while work:
         for target in graph.get(work.pop(), set()):

@@ -1,1 +1,2 @@
-"""Files for other programs: the model with its schema, the verification and the metrics."""
+"""Writes the files for other programs: the model with its schema, the verification of the
+requirements, and the metrics."""

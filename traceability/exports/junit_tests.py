@@ -1,4 +1,5 @@
-"""The results of the tests in the form of JUnit, with the requirements that they verify."""
+"""Exports the test results in the XML format of JUnit. Each test has the requirements that it
+verifies."""
 
 from __future__ import annotations
 
@@ -13,9 +14,8 @@ NAME = "tests.xml"
 
 
 def junit_text(model: Model, _report: Report) -> str:
-    """Returns one suite for each target. A test has a property ``requirement`` for each of its
-    requirements.
-    """
+    """Returns the JUnit file. It has one test suite for each target. A test case has a property
+    ``requirement`` for each requirement that the test verifies."""
     top = ET.Element("testsuites", name="weeding_robot")
     for target in model.results_hashes:
         suite = ET.SubElement(top, "testsuite", name=target)

@@ -1,4 +1,4 @@
-"""The metrics of a run for other programs: ``build/metrics.json``."""
+"""Writes ``build/metrics.json``, the metrics of a run for other programs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ METRICS = Path("build/metrics.json")
 
 
 def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, Any]) -> Path:
-    """Writes the metrics. ``measured`` adds the metrics of other steps of the run, by key."""
+    """Writes the metrics. ``measured`` contains additional metrics from other steps of the run, by
+    their names."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
     values = metrics(model, report) | measured
@@ -27,7 +28,7 @@ def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, 
 
 
 def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:
-    """Returns the metrics of the built site, from the findings of its links."""
+    """Returns the metrics of the built site. They are counted from the findings about its links."""
     return {
         "site.pages": len(list(site.rglob("*.html"))),
         "site.dead_links": sum(1 for finding in findings if finding.check == "link-site"),

@@ -1,4 +1,4 @@
-"""Files for other programs: the model and its schema."""
+"""Exports the model as JSON, and the JSON schema of the model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from traceability.model.report import Report
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-# The fields that the report adds to the records of the model.
+# For each data class of the model, the additional fields that the JSON file takes from the report.
 VERDICT = {"state": str, "reasons": list[str]}
 ADDED: dict[type, dict[str, Any]] = {
     Model: {"findings": list[schema.Finding]},
@@ -30,9 +30,8 @@ PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: 
 
 
 def model_text(model: Model, report: Report) -> str:
-    """Returns the model with the verdicts as JSON. Places, names and texts are the same as on the
-    pages.
-    """
+    """Returns the model with the verdicts as JSON. It contains the same places, names and texts as
+    the pages."""
 
     def fields(record: object) -> dict[str, Any]:
         return _fields(record) | _verdict(record, report)
@@ -45,7 +44,7 @@ def _fields(record: Any) -> dict[str, Any]:
 
 
 def _verdict(record: object, report: Report) -> dict[str, Any]:
-    """Returns the fields that the report adds to a record."""
+    """Returns the additional fields that the JSON object of a record takes from the report."""
     fields: dict[str, Any] = {}
     match record:
         case Model():
@@ -72,9 +71,8 @@ def model_schema() -> dict[str, Any]:
 
 
 def schema_of(kind: type, title: str) -> dict[str, Any]:
-    """Returns the schema of a file, derived from the class of its content and the classes of its
-    parts.
-    """
+    """Returns the JSON schema of a file. ``kind`` is the data class of the file's content. The
+    schema also describes all data classes that ``kind`` contains."""
     definitions: dict[str, Any] = {}
     top = _class(kind, definitions)
     return {"$schema": DIALECT, "title": title} | top | {"$defs": dict(sorted(definitions.items()))}
@@ -102,14 +100,16 @@ def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):
         name = kind.__name__
         if name not in definitions:
-            definitions[name] = {}  # A class may contain objects of the same class.
+            # The name is entered before the description is made, because a class may contain
+            # objects of the same class.
+            definitions[name] = {}
             definitions[name] = _class(kind, definitions)
         return {"$ref": f"#/$defs/{name}"}
     return _composed(kind, [_type(argument, definitions) for argument in typing.get_args(kind)])
 
 
 def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
-    """Returns the schema of a type that is composed of other types."""
+    """Returns the schema of a list, of a mapping, of a tuple, or of a union of types."""
     schemas: dict[Any, dict[str, Any]] = {
         types.NoneType: {"type": "null"},
         types.UnionType: {"anyOf": parts},

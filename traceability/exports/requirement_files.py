@@ -1,4 +1,5 @@
-"""The requirements for other tools: a table, the needs of sphinx-needs, and ReqIF."""
+"""Exports the requirements for other tools: as a CSV table, as needs of sphinx-needs, and as
+ReqIF."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ from traceability.model.report import Report
 
 CSV, NEEDS, REQIF = "requirements.csv", "needs.json", "requirements.reqif"
 PROJECT = "weeding_robot"
-# ReqIF demands dates. This date is fixed because equal models must result in equal files.
+# ReqIF demands a date. A fixed date is used, because equal models must give equal files.
 EPOCH = "1970-01-01T00:00:00+00:00"
 NAMESPACE = "http://www.omg.org/spec/ReqIF/20110401/reqif.xsd"
 NEED_TYPES = {REQUIREMENT: "req", TEST: "test", METHOD: "impl"}
@@ -34,7 +35,7 @@ NOT_IN_NAME = re.compile(r"[^\w.-]")
 
 
 def csv_text(model: Model, report: Report) -> str:
-    """Returns a row for each requirement."""
+    """Returns a CSV table with one row for each requirement."""
     lines = io.StringIO()
     columns = ["id", "text", "state", *VALUES, "file", "line", "verified_by", "satisfied_by"]
     table = csv.DictWriter(lines, columns, lineterminator="\r\n")
@@ -61,9 +62,9 @@ def csv_text(model: Model, report: Report) -> str:
 
 
 def needs_text(model: Model, report: Report) -> str:
-    """Returns the needs of sphinx-needs. A test has the link ``verifies``, and a method has the
-    link ``satisfies``.
-    """
+    """Returns the JSON file of sphinx-needs. Each requirement, test and method is a need. The link
+    ``verifies`` leads from a test to a requirement, and the link ``satisfies`` leads from a method
+    to a requirement."""
     needs = {item.id: _need(item) for item in trace_items(model, report)}
     version = {"needs": needs, "needs_amount": len(needs), "filters": {}, "filters_amount": 0}
     content = {
@@ -92,9 +93,8 @@ def _need(item: TraceItem) -> dict[str, object]:
 
 
 def reqif_text(model: Model, report: Report) -> str:
-    """Returns ReqIF 1.0.1. Each item is an object, each link is a relation, and each section is a
-    chapter.
-    """
+    """Returns the XML file in ReqIF 1.0.1. Each requirement, test and method is a ReqIF object.
+    Each link is a relation, and each section of the requirements is a chapter."""
     items = trace_items(model, report)
     top = ET.Element("REQ-IF", xmlns=NAMESPACE)
     header = _child(_child(top, "THE-HEADER"), "REQ-IF-HEADER", IDENTIFIER="header")
@@ -135,7 +135,7 @@ def _id(kind: str, name: str) -> str:
     return f"{kind}-{NOT_IN_NAME.sub('_', name)}"
 
 
-# The names that requirements tools use for the first two attributes.
+# Requirements tools expect these names for the first two attributes.
 ATTRIBUTES = {
     REQUIREMENT: ("ReqIF.ForeignID", "ReqIF.Text", "state", "place", *VALUES),
     TEST: ("ReqIF.ForeignID", "ReqIF.Text", "state", "place"),
@@ -188,7 +188,8 @@ def _add_values(objects: ET.Element, kind: str, name: str, values: dict[str, str
 
 
 def _sections(items: list[TraceItem]) -> Iterable[tuple[str, list[TraceItem]]]:
-    """Returns the requirements of each section in their order. A section may occur twice."""
+    """Returns the sections with their requirements, in the order of the model. A section occurs
+    twice if other requirements are between its requirements."""
     requirements = [item for item in items if item.kind == REQUIREMENT]
     for number, (section, group) in enumerate(
         groupby(requirements, lambda item: item.values["section"]), 1

@@ -1,4 +1,5 @@
-"""A summary of the state of a revision, and the differences between two revisions."""
+"""A summary of a commit (its requirements, modules, findings, sizes and metrics), and the
+differences between the summaries of two commits."""
 
 from __future__ import annotations
 
@@ -16,17 +17,18 @@ from traceability.reading.results import read_record
 from traceability.reading.traces import nodes_of
 
 FOLDER = Path("build/revisions")
-WORDS = 8  # number of unchanged words that are shown around a change of a text
+WORDS = 8  # number of unchanged words that are shown before and after a change in a text
 
 
 @dataclass(frozen=True)
 class RequirementState:
-    """A requirement of a revision. ``state`` is empty if no step measured it."""
+    """A requirement in a commit. ``state`` is the verdict. It is empty if there was no report with
+    verdicts."""
 
     text: str
     rationale: str
     state: str
-    tree: tuple[str, ...]  # labels of the nodes of its tree, in their order
+    tree: tuple[str, ...]  # names of the methods in the invocation tree, in the order of the tree
     tests: tuple[str, ...]
     methods: tuple[str, ...]
     reviews: tuple[str, ...]
@@ -34,15 +36,15 @@ class RequirementState:
 
 @dataclass(frozen=True)
 class Revision:
-    """The parts of a revision that are compared."""
+    """The summary of a commit, which is compared with other commits."""
 
     commit: str
     requirements: Mapping[str, RequirementState]
-    modules: Mapping[str, str]  # name -> header
+    modules: Mapping[str, str]  # name of the module -> path of the header
     findings: Mapping[str, int] | None = (
-        None  # check -> number of findings; None if the check did not run with results
+        None  # check -> number of findings; None if there was no report
     )
-    # product -> bytes of flash and of RAM
+    # product -> bytes of flash, RAM and stack
     sizes: Mapping[str, dict[str, int]] = field(default_factory=dict)
     metrics: Mapping[str, float | None] = field(default_factory=dict)
 
@@ -53,8 +55,8 @@ class Revision:
 def revision_of(
     model: Model, commit: str, report: Report | None, metrics: Mapping[str, Any]
 ) -> Revision:
-    """Returns the revision of a model. Without a report, the revision has only the facts of the
-    sources."""
+    """Returns the summary of a model. Without a report, verdicts and findings are left out, because
+    they need results of a run."""
     counts: dict[str, int] = {}
     for finding in report.findings if report else []:
         counts[finding.check] = counts.get(finding.check, 0) + 1
@@ -146,9 +148,8 @@ def _of_requirements(first: Revision, second: Revision) -> Iterator[Difference]:
 
 
 def changed_words(old: str, new: str) -> str:
-    """Returns the changed words as [-removed-] and {+added+}, with some unchanged words around
-    them.
-    """
+    """Returns the difference between two texts: removed words as [-removed-] and added words as
+    {+added+}, with some unchanged words before and after them."""
     before, after = old.split(), new.split()
     parts: list[str] = []
     for tag, i, j, k, m in difflib.SequenceMatcher(
@@ -184,9 +185,9 @@ def _numbers(
     second: Mapping[str, float | None],
     missing: float | None = None,
 ) -> list[Difference]:
-    """Compares numbers. If only one revision has a value, the value of the other revision is
-    ``missing``. ``None`` means that a number was not measured.
-    """
+    """Compares the numbers of two commits by name. If only one commit has a number with this name,
+    ``missing`` is used for the other commit. A number that is ``None`` is not compared, because it
+    was not measured."""
     changed = []
     for name in sorted(first.keys() | second.keys()):
         before, after = first.get(name, missing), second.get(name, missing)

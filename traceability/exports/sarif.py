@@ -1,4 +1,5 @@
-"""The findings of all checks in SARIF 2.1.0, for editors and for the web pages of a repository."""
+"""Exports the findings of all checks in SARIF 2.1.0. Editors and code hosts such as GitHub can show
+this file."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ def sarif_text(model: Model, report: Report) -> str:
 
 
 def sarif(model: Model, report: Report) -> dict[str, Any]:
-    """Returns the findings. Every check is a rule, even if it has no finding."""
+    """Returns the SARIF file. It lists every check as a rule, also the checks without a finding."""
     numbers = {check.id: number for number, check in enumerate(CHECKS)}
     driver = {
         "name": "weeding_robot",

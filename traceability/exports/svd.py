@@ -1,4 +1,4 @@
-"""The registers that the firmware uses, in CMSIS-SVD for debuggers."""
+"""Exports the registers that the firmware uses, in the CMSIS-SVD format for debuggers."""
 
 from __future__ import annotations
 
@@ -9,14 +9,15 @@ from traceability.reading.register_table import Register, RegisterBlock, read_re
 
 NAME = "weeding_robot.svd"
 VERSION = "1.3"
-PAGE = 0x1000  # size of a page of addresses; a page contains a block of registers
+PAGE = 0x1000  # size [byte] of the address range that contains one block of registers
 ACCESS = {
     "Read": "read-only",
     "Write": "write-only",
     "ReadWrite": "read-write",
     "Flags": "read-write",
 }
-# The blocks of a kind. Their distance is the distance in the table.
+# For each kind of block with several equal blocks, the names of these blocks. The table of
+# registers states the distance between their addresses.
 PORTS = tuple("ABCDE")
 INSTANCES = {"port": PORTS, "gpio": PORTS, "adc": ("0", "1"), "uart": ("0", "4")}
 
@@ -50,7 +51,8 @@ def svd_of(blocks: list[RegisterBlock]) -> str:
 
 
 def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
-    """Adds a block and the other blocks of the same kind, which have the same registers."""
+    """Adds a block of registers, and also the other blocks of the same kind. They have the same
+    registers at other addresses."""
     first, *others = INSTANCES.get(block.name, ("",))
     name, base = f"{block.name.upper()}{first}", _base(block)
     peripheral = ET.SubElement(peripherals, "peripheral")
@@ -68,8 +70,8 @@ def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
 
 
 def _base(block: RegisterBlock) -> int:
-    """Returns the beginning of the page of a block. The blocks of GPIO are smaller and closer
-    together than a page."""
+    """Returns the base address of a block. Usually, a block begins at a multiple of the page size.
+    The blocks of GPIO are smaller, and several of them are in one page."""
     step = min(PAGE, block.distance or PAGE)
     return min(register.address for register in block.registers) // step * step
 

@@ -1,5 +1,5 @@
-"""The files for other tools, with their names, their descriptions and the functions that make
-them."""
+"""The list of the files for other tools. Each entry has the file name, a description, and the
+function that makes the file."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ from weeding_robot_client.ros_messages import messages
 
 @dataclass(frozen=True)
 class ToolFile:
-    """A file of the portal for another tool."""
+    """A file that the portal offers for another tool."""
 
     name: str
-    text: str  # text for the page Exports
+    text: str  # description on the page Exports
     make: Callable[[Path, Model, Report], str]
-    source: Path = Path()  # source file in the project, if it exists
+    # file of the project from which the exported file is made; empty if it is made from the model
+    source: Path = Path()
 
 
 def _ready(text: str, _root: Path, _model: Model, _report: Report) -> str:
@@ -73,5 +74,5 @@ FILES = (
 
 
 def available(root: Path) -> list[ToolFile]:
-    """Returns the files whose source exists in the project."""
+    """Returns the files that can be made, because the project contains their source files."""
     return [file for file in FILES if (root / file.source).exists()]

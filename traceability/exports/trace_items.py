@@ -1,4 +1,5 @@
-"""The requirements, tests and methods with their links, for tools that manage requirements."""
+"""Collects the requirements, tests and methods with their links, for the exports to requirements
+tools."""
 
 from __future__ import annotations
 
@@ -13,29 +14,32 @@ REQUIREMENT, TEST, METHOD = "requirement", "test", "method"
 
 @dataclass(frozen=True)
 class TraceItem:
-    """A requirement, a test or a method."""
+    """A requirement, a test or a method, in the same form for all exports."""
 
     id: str
     kind: str
     title: str
     text: str
-    state: str  # verdict of a requirement, result of a test
+    state: str  # verdict of a requirement, or results of a test; empty for a method
     file: str
     line: int
-    values: dict[str, str] = field(default_factory=dict)  # further attributes
-    links: Sequence[str] = ()  # requirements that a test verifies or a method satisfies
+    # additional attributes by name; empty for a test or a method
+    values: dict[str, str] = field(default_factory=dict)
+    # ids of the requirements that the test verifies or the method satisfies
+    links: Sequence[str] = ()
 
     @property
     def place(self) -> str:
         return f"{self.file}:{self.line}" if self.file else ""
 
 
-# The attributes of a requirement besides its text. They are empty for a method or a test.
+# The names of the additional attributes. Only requirements have them.
 VALUES = ("section", "rationale", "source", "priority", "level", "method", "products", "goals")
 
 
 def trace_items(model: Model, report: Report) -> list[TraceItem]:
-    """Returns the requirements first, and then the tests and methods that are linked to them."""
+    """Returns all requirements, and then the tests and methods that have a link to a
+    requirement."""
     return [*_requirements(model, report), *_tests(model), *_methods(model)]
 
 

@@ -1,4 +1,5 @@
-"""The verification of each requirement for other programs: JSON, and JUnit."""
+"""Exports the verification of each requirement for other programs, as JSON and in the format of
+JUnit."""
 
 from __future__ import annotations
 
@@ -22,7 +23,8 @@ SCHEMA = "verification.schema.json"
 
 @dataclass(frozen=True)
 class ReviewResult:
-    """The review of a requirement by a person. It is valid until a text changes."""
+    """The review of a requirement by a person. ``holds`` is false if a reviewed text has changed
+    since."""
 
     reviewer: str
     date: str
@@ -32,8 +34,8 @@ class ReviewResult:
 
 @dataclass(frozen=True)
 class CheckedNode:
-    """A call of a tree. It states whether the code can make the call, and for each target whether a
-    test made it."""
+    """A call in the invocation tree of a requirement. ``reachable`` is true if the code can make
+    the call. ``executed`` contains for each target whether a test made the call."""
 
     node: str
     reachable: bool | None
@@ -42,7 +44,8 @@ class CheckedNode:
 
 @dataclass(frozen=True)
 class Measurement:
-    """A metric with its bound and its measured value. The value is null if it was not measured."""
+    """A metric of a requirement, with its bound and its measured value. ``value`` is null if the
+    metric was not measured."""
 
     figure: str
     relation: str
@@ -55,10 +58,10 @@ class Measurement:
 
 @dataclass(frozen=True)
 class VerifiedRequirement:
-    """A requirement with its verdict and the results that lead to the verdict.
+    """A requirement with its verdict and with the results from which the verdict follows.
 
-    ``tests`` contains the results of each test by target. ``coverage`` contains the methods by
-    target.
+    ``tests`` contains for each test the result on each target. ``coverage`` contains for each
+    target the executed lines of the methods.
     """
 
     id: str
@@ -81,7 +84,8 @@ class VerifiedRequirement:
 
 @dataclass(frozen=True)
 class Verification:
-    """The verification of all requirements, and the lines that a reason justifies."""
+    """The verification of all requirements. ``justified`` lists the source lines that no test
+    executes for a stated reason."""
 
     commit: str
     sources: str
@@ -90,9 +94,8 @@ class Verification:
 
 
 def write_exports(root: Path, site: Path, model: Model, report: Report) -> None:
-    """Writes the table for other programs: JSON, and JUnit with a test case for each
-    requirement.
-    """
+    """Writes the verification as JSON, and as a JUnit file with one test case for each
+    requirement."""
     texts = {
         JSON: json.dumps(table(model, report), indent=1) + "\n",
         JUNIT: ET.tostring(junit(model, report), encoding="unicode") + "\n",

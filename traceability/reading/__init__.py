@@ -1,1 +1,2 @@
-"""The readers of sources, comments, declarations and results. They do not judge their content."""
+"""The readers of source files, comments, declarations and results. They only read; the checks judge
+the result."""

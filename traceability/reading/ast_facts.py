@@ -1,4 +1,5 @@
-"""Facts about the code: classes, methods, calls, names and includes, each with its place."""
+"""Data classes for facts about the code: classes, methods, calls, names and includes. Each fact has
+the place in the code."""
 
 from __future__ import annotations
 
@@ -7,7 +8,9 @@ from dataclasses import dataclass, field, fields
 from traceability.reading.flow import FlowFact
 from traceability.schema import Place
 
-ANY_CLASS = "?"  # used instead of the class if a call depends on the parameters of a template
+# This name replaces the name of the class if the class of a called method depends on the parameters
+# of a template.
+ANY_CLASS = "?"
 
 
 @dataclass
@@ -19,7 +22,7 @@ class MethodFact:
     access: str
     kind: str
     result: str
-    params: list[tuple[str, str]]  # name and type
+    params: list[tuple[str, str]]  # name and type of each parameter
     place: Place
     end: int
     virtual: bool = False
@@ -28,15 +31,15 @@ class MethodFact:
     deleted: bool = False
     defaulted: bool = False
     overrides: str | None = None
-    comment: int = 0  # line at which its comment begins; 0 if there is no comment
+    comment: int = 0  # source line at which the comment of the method begins; 0 without a comment
 
 
 @dataclass
 class FieldFact:
     name: str
     type: str
-    classes: list[str]  # classes of the project that the type names
-    refers: bool  # a pointer or a reference, and not a value
+    classes: list[str]  # classes of the project that the type of the member contains
+    refers: bool  # true if the member is a pointer or a reference
     static: bool
     place: Place
     access: str = "public"
@@ -46,15 +49,16 @@ class FieldFact:
 
 @dataclass
 class SilentFact:
-    """A declaration without a comment, in a header that other files can use."""
+    """A declaration that has no comment although other files can use it."""
 
     name: str
-    place: Place  # end of a variable; its comment may follow the value
+    # last source line of a variable; the comment of the variable may be at the end of this line
+    place: Place
 
 
 @dataclass
 class ClassFact:
-    """A class, struct, enum or alias of the project. ``name`` is without the namespace."""
+    """A class, struct, enum or alias of the project. ``name`` does not contain the namespace."""
 
     name: str
     qualified: str
@@ -62,8 +66,8 @@ class ClassFact:
     place: Place
     end: int
     abstract: bool = False
-    local: bool = False  # declared in an anonymous namespace or in a function
-    access: str = "invalid"  # access of a nested class
+    local: bool = False  # true if the type is declared in an anonymous namespace or in a function
+    access: str = "invalid"  # "public", "protected" or "private" for a nested class
     bases: list[str] = field(default_factory=list)
     base_places: list[Place] = field(default_factory=list)
     methods: list[MethodFact] = field(default_factory=list)
@@ -78,43 +82,49 @@ class CallFact:
     target: str
     virtual: bool
     place: Place
-    declared: str = ""  # the file that declares a function outside classes
-    on: list[str] = field(default_factory=list)  # objects on which a method is called (see flow)
-    args: list[list[str]] = field(default_factory=list)  # places that each argument names
-    # The call is below a condition, or after a condition that may return.
+    declared: str = ""  # for a function outside classes: the file that declares the called function
+    # the places (see flow.py) that refer to the object whose method is called
+    on: list[str] = field(default_factory=list)
+    # for each argument, the places (see flow.py) that the argument names
+    args: list[list[str]] = field(default_factory=list)
+    # True if the call is in a branch of a condition, or after a condition that may leave the
+    # function.
     sometimes: bool = False
-    repeated: bool = False  # The call is in a loop.
-    end: int = 0  # Offset in the file. The end of a call is after the calls in its arguments.
-    # operands of the conditions before the call (see conditions)
+    repeated: bool = False  # True if the call is in a loop.
+    # Offset of the end of the call in the file. Sorted by this offset, the calls in the arguments
+    # come before the call itself.
+    end: int = 0
+    # operands of the conditions that the code evaluates before the call (see conditions.py)
     asked: list[str] = field(default_factory=list)
 
 
 @dataclass
 class BodyFact:
-    """A function with a body. A function outside classes has no owner."""
+    """A function with a body. For a function outside classes, the owner is empty."""
 
     id: str
     owner: str
     place: Place
     end: int
     overrides: str | None = None
-    local: bool = False  # no other file can call the function
+    local: bool = False  # true if no other file can call the function
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # pairs of Class::field and line
-    touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
-    floats: int = 0  # first line with a floating-point number; 0 if there is none
-    branches: bool = False  # whether it has a condition or a loop
-    # lines of loops that do not count their iterations
+    # Class::field -> true if the function changes the field, false if it only reads the field
+    touches: dict[str, bool] = field(default_factory=dict)
+    floats: int = 0  # first source line with a floating-point number; 0 without such a line
+    branches: bool = False  # true if the function has a condition or a loop
+    # source lines of loops that do not count their iterations
     loops: list[int] = field(default_factory=list)
 
 
 @dataclass
 class NameFact:
-    """A use of the name of a class in the code of another class. ``how`` is type, member, construct
-    or base.
+    """A place in the code that names a class. ``by`` is the class that contains this place. ``how``
+    is type, member, construct or base.
 
-    A namespace is no class. For a member of a namespace, ``member`` therefore also contains the
-    namespace.
+    For a member of a namespace, ``member`` contains the namespace and the name, because a namespace
+    is not a class.
     """
 
     by: str
@@ -122,12 +132,14 @@ class NameFact:
     how: str
     place: Place
     member: str = ""
-    file: str = ""  # file that defines the class, if the unit contains it
+    # file that defines the class; empty if the translation unit does not contain the definition
+    file: str = ""
 
 
 @dataclass
 class BlockFact:
-    """A place that opens or uses a namespace of ``file`` inside the namespace of the project."""
+    """A place that opens or uses a namespace inside the namespace of the project. Such a namespace
+    contains a block of registers. ``file`` is the file that defines the namespace."""
 
     block: str
     file: str
@@ -143,7 +155,7 @@ class IncludeFact:
 
 @dataclass
 class ConstantFact:
-    """A constant, or an operation that returns a constant. It has a name that texts can use."""
+    """A constant, or an operation that returns a constant. A text can refer to it by ``name``."""
 
     name: str
     number: int
@@ -153,7 +165,7 @@ class ConstantFact:
 
 @dataclass
 class InitialFact:
-    """A call of a method in the initialiser of a constant or of a member."""
+    """A call of a method in the initialiser of a constant or of a data member."""
 
     name: str  # Class::member or File::name
     target: str
@@ -162,26 +174,27 @@ class InitialFact:
 
 @dataclass
 class EnumNumberFact:
-    """A number that the code converts to a value of an enumeration."""
+    """A place at which the code converts a number to an enumeration."""
 
-    kind: str  # the enumeration
+    kind: str  # name of the enumeration
     number: int
     place: Place
 
 
 @dataclass
 class BranchFact:
-    """A branch that depends on the address of an object, or on the number of an enumerator."""
+    """A branch whose condition compares the address of an object, or uses the number of an
+    enumerator."""
 
-    by: str  # owner of the body
-    target: str  # class or enumeration
+    by: str  # class whose function contains the branch
+    target: str  # class of the object, or the enumeration
     place: Place
 
 
 @dataclass
 class OffsetFact:
-    """A register that is accessed with an offset from another register. It has the largest number
-    in the offset."""
+    """An access to a register by means of the address of another register and an offset. ``offset``
+    is the largest number in the expression of the offset."""
 
     base: int
     offset: int
@@ -195,22 +208,26 @@ class Syntax:
     names: list[NameFact] = field(default_factory=list)
     includes: list[IncludeFact] = field(default_factory=list)
     blocks: list[BlockFact] = field(default_factory=list)
-    casts: list[Place] = field(default_factory=list)  # places that convert a number to an address
-    instructions: list[Place] = field(default_factory=list)  # places with assembler instructions
-    volatile: list[Place] = field(default_factory=list)  # places that use volatile memory
+    # places at which a number is converted to an address
+    casts: list[Place] = field(default_factory=list)
+    # places that contain assembler instructions
+    instructions: list[Place] = field(default_factory=list)
+    volatile: list[Place] = field(default_factory=list)  # places that access volatile memory
     objects: list[FieldFact] = field(default_factory=list)  # variables that no class contains
     flows: list[FlowFact] = field(default_factory=list)
     branches: list[BranchFact] = field(default_factory=list)
     initial: list[InitialFact] = field(default_factory=list)
-    # variable -> value, if it is a plain number
+    # variable -> value; only variables whose value is a plain number
     constants: dict[str, int] = field(default_factory=dict)
     values: list[ConstantFact] = field(default_factory=list)
-    variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
-    friends: list[NameFact] = field(default_factory=list)  # names of classes that have a friend
+    # key: file:name, or the function and the name for a local variable
+    variables: dict[str, FieldFact] = field(default_factory=dict)
+    # friend declarations; `by` is the class that declares the friend
+    friends: list[NameFact] = field(default_factory=list)
     silent: list[SilentFact] = field(default_factory=list)
     enum_numbers: list[EnumNumberFact] = field(default_factory=list)
     offsets: list[OffsetFact] = field(default_factory=list)
-    # Name -> place of the second declaration. Only names that no header declares are listed.
+    # Name -> place of a declaration in a source file that does not include the header of this name.
     declared_again: dict[str, Place] = field(default_factory=dict)
     errors: list[tuple[Place, str]] = field(default_factory=list)
 

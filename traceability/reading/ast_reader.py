@@ -1,4 +1,5 @@
-"""Walks the syntax tree of a unit, and records the facts of its files."""
+"""Walks through the syntax tree of a translation unit, and records facts about the code in its
+files."""
 
 from __future__ import annotations
 
@@ -72,7 +73,7 @@ _CASTS = {
 _DECLARED = {CursorKind.VAR_DECL, CursorKind.PARM_DECL, CursorKind.FIELD_DECL}
 _ENUM_MAKERS = {*_CASTS, CursorKind.CXX_STATIC_CAST_EXPR, CursorKind.INIT_LIST_EXPR}
 _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
-# classes of the library that contain objects as values
+# class templates of the standard library that contain their objects by value
 _HOLDERS = (
     "optional",
     "array",
@@ -100,7 +101,8 @@ _CONSTANTS = {
 
 
 class Reader:
-    """Walks a unit, and stores the facts of the requested files."""
+    """A walk through the syntax tree of one translation unit, which stores the facts about the
+    requested files."""
 
     def __init__(self, root: Path, files: set[str]) -> None:
         self.root = f"{root}/"
@@ -108,13 +110,16 @@ class Reader:
         self.facts = Syntax()
         self.flow = flow.FlowReader(self.place)
         self.facts.flows = self.flow.flows
-        self.function = ""  # the function that was entered last
-        self.chances = 0  # number of conditions around the statement
+        self.function = ""  # the function that contains the present statement
+        self.chances = 0  # number of conditions that enclose the present statement
         self.loops = 0
-        self.initialised = ""  # constant or member whose initialiser is read
-        self.left = False  # whether an earlier condition may have left the function
-        self.asked: list[list[str]] = []  # operands of the conditions around the statement
-        self.left_by: list[str] = []  # conditions that may have left the function
+        self.initialised = ""  # the constant or data member whose initialiser is being read
+        # true if an earlier condition may have left the function before the present statement
+        self.left = False
+        # operands of the conditions that enclose the present statement
+        self.asked: list[list[str]] = []
+        # operands of the earlier conditions that may have left the function
+        self.left_by: list[str] = []
 
     def relative(self, name: str) -> str | None:
         return name.removeprefix(self.root) if name.startswith(self.root) else None
@@ -127,7 +132,8 @@ class Reader:
     def walk(
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
-        """Visits the children. All children after the first ``sure`` children are conditional."""
+        """Visits the children of a node. The first ``sure`` children are always executed. All other
+        children count as conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:
@@ -188,8 +194,8 @@ class Reader:
         self.below(cursor, body, owner)
 
     def below(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
-        """Walks the parts of a statement. The condition and the loop of the statement count for its
-        parts."""
+        """Visits the parts of a statement. If the statement is a condition or a loop, the calls in
+        its parts are recorded as conditional or repeated."""
         if body is None:
             self.walk(cursor, body, owner)
             return
@@ -201,9 +207,8 @@ class Reader:
         del self.asked[len(self.asked) - decides :]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Visits a declaration. A call outside of functions belongs to the initialiser of the
-        constant or member that was declared last.
-        """
+        """Visits a declaration. A call outside functions is recorded for the constant or data
+        member that was declared last, because the call is in its initialiser."""
         if body is not None:
             return
         if cursor.kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
@@ -212,13 +217,13 @@ class Reader:
             self.initialised = ""
 
     def leave(self, cursor: Cursor) -> None:
-        """Records the conditions under which a statement leaves the function."""
+        """If a return statement is inside conditions, records the operands of these conditions."""
         if cursor.kind == CursorKind.RETURN_STMT and self.chances > 0:
             self.left = True
             self.left_by += [question for group in self.asked for question in group]
 
     def questions(self, cursor: Cursor) -> list[str]:
-        """Returns the operands of the condition of a statement."""
+        """Returns the operands of the condition that a statement evaluates."""
         parts = [part for part in cursor.get_children() if part.kind.is_expression()]
         return questions(parts[0], self.is_own) if parts else []
 
@@ -226,7 +231,8 @@ class Reader:
         return target is not None and self.place(target) is not None
 
     def values(self, cursor: Cursor, place: Place) -> None:
-        """Records the constants of a declaration, under all names that a text can use."""
+        """Records the constants that a declaration defines, under each name by which a text can
+        refer to them."""
         if cursor.kind not in _CONSTANTS:
             return
         for end, number, unit in constants_of(cursor):
@@ -236,9 +242,9 @@ class Reader:
                     self.facts.values.append(fact)
 
     def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records a declaration without a comment, if other files can use the declaration.
+        """Records a declaration if it has no comment although other files can use it.
 
-        An enumerator needs a comment if another enumerator of the type has a comment.
+        An enumerator needs a comment only if another enumerator of the same type has a comment.
         """
         if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
             return
@@ -263,19 +269,18 @@ class Reader:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
-            with contextlib.suppress(
-                ValueError
-            ):  # Python cannot read some forms of numbers of C++.
+            # Some forms of C++ numbers are not numbers in Python. Such values are left out.
+            with contextlib.suppress(ValueError):
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records a variable that exists as long as the program."""
+        """Records a variable whose lifetime is the whole program."""
         inside = cursor.semantic_parent.kind in CLASSES
         lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
         member = self.field_fact(cursor, place)
         if lasts and not member.constant and "&" not in member.type:
             marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
-            # The variable keeps its value in a reset.
+            # True if the variable has a section of its own. A reset does not clear such a variable.
             placed = any("section" in _words(mark) for mark in marks)
             self.facts.objects += [] if placed else [member]
 
@@ -339,8 +344,8 @@ class Reader:
                 call.asked = list(dict.fromkeys([*self.left_by, *conditions]))
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
-        """Records the objects that the library constructs. They are its values and its type
-        arguments."""
+        """Records the classes whose objects the standard library constructs for a member, for
+        example the class T of std::optional<T>."""
         constructs = target.kind == CursorKind.CONSTRUCTOR and target.spelling in _HOLDERS
         if not constructs and target.spelling not in _MAKERS:
             return
@@ -351,8 +356,8 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records that code with the address of a function may call this function. The name of the
-        function in a call does not count."""
+        """Records that a function takes the address of another function, because it may then call
+        this function through the address. A direct call is not recorded here."""
         pending = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in pending:
             self.call(target, body, place, virtual=False)
@@ -370,15 +375,15 @@ class Reader:
         return call
 
     def unresolved(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records a call that depends on the parameters of a template. Such a call has only a
-        name."""
+        """Records a call in a template whose target depends on the template parameters. Only the
+        name of the called method is known."""
         if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
             name = [token.spelling for token in cursor.get_tokens()][-1:]
             body.calls += [CallFact(f"{ANY_CLASS}::{part}", False, place) for part in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """Records a variable. A variable that is not a reference constructs objects of its
-        classes."""
+        """Records the classes that the type of a variable contains. If the variable is not a
+        reference, its definition constructs an object."""
         member = self.field_fact(cursor, place)
         if not member.refers and not cursor.type.is_const_qualified():
             inner = owner.split("::", maxsplit=1)[0]
@@ -388,7 +393,8 @@ class Reader:
             self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = member
 
     def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """Records a friend. A friend that the class itself defines is left out."""
+        """Records a friend declaration. A friend function that is defined inside the class is left
+        out."""
         for part in cursor.get_children():
             inside = part.is_definition() or "default" in _words(part)
             if part.kind in FUNCTIONS and not inside:
@@ -418,8 +424,8 @@ class Reader:
             self.block(cursor.referenced, place, declares=False)
 
     def past_interface(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records three forms of access: numbers instead of enumerators, offsets of registers, and
-        second declarations."""
+        """Records three faults of access: a number is used instead of an enumerator, a register is
+        reached by an offset from another register, or a name of another file is declared again."""
         if cursor.kind in _ENUM_MAKERS and cursor.type.get_canonical().kind == TypeKind.ENUM:
             kind, number = class_name(cursor.type.get_declaration()), evaluated(cursor)
             named = any(part.kind == CursorKind.DECL_REF_EXPR for part in cursor.walk_preorder())
@@ -434,7 +440,8 @@ class Reader:
             self.facts.declared_again[cursor.spelling] = place
 
     def run_time(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
-        """Records floating-point numbers, and loops whose head does not count iterations."""
+        """Records floating-point numbers in a function, and loops whose head does not count the
+        iterations."""
         kind = cursor.type.get_canonical().kind
         if kind in _FLOATS and not body.floats:
             body.floats = place.line
@@ -443,8 +450,8 @@ class Reader:
             body.loops.append(place.line)
 
     def block(self, cursor: Cursor | None, place: Place, *, declares: bool) -> None:
-        """Records a namespace inside the namespace of the project, and the contents of its
-        header."""
+        """Records uses of a namespace that is inside the namespace of the project (a block of
+        registers)."""
         while cursor is not None and cursor.kind != CursorKind.NAMESPACE:
             cursor = cursor.semantic_parent
         name = namespace_of(cursor)
@@ -455,9 +462,8 @@ class Reader:
                 self.facts.blocks.append(fact)
 
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
-        """Records the class that ``field_.emplace(...)`` constructs. The field contains an object
-        of this class as a value.
-        """
+        """Records the class whose object ``field_.emplace(...)`` constructs. The data member
+        contains this object by value."""
         member = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
         if member is None:
             return
@@ -503,7 +509,7 @@ class Reader:
             body.assigns.append((changed, place.line))
 
     def left_side(self, cursor: Cursor) -> Cursor | None:
-        """Returns the member that an assignment changes."""
+        """Returns the data member that an assignment changes."""
         operator = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "operator="
         if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
             return None
@@ -511,14 +517,14 @@ class Reader:
         if side is None or (not operator and _operator_after(cursor, side) != "="):
             return None
         left = bare(side)
-        if left is not None and left.spelling == "operator=":  # The operator is called by its name.
+        # The code calls the operator by its name, for example a.operator=(b).
+        if left is not None and left.spelling == "operator=":
             left = bare(next(left.get_children(), None))
         return left if left is not None and left.kind == CursorKind.MEMBER_REF_EXPR else None
 
     def other_name_of(self, variable: Cursor) -> Cursor | None:
-        """Returns the member that a variable refers to. The name of the variable can be used to
-        change this member.
-        """
+        """Returns the data member to which a local reference refers. Code can change the member by
+        means of this reference."""
         kind = variable.type.get_canonical()
         meant = kind.get_pointee()
         if kind.kind not in _REFERRING or meant.is_const_qualified():
@@ -564,7 +570,7 @@ class Reader:
         return fact
 
     def type_fact(self, cursor: Cursor, place: Place) -> ClassFact:
-        """Returns an enumeration or an alias."""
+        """Returns the fact about an enumeration or an alias."""
         kind = "enum" if cursor.kind == CursorKind.ENUM_DECL else "alias"
         end, comment = cursor.extent.end.line, comment_line(cursor)
         fact = ClassFact(cursor.spelling, qualified_name(cursor), kind, place, end, comment=comment)
@@ -593,7 +599,7 @@ class Reader:
             place=place,
             access=cursor.access_specifier.name.lower(),
             constant=cursor.type.is_const_qualified(),
-            # The comment may follow the value.
+            # The comment may be at the end of the source line.
             comment=comment_line(cursor) or cursor.extent.end.line,
         )
 
@@ -651,7 +657,8 @@ class Reader:
 
 
 def bare(cursor: Cursor | None) -> Cursor | None:
-    """Returns an expression without its brackets, address operators and dereferences."""
+    """Returns the inner expression without the brackets, address operators and dereferences around
+    it."""
     while cursor is not None and cursor.kind in _WRAPPING:
         cursor = next(cursor.get_children(), None)
     return cursor
@@ -662,13 +669,13 @@ def _words(cursor: Cursor) -> list[str]:
 
 
 def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
-    """Yields expressions with all their parts."""
+    """Yields the expressions and, recursively, all parts of these expressions."""
     for cursor in cursors:
         yield from (part for part in cursor.walk_preorder() if part.kind.is_expression())
 
 
 def register_of(call: Cursor) -> int | None:
-    """Returns the address of the register from which a call computes another register."""
+    """Returns the address of the register to which a call adds an offset."""
     if call.kind != CursorKind.CALL_EXPR or call.spelling != "at":
         return None
     base = next(call.get_children(), None)
@@ -679,8 +686,8 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """Returns whether a source file declares a name of another file without including its
-    header."""
+    """Returns whether a source file declares a name that belongs to another file, instead of
+    including the header with this name."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
@@ -695,14 +702,14 @@ def _has_no_condition(cursor: Cursor) -> bool:
 
 
 def _is_bare_asm(cursor: Cursor) -> bool:
-    """Returns whether a cursor is an assembler instruction outside of a function."""
+    """Returns whether a node of the syntax tree is an assembler instruction outside functions."""
     bare_kind = cursor.kind == CursorKind.UNEXPOSED_DECL
     return bare_kind and _words(cursor)[:1] in (["asm"], ["__asm__"], ["__asm"])
 
 
 def _makes_address(cursor: Cursor) -> bool:
-    """Returns whether a cursor is a pointer in a union, a copied pointer, or a pointer from a null
-    address."""
+    """Returns whether a node of the syntax tree makes a pointer from a number without a cast: by
+    means of a union, a copy of the bytes, or an offset from a null pointer."""
     if cursor.kind == CursorKind.UNION_DECL:
         return any(part.get_canonical().kind == TypeKind.POINTER for part in _types_in(cursor))
     if cursor.kind == CursorKind.CXX_STATIC_CAST_EXPR:
@@ -717,7 +724,7 @@ def _makes_address(cursor: Cursor) -> bool:
 
 
 def _is_volatile(cursor: Cursor) -> bool:
-    """Returns whether a declaration is in volatile memory, or refers to it."""
+    """Returns whether a declaration is volatile, or refers to a volatile object."""
     kind = cursor.type.get_canonical()
     while kind.kind in _REFERRING:
         kind = kind.get_pointee()
@@ -729,7 +736,8 @@ def _types_in(union: Cursor) -> list[Any]:
 
 
 def _parts(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the operand of a cast. Nodes that the compiler adds around the operand are skipped."""
+    """Yields the operand of a cast. The nodes that the compiler adds around the operand are
+    skipped."""
     for child in cursor.get_children():
         yield child
         if child.kind == CursorKind.UNEXPOSED_EXPR:
@@ -741,7 +749,8 @@ def is_local(cursor: Cursor) -> bool:
 
 
 def aliased(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the classes that an alias names: its class, and the classes of its parameters."""
+    """Yields the classes in the type of an alias: the class itself and the classes of its template
+    arguments."""
     if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         meant = cursor.underlying_typedef_type.get_canonical()
         count = max(0, meant.get_num_template_arguments())
@@ -750,7 +759,7 @@ def aliased(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def unaliased(cursor: Cursor) -> Cursor | None:
-    """Returns the class that a base specifier names."""
+    """Returns the class that a base-class clause names."""
     named = cursor.referenced
     if named is not None and named.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         return cursor.type.get_canonical().get_declaration()
@@ -787,18 +796,16 @@ def _operator_after(cursor: Cursor, left: Cursor) -> str:
 
 
 def comment_line(cursor: Cursor) -> int:
-    """Returns the line at which the comment of a declaration begins. The line is 0 if the same file
-    has no comment for the declaration.
-    """
+    """Returns the source line at which the comment of a declaration begins. Returns 0 if the
+    comment is missing or in another file."""
     start = _library().clang_Cursor_getCommentRange(cursor).start
     same = start.file is not None and start.file.name == cursor.location.file.name
     return int(start.line) if same else 0
 
 
 def _is_open(cursor: Cursor) -> bool:
-    """Returns whether other files can use a declaration. It is a member of public classes, or it is
-    not a member.
-    """
+    """Returns whether other files can use a declaration. The declaration and all classes around it
+    must be public."""
     if cursor.access_specifier not in (AccessSpecifier.PUBLIC, AccessSpecifier.INVALID):
         return False
     above = cursor.lexical_parent
@@ -821,7 +828,7 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # The id of this function. A function is prepared only once.
+        # The id marks a function of the library that is already prepared.
         _library.bound = True  # type: ignore[attr-defined]  # a mark on the function
     return library
 
@@ -831,7 +838,7 @@ def _is_dynamic(cursor: Cursor) -> bool:
 
 
 def _overridden(cursor: Cursor) -> Cursor | None:
-    """Returns the first method that this method overrides, in the nearest base class."""
+    """Returns the method that this method overrides in the nearest base class."""
     overridden = ctypes.POINTER(Cursor)()
     count = ctypes.c_uint()
     library = _library()

@@ -1,4 +1,5 @@
-"""The costs and the extent of likely changes, in the baseline design and in the robot's design."""
+"""The comparison of the baseline design (nested ifs) with the robot's pattern design: the costs of
+both designs, and the number of lines that likely changes edit in each."""
 
 from __future__ import annotations
 
@@ -21,13 +22,13 @@ TITLES = {
     "waiting_k": "a warning state, WaitingK",
     "wheel_algorithm": "a new control algorithm of the wheel",
 }
-# Maximum increase over the baseline design [per cent].
+# Targets: the pattern design may exceed the baseline design by at most this value [per cent].
 TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
 
 
 @dataclass(frozen=True)
 class Row:
-    """A metric that both designs have."""
+    """A metric that is measured for both designs."""
 
     key: str
     title: str
@@ -55,13 +56,13 @@ ROWS = (
 
 @dataclass
 class Touched:
-    """The extent of a patch, counted in its text."""
+    """The numbers of files and lines that a patch adds or edits."""
 
     files_changed: list[str] = field(default_factory=list)
     files_added: list[str] = field(default_factory=list)
-    lines_touched: int = 0  # removed or changed lines of existing files
+    lines_touched: int = 0  # number of existing lines that the patch removes or edits
     lines_added: int = 0
-    code_added: int = 0  # number of these lines that contain code
+    code_added: int = 0  # number of added lines that contain code, without empty lines and comments
 
     def as_json(self) -> dict[str, Any]:
         return dict(vars(self))
@@ -90,31 +91,35 @@ def patch_of(change: str, design: str) -> Path:
 
 
 def changes_of(root: Path) -> list[str]:
-    """Returns the likely changes. Each change is a folder with a test, and with a patch for each
-    design."""
+    """Returns the names of the likely changes with which the designs are compared. Each change has
+    a folder with a test and with one patch for each design."""
     return sorted(path.name for path in (root / CHANGES).glob("*") if path.is_dir())
 
 
 def read_comparison(root: Path) -> dict[str, Any] | None:
-    """Returns the numbers, if they were measured with the present sources."""
+    """Returns the measured numbers. Returns None if they were not measured with the present
+    sources."""
     record = read_json(root / RESULT)
     return record if isinstance(record, dict) and is_fresh(root, BASELINE) else None
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
-    """Returns the increase of the pattern design over the baseline design [per cent]."""
+    """Returns by how many per cent the value of the pattern design is higher than the value of the
+    baseline design."""
     usual, patterns = figures[USUAL][key], figures[PATTERNS][key]
     return 100 * (patterns / usual - 1) if usual else None
 
 
 def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
-    """Returns whether a metric meets its target. Returns None for a metric without a target."""
+    """Returns whether the pattern design meets the target of a metric. Returns None for a metric
+    without a target."""
     increase = more(figures, key)
     return None if key not in TARGETS or increase is None else increase <= TARGETS[key]
 
 
 def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:
-    """Returns the functions of both designs, with the greatest difference first.
+    """Returns the functions of both designs. The function with the greatest difference between the
+    designs is the first.
 
     A function is left out if its numbers differ by less than a limit in both designs.
     """

@@ -1,4 +1,5 @@
-"""The four scenarios of the paper, with the measurements of the paper and of this project."""
+"""The bench: four scenarios from the paper, with the times that the paper states and the times that
+this project measures."""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ from traceability.reading.task_record import is_fresh
 from traceability.schema import BenchRun, BenchScenario, ExceptionCost, Latency, Profile, Spread
 
 BENCH = RESULTS / "bench.json"
-PAPER_BENCH = RESULTS / "bench_paper.json"  # record of the product without safety functions
+# file with the measurements of the product without safety functions
+PAPER_BENCH = RESULTS / "bench_paper.json"
 FOLDER = Path("sim/scenario/bench")
 IMAGE = image_of(DEFAULT, ".bin")
 ELF = image_of(DEFAULT, ".elf")
@@ -30,8 +32,8 @@ TIMINGS = {
 }
 CYCLES = 1000
 PERIOD_MS = 100
-SPEED_GOAL = 100  # speed of the simulation as a multiple of real time
-SHARE = 10  # the target, as a fraction of the paper's time
+SPEED_GOAL = 100  # required speed of the simulation: simulated time divided by real time
+SHARE = 10  # target: the time may be at most this fraction of the time in the paper
 LIBRARY = "C and C++ library"
 ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
 LINES = {
@@ -48,12 +50,13 @@ LINES = {
     77: "thread of wheel 2",
     78: "thread of wheel 3",
 }
-FIRST_LINE = 16  # number of the exception of interrupt line 0
+FIRST_LINE = 16  # number of the exception that belongs to interrupt line 0
 
 
 @dataclass(frozen=True)
 class Paper:
-    """A scenario of the paper, with its text and the measured times [ms]."""
+    """A scenario of the paper, with the text of the paper and the times [ms] that the paper
+    states."""
 
     name: str
     title: str
@@ -103,8 +106,8 @@ Record = dict[str, BenchScenario]
 
 @dataclass(frozen=True)
 class Order:
-    """The order that a scenario sends in each cycle of a period [ms]. It contains the velocity of
-    the wheels [rpm] and the angle of the steering [degrees]."""
+    """An order that a scenario sends in each cycle from the time ``first`` to the time ``last``
+    [ms]. It sets the velocity of the wheels [rpm] and the steering angle [degree]."""
 
     first: int
     last: int
@@ -113,7 +116,7 @@ class Order:
 
 
 def orders_in(text: str) -> list[Order]:
-    """Returns the orders of a scenario of the bench."""
+    """Returns the orders in the text of a bench scenario."""
     matches = (ORDER.match(line.strip()) for line in text.splitlines())
     periods = [map(int, match.groups(default="0")) for match in matches if match]
     return [
@@ -123,7 +126,8 @@ def orders_in(text: str) -> list[Order]:
 
 
 def measured_orders(text: str) -> list[Order]:
-    """Returns the order of each measured cycle. The last cycles of the scenario are measured."""
+    """Returns the order that the scenario sends in each measured cycle. Only the last cycles of a
+    scenario are measured."""
     each = [
         order for order in orders_in(text) for _ in range(order.first, order.last + 1, PERIOD_MS)
     ]
@@ -131,12 +135,13 @@ def measured_orders(text: str) -> list[Order]:
 
 
 def read_bench(root: Path, path: Path = BENCH) -> Record | None:
-    """Returns the record of the last run, if it belongs to the present sources."""
+    """Returns the measurements of the last run. Returns None if they do not belong to the present
+    sources."""
     return read_record(root / path, Record) if is_fresh(root, task_record.BENCH) else None
 
 
 def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, Any]] | None:
-    """Returns the times of each scenario for build/metrics.json."""
+    """Returns the times of each scenario in the form of build/metrics.json."""
     if record is None:
         return None
     return [
@@ -155,8 +160,7 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
 
 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
-    """Returns the numbers of a run. They are computed from the measurements of the board
-    program."""
+    """Computes the numbers of a run from the measurements of the board program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
         raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
     per_ms = raw["clock_hz"] / 1000
@@ -183,9 +187,8 @@ def spread(values: Sequence[float], digits: int) -> Spread:
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
-    """Returns for each priority the longest time from a request to its handler, and the name of
-    this handler.
-    """
+    """Returns for each priority the longest time from an interrupt request to the start of the
+    handler, and the name of this interrupt."""
     requested = [(int(number), latency) for number, latency in raw.items() if latency["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
     longest = {}
@@ -197,8 +200,8 @@ def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latenc
 
 
 def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[ExceptionCost]:
-    """Returns the average cost of each interrupt and thread in a cycle, with the highest cost
-    first."""
+    """Returns the average cost of each interrupt and thread in a control cycle. The highest cost is
+    the first."""
     rows = [
         ExceptionCost(
             who(int(number)),
@@ -221,12 +224,14 @@ def who(exception: int) -> str:
 # ---- which module executed the instructions ----------------------------------
 
 
-Frames = list[tuple[str, str]]  # pairs of function and file; the innermost function is first
+# the functions at an instruction, as pairs of function and file; the innermost inlined function is
+# the first
+Frames = list[tuple[str, str]]
 
 
 def profile(raw: dict[str, Any], root: Path) -> Profile:
-    """Returns the mean number of instructions of modules and of functions, in the whole cycle and
-    up to the report."""
+    """Returns for each module and each function the mean number of instructions in a cycle: in the
+    whole cycle, and up to the report."""
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     return profile_of(counts, frames_of(root / ELF, counts))
 
@@ -248,9 +253,8 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 
 
 def owner(frames: Frames) -> tuple[str, str]:
-    """Returns the module and the function of an instruction. They are those of the innermost
-    function of the project at its place.
-    """
+    """Returns the module and the function to which an instruction belongs. If functions are inlined
+    into each other, the innermost function of the project counts."""
     for function, file in frames:
         if {"src", "extensions", "tests"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function
@@ -258,7 +262,8 @@ def owner(frames: Frames) -> tuple[str, str]:
 
 
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
-    """Returns the functions of each instruction. The innermost inlined function is first."""
+    """Returns for each instruction the functions that contain it. The innermost inlined function is
+    the first."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
     text = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=text, capture_output=True, text=True, check=True).stdout

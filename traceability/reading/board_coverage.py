@@ -1,9 +1,10 @@
-"""The lines of the design that were executed on the virtual K64.
+"""The source lines of the design that were executed on the virtual K64.
 
-The drivers are built only for the K64, so the coverage of this machine cannot include them. A test
-on the virtual K64 sets one bit for each half-word that it executed. The first bits belong to the
-lower RAM, which contains the program. The other bits belong to the flash. The debug data of the
-image contain the source line of each instruction.
+The drivers are built only for the K64. The coverage on the host therefore does not include them. A
+test on the virtual K64 writes a file with one bit for each half-word of memory. A bit is 1 if the
+test executed the half-word. The first bits belong to the lower RAM, which contains the program. The
+other bits belong to the flash. The debug data of the firmware image show the source line of each
+instruction.
 """
 
 from __future__ import annotations
@@ -23,14 +24,13 @@ FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
 ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
 
 LOWER_RAM, RAM_SIZE = 0x1FFF0000, 0x10000  # size of SRAM_L in bytes (K64 manual, table 4-1)
-# file, line, first address, and the address after the last address
+# file, source line, first address, and the address after the last address
 Stretch = tuple[str, int, int, int]
 
 
 def read_stretches(root: Path) -> list[Stretch]:
-    """Returns the code of the image in address ranges. Each range belongs to a single source line.
-    Returns nothing without an image.
-    """
+    """Returns the address ranges of the code in the firmware image. Each range belongs to one
+    source line. Returns an empty list if there is no image."""
     listing = subprocess.run(
         ["arm-none-eabi-objdump", "--dwarf=decodedline", root / ELF],
         capture_output=True, text=True, check=False,
@@ -39,9 +39,10 @@ def read_stretches(root: Path) -> list[Stretch]:
 
 
 def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
-    """Returns for each file and line whether an instruction of the line was executed.
+    """Returns for each file and source line whether an instruction of this line was executed.
 
-    The last bit belongs to the last half-word that was executed.
+    ``executed`` may end after the last executed half-word. Half-words without a bit were not
+    executed.
     """
     files: dict[str, dict[int, bool]] = {}
     last = 8 * len(executed)
@@ -54,14 +55,14 @@ def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict
 
 
 def _half(address: int) -> int:
-    """Returns the number of the bit that belongs to an address."""
+    """Returns the number of the bit that belongs to the half-word at an address."""
     place = address - LOWER_RAM if address >= LOWER_RAM else RAM_SIZE + address
     return place // 2
 
 
 def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
-    """Yields the linked code of the design in address ranges. Each range belongs to a single source
-    line."""
+    """Yields the address ranges of the design's code in the firmware image. Each range belongs to
+    one source line."""
     file = ""
     before: tuple[str, int, int] | None = None
     dropped = False
@@ -71,7 +72,7 @@ def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
         elif match := ROW.match(text):
             number, address = match[1], int(match[2], 16)
             if before is None:
-                dropped = address == 0  # Code that the linker removed has no address.
+                dropped = address == 0  # Code that the linker removed begins at the address 0.
             elif address > before[2] and not dropped and before[0].startswith(FOLDERS):
                 yield (*before, address)
             before = None if number == "-" else (file, int(number), address)

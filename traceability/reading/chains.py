@@ -1,4 +1,5 @@
-"""Follows a value through a recording. The design declares the calls and events of such a chain."""
+"""Follows a value, such as a set-point, through a recording. A chain in the design declares the
+calls and events through which the value passes."""
 
 from __future__ import annotations
 
@@ -12,8 +13,10 @@ from traceability.schema import Place
 from weeding_robot_client.frames import FrameError, decode
 from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
-WITHIN = "> "  # The call of the last step without this mark contains the step with the mark.
-HEAD = 4  # number of bytes before the payload: byte stuffing, version, type and sequence number
+WITHIN = "> "  # A step with this mark is inside the call of an earlier step.
+# number of bytes before the payload of a frame: one byte of byte stuffing, version, type and
+# sequence number
+HEAD = 4
 CHANNELS = 8  # number of channels of an FTM
 BYTES = ("byte_received", "byte_sent")
 
@@ -25,24 +28,28 @@ class Chain:
     says: str
     recording: str
     steps: Sequence[str]
-    last: bool  # The chain begins at the last matching place, and not at the first one.
+    # true if the chain begins at the last possible place in the recording; false for the first
+    # possible place
+    last: bool
     place: Place
 
 
 @dataclass(frozen=True)
 class Step:
-    """A step in the recording. It is a call, or an event with its text."""
+    """A step of a chain that was found in the recording. It is a call, or an event that ``text``
+    describes."""
 
     wanted: str
     at: int
-    depth: int  # depth below the step that contains it
+    depth: int  # number of steps whose calls enclose this step
     span: int | None = None
     text: str = ""
 
 
 @dataclass
 class FrameBytes:
-    """A frame on the line, with the times of its bytes and with its values."""
+    """A frame on the serial line. ``events`` are its bytes with their times, and ``values`` are the
+    decoded fields."""
 
     kind: str
     events: list[BoardEvent] = field(default_factory=list)
@@ -55,7 +62,8 @@ def declared_chains(root: Path, entries: Entries | None = None) -> list[Chain]:
 
 
 def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
-    """Yields the complete frames that a line carried, in their order."""
+    """Yields the complete frames that were received or sent on the serial line, in the order of
+    time."""
     pending: list[BoardEvent] = []
     for event in recording.events:
         if event.kind != direction or event.number != 0:
@@ -67,7 +75,7 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
         try:
             frame = decode(bytes(event.value for event in events))
         except FrameError:
-            continue  # The first bytes of the frame were sent before the recording.
+            continue  # The recording began in the middle of this frame.
         layout = next(
             (frame_layout for frame_layout in LAYOUTS.values() if frame_layout.kind == frame.kind),
             None,
@@ -77,8 +85,8 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
 
 
 def follow(chain: Chain, recording: Recording) -> list[Step] | None:
-    """Returns the steps of a chain. Returns None if the recording does not contain them in this
-    order."""
+    """Returns the steps of a chain as found in the recording. Returns None if the recording does
+    not contain all steps in the declared order."""
     places = list(_places(chain.steps[0], recording, 0, None))
     for first in reversed(places) if chain.last else places:
         if steps := _from(first, chain, recording):
@@ -87,7 +95,8 @@ def follow(chain: Chain, recording: Recording) -> list[Step] | None:
 
 
 def first_missing(chain: Chain, recording: Recording) -> str:
-    """Returns the first step of a chain that is missing in the recording."""
+    """Returns the name of the first step that cannot be found in the recording. Returns "" if all
+    steps are found."""
     for number in range(1, len(chain.steps) + 1):
         part = Chain(chain.name, "", "", "", chain.steps[:number], chain.last, chain.place)
         if follow(part, recording) is None:
@@ -121,9 +130,8 @@ def _contains(recording: Recording, outer: Step, name: str, after: int) -> bool:
 
 
 def _places(name: str, recording: Recording, after: int, outer: Step | None) -> Iterator[Step]:
-    """Yields the calls or events of a step that begin after a time. If a call is given, they are
-    within this call.
-    """
+    """Yields the calls or events in the recording that match a step and do not begin before a time.
+    If ``outer`` is a call, only the calls inside this call are considered."""
     kind, _, rest = name.partition(" ")
     if kind in BYTES:
         yield from _field_places(name, recording, kind, rest, after)
@@ -147,7 +155,7 @@ def _places(name: str, recording: Recording, after: int, outer: Step | None) -> 
 def _field_places(
     field_name: str, recording: Recording, direction: str, named: str, after: int
 ) -> Iterator[Step]:
-    """Yields the first byte of a field in each frame that has this field."""
+    """Yields for each frame of the named kind the event of the first byte of the named field."""
     kind, _, name = named.partition(".")
     field_ = LAYOUTS[kind].of(name)
     number = HEAD + field_.offset
@@ -166,7 +174,8 @@ def _field_places(
 
 
 def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
-    """Returns the unit of a set-point. It is the unit of the quantity in the same frame."""
+    """Returns the unit of a set-point in a frame. The field with the quantity in the same frame
+    determines this unit."""
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()

@@ -1,4 +1,5 @@
-"""Reads the folders of ``changes/`` and their results. Each folder makes a likely change."""
+"""Reads the folders of ``changes/`` and the results of their tests. Each folder contains one likely
+change that was really made."""
 
 from __future__ import annotations
 
@@ -17,12 +18,15 @@ from traceability.schema import HOST, VIRTUAL_K64, Place
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
-UNCHANGED = "weeding_robot_paper"  # reference image for a change without an extension
-# The composition. Its files create the parts and connect them.
+# A change without an extension is compared with this firmware image.
+UNCHANGED = "weeding_robot_paper"
+# Folders of the composition, whose files create the objects and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
-# The composition of the pattern design, for the comparison with the baseline design.
+# The file with the composition of the pattern design in the comparison with the baseline design.
 COMPARED = "tests/usual_design/patterns/PatternDesign."
-ON_BOARD = "OnBoard"  # end of the name of a test suite that runs the image of a change
+# A test suite whose name ends with this word executes the firmware image of a change on the virtual
+# K64.
+ON_BOARD = "OnBoard"
 TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)")
 CLASS = re.compile(r"^class (\w+)(?: final)?(?: : public (\w+))?", re.MULTILINE)
 PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
@@ -30,39 +34,46 @@ PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
 
 @dataclass
 class Kit:
-    """One likely change, with its declaration and its files."""
+    """One likely change: its declaration, its added files, and the lines that it edits."""
 
     application: str
     event: str
     place: Place
-    hard: str = ""  # the name of the event in the list of hard changes
-    why: str = ""  # reason why existing files change
-    classes: list[str] = field(default_factory=list)  # classes with the role of the recipe
+    hard: str = ""  # name of the event in the list of hard changes
+    why: str = ""  # reason why the change must edit existing files
+    # added classes that have the role of the recipe
+    classes: list[str] = field(default_factory=list)
     extension: str = ""  # folder of the extension that makes the change
     image: str = ""
-    base: str = UNCHANGED  # image without the change
-    tests: dict[str, Place] = field(default_factory=dict)  # Suite.Name -> its place
-    named_tests: list[str] = field(default_factory=list)  # tests of an extension
+    base: str = UNCHANGED  # firmware image without the change, for the comparison
+    # Suite.Name of a test -> place of the test
+    tests: dict[str, Place] = field(default_factory=dict)
+    # names of tests that are part of an extension
+    named_tests: list[str] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # added files, without tests
     bases: dict[str, str] = field(default_factory=dict)  # class in an added file -> its base class
-    patched: list[str] = field(default_factory=list)  # existing files that change
+    patched: list[str] = field(default_factory=list)  # existing files that the change edits
     composition_lines: int = (
-        0  # number of existing lines of the composition that are removed or changed
+        0  # number of existing lines of the composition that the change removes or edits
     )
-    outside_lines: int = 0  # number of changed lines in other files
+    # number of existing lines in other files that the change removes or edits
+    outside_lines: int = 0
     added_lines: int = 0  # number of new lines in existing files
 
 
 @dataclass(frozen=True)
 class KitRecord:
-    """The results of the tests of all changes, and the costs of their images."""
+    """The results of the tests of all changes, and the costs of the firmware images with the
+    changes."""
 
     tests: Mapping[str, Result]
-    images: Mapping[str, Mapping[str, float]]  # flash and RAM [bytes]; instructions in a cycle
+    # for each image: flash and RAM [byte], and instructions in a cycle
+    images: Mapping[str, Mapping[str, float]]
 
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
-    """Returns the change of each application. Each folder with a declaration is such a change."""
+    """Returns the likely changes by the id of their pattern application. Each folder with a
+    declaration contains one change."""
     kits = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)
@@ -99,9 +110,9 @@ def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
 
 @dataclass(frozen=True)
 class TouchedLines:
-    """The existing lines that a patch changes."""
+    """The number of existing lines that a patch removes or edits."""
 
-    outside: int  # lines that are not in the composition
+    outside: int  # lines outside the composition
     composition: int
 
 
@@ -117,7 +128,7 @@ def touched_lines(patch: str) -> TouchedLines:
 
 
 def count_lines(kit: Kit, patch: str) -> None:
-    """Adds the files and the lines that a patch changes."""
+    """Adds the edited files and the numbers of edited lines of a patch to a change."""
     for part in PART_OF_PATCH.findall(patch):
         touched = count_patch(part)
         name = touched.files_changed[0]
@@ -145,7 +156,8 @@ def target_of(test: str) -> str:
 
 
 def read_record(root: Path) -> KitRecord | None:
-    """Returns the record, if it belongs to the present sources."""
+    """Returns the results of the changes. Returns None if they do not belong to the present
+    sources."""
     data = read_json(root / RESULT)
     if not isinstance(data, dict) or not is_fresh(root, CHANGES):
         return None
@@ -153,5 +165,6 @@ def read_record(root: Path) -> KitRecord | None:
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:
-    """Returns the images of the changes, and the images that they are compared with."""
+    """Returns the names of the firmware images with the changes, and of the images with which they
+    are compared."""
     return sorted({image for kit in kits for image in (kit.image, kit.base)})

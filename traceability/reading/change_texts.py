@@ -13,19 +13,21 @@ FILE = Path("design/changes.toml")
 
 @dataclass
 class Recipe:
-    """The steps that change an application of a pattern. The roles are roles of this pattern."""
+    """The recipe of a pattern: the steps that make a likely change of an application of this
+    pattern. All roles are roles of the pattern."""
 
     pattern: str
-    alters: list[str]  # Each module with one of these roles hides a variant.
-    adds: str = ""  # role of a new class
-    derives: str = ""  # role from which a new class derives
+    # Each module with one of these roles implements one variant. The change edits such a module.
+    alters: list[str]
+    adds: str = ""  # role of the class that the change adds
+    derives: str = ""  # the added class derives from a class with this role
     steps: list[str] = field(default_factory=list)
     place: Place = field(default_factory=lambda: Place(str(FILE), 1))
 
 
 @dataclass
 class Particular:
-    """The texts about the change of one application."""
+    """The texts about the likely change of one pattern application."""
 
     id: str
     derives: list[str] = field(default_factory=list)

@@ -7,7 +7,8 @@ import re
 from clang.cindex import Cursor, CursorKind
 
 NAMESPACE = "wr"
-# Clang names a lambda by its file. This name contains the folders of this machine.
+# Clang names a lambda by the path of its file. The folders of this computer are removed from this
+# name.
 FOLDERS_OF_LAMBDA = re.compile(r"(?<=\(lambda at )\S*/")
 CLASSES = {
     CursorKind.CLASS_DECL,
@@ -31,9 +32,8 @@ def is_function(cursor: Cursor) -> bool:
 
 
 def class_name(cursor: Cursor | None) -> str:
-    """Returns ``Outer::Inner`` without the namespace. The name is empty if the cursor is outside of
-    a class.
-    """
+    """Returns the name of a class as ``Outer::Inner``, without the namespace. Returns "" if the
+    node of the syntax tree is not a class."""
     parts: list[str] = []
     kinds = {*CLASSES, CursorKind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, CursorKind.ENUM_DECL}
     kinds |= {CursorKind.TYPE_ALIAS_DECL}
@@ -44,7 +44,8 @@ def class_name(cursor: Cursor | None) -> str:
 
 
 def namespace_of(cursor: Cursor | None) -> str:
-    """Returns the namespaces around a cursor. The namespace of the project is left out."""
+    """Returns the namespaces that enclose a node of the syntax tree. The namespace of the project
+    is left out."""
     parts: list[str] = []
     while cursor is not None and cursor.kind != CursorKind.TRANSLATION_UNIT:
         if cursor.kind == CursorKind.NAMESPACE and not cursor.is_anonymous():

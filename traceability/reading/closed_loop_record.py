@@ -1,5 +1,5 @@
-"""The runs in closed loop with the simulated robot, with their curves and with values that have
-limits."""
+"""The results of the closed-loop runs, in which the firmware controls the simulated robot: curves,
+and values with limits."""
 
 from __future__ import annotations
 
@@ -48,12 +48,13 @@ Points = list[tuple[float, float]]
 
 
 def csv_of(scenario: str, binding: str) -> Path:
-    """Returns the file into which the reports of a run are written."""
+    """Returns the path of the file into which a run writes its reports."""
     return FOLDER / f"{scenario}-{SHORT[binding]}.csv"
 
 
 def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
-    """Returns the scenarios with their plots and metrics, as the design declares them."""
+    """Returns the closed-loop scenarios that the design declares, with their plots and metrics but
+    without results."""
     entries = entries or Entries(root)
     may: Keys = {"plot": list, "figure": list}
     scenarios = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
@@ -70,7 +71,8 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
 
 
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
-    """Returns the scenarios. They have curves and values if they ran with the present sources."""
+    """Returns the closed-loop scenarios. A scenario that ran with the present sources has curves
+    and values."""
     outcomes = read_json(root / OUTCOMES)
     fresh = isinstance(outcomes, dict) and is_fresh(root, CLOSED_LOOP)
     runs = outcomes["runs"] if fresh else {}
@@ -131,8 +133,8 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
-    The time of a true value is the time at which it was read. The time of a reported value is the
-    time of the clock pulse.
+    A true value (of the simulated robot) has the time at which it was read. A value that the robot
+    reported has the time of the clock pulse.
     """
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
@@ -145,7 +147,8 @@ def time_column(name: str) -> str:
 
 
 def is_valid(row: dict[str, str], name: str) -> bool:
-    """Returns whether a value is valid. A report marks each missing value."""
+    """Returns whether a value is valid. A report has a bit for each value that shows whether the
+    value is valid."""
     wheel = int(name[-1]) if name[-1].isdigit() else 0
     bits = {
         f"velocity{wheel}": ("measured", 3 * wheel),
@@ -177,7 +180,8 @@ def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
 
 
 def measure(figure: dict[str, Any], points: Points) -> float | None:
-    """Computes a metric. Returns None when there are no points, or when the value never settles."""
+    """Computes a metric of a curve. Returns None if the curve has no points, or if the value never
+    settles in its band."""
     if not points:
         return None
     target = float(figure.get("target", 0))
@@ -197,8 +201,8 @@ def measure(figure: dict[str, Any], points: Points) -> float | None:
 
 
 def settling(points: Points, start: float, target: float, band: float) -> float | None:
-    """Returns the time from the start to the first value after which all values are within the
-    band."""
+    """Returns the settling time: the time from ``start`` to the first value from which on all
+    values are within the band. Returns None if the last value is outside the band."""
     inside: float | None = None
     for at, value in points:
         if abs(value - target) > band * abs(target):
@@ -209,9 +213,9 @@ def settling(points: Points, start: float, target: float, band: float) -> float 
 
 
 def means(points: Points) -> Sequence[float]:
-    """Returns the mean of each second that begins at a point. If no second is complete, returns the
-    mean of all points.
-    """
+    """Returns a moving average: for each point, the mean of the second that begins at this point.
+    Incomplete seconds at the end are left out. If the curve is shorter than a second, returns the
+    mean of all its points."""
     last = points[-1][0]
     averages: list[float] = []
     for at, _ in points:

@@ -1,8 +1,10 @@
-"""Reads comments. A comment has tags, and each tag has arguments, a text and a line.
+"""Reads the documentation comments. A comment has tags. Each tag has arguments, a text and a source
+line.
 
 A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration to which the
-syntax tree assigns it, or to the test macro below it. In a ``.dox`` file, the tags of a comment
-name its subject. The texts are plain text with the light markup of the comment: `names` and lists.
+syntax tree assigns it, or to the test macro below it. In a ``.dox`` file, a tag of the comment
+names the described object. The texts are plain text, which may contain `names` in backticks and
+lists.
 """
 
 from __future__ import annotations
@@ -18,8 +20,8 @@ from traceability.schema import Place
 from traceability.sources import files_below
 
 SUFFIXES = (".hpp", ".cpp", ".dox")
-# The name of a tag can have three kinds of arguments: arguments in braces, a word, or a text. The
-# settings of Doxygen declare the tags that this project adds.
+# The arguments of a tag follow its name. They can be in braces, or be a single word, or be a text.
+# The settings of Doxygen declare the tags that this project adds.
 IN_BRACES = {"role": 2, "patternapp": 3, "isr": 1, "hides": 1}
 WORD = ("param", "tparam", "throws", "satisfies", "verifies", "requirement", "dir", "page")
 OF_CODE = ("brief", "return", "pre", "post", "errors", "function", "secret", "why", "changes")
@@ -29,7 +31,8 @@ OF_REQUIREMENTS = (
 )
 TAGS = {*IN_BRACES, *WORD, *OF_CODE, *OF_REQUIREMENTS, "datatype"}
 
-# Numbers are matched first, because a ' in a number does not begin a character literal.
+# The pattern matches numbers first, because the ' in a number such as 1'000 does not begin a
+# character literal.
 TOKENS = re.compile(
     r"""\b\d[\w'.]*|R"(?P<mark>[^()\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'"""
     r"""|(?P<comment>//[^\n]*|/\*.*?\*/)""",
@@ -45,9 +48,9 @@ NEXT_ARGUMENT = re.compile(r"(?<!\\),\s*")
 
 @dataclass
 class Tag:
-    """A tag of a comment. ``text`` is its paragraph, ``more`` are the paragraphs after it, and
-    ``source`` is the original text. The text before the first tag of a comment counts as a tag
-    without a name."""
+    """A tag of a comment. ``text`` is the paragraph of the tag, ``more`` are the paragraphs after
+    this paragraph, and ``source`` is the original text. The text before the first tag of a comment
+    counts as a tag without a name."""
 
     name: str
     arguments: list[str]
@@ -70,22 +73,24 @@ class Comment:
         return [tag for tag in self.tags if tag.name == name]
 
     def all(self, name: str) -> list[str]:
-        """Returns the texts of a tag. A text may also be in the braces of the tag."""
+        """Returns the text of each tag with this name. For some tags, the text is in braces after
+        the name."""
         return [tag.argument if name in IN_BRACES else tag.text for tag in self.of(name)]
 
     def one(self, name: str) -> str:
         return next(iter(self.all(name)), "")
 
     def words(self, name: str) -> list[str]:
-        """Returns the words of a tag, without duplicates."""
+        """Returns the first argument of each tag with this name, without duplicates."""
         return list(dict.fromkeys(tag.argument for tag in self.of(name)))
 
     def texts(self, name: str) -> dict[str, str]:
-        """Returns the text of each word of a tag such as ``@param``."""
+        """Returns the texts of tags such as ``@param``, by their first arguments."""
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
-        """Splits the comment before each of these tags. Each part is a comment of its own."""
+        """Splits the comment before each tag with this name. Yields each part as a separate
+        comment."""
         starts = [number for number, tag in enumerate(self.tags) if tag.name == name]
         for start, end in pairwise([*starts, len(self.tags)]):
             yield Comment(self.tags[start].place, self.tags[start:end])
@@ -97,15 +102,15 @@ class Comment:
 
     @cached_property
     def details(self) -> str:
-        """Returns the paragraphs that do not belong to a tag."""
+        """Returns the paragraphs of the comment that are not the paragraph of a tag."""
         first = [self.one("")] if self.of("brief") else []
         return "\n\n".join(
             filter(None, [*first, *(text for tag in self.tags for text in tag.more)])
         )
 
     def source(self, without: tuple[str, ...] = ()) -> str:
-        """Returns the comment as it is written, with a line for each paragraph and without some
-        tags."""
+        """Returns the original text of the comment without the named tags. Each paragraph becomes
+        one text line."""
         written = (tag.source for tag in self.tags if tag.name not in without)
         paragraphs = (text for tag in written for text in BLANK_LINE.split(tag))
         return "\n".join(filter(None, (" ".join(text.split()) for text in paragraphs)))
@@ -115,7 +120,8 @@ NO_COMMENT = Comment(Place("", 0), [])
 
 
 class Comments:
-    """The comments of all files. A file is read when its first comment is requested."""
+    """A reader that finds the comment at a place. It reads a file when a comment of this file is
+    requested for the first time."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -129,7 +135,8 @@ class Comments:
         return self.files[file]
 
     def at(self, file: str, line: int) -> Comment:
-        """Returns the comment on a line. Returns an empty comment if the line has none."""
+        """Returns the comment that includes a source line. Returns an empty comment if there is
+        none."""
         if not line:
             return NO_COMMENT
         if file not in self.lines:
@@ -141,7 +148,7 @@ class Comments:
         return self.lines[file].get(line, NO_COMMENT)
 
     def below(self, names: Iterable[str]) -> Iterator[Comment]:
-        """Yields all comments of the files below some folders."""
+        """Yields all comments in the files below the given folders."""
         for path in files_below(self.root, names, SUFFIXES):
             yield from self.of_file(str(path.relative_to(self.root)))
 
@@ -153,16 +160,16 @@ def code_of(text: str) -> str:
 
 
 def comment_blanked(text: str) -> str:
-    """Returns the text without the words of its comments. The numbers of the lines do not
-    change."""
+    """Returns the source text without its comments. The line breaks inside the comments remain, so
+    the line numbers do not change."""
     return TOKENS.sub(
         lambda match: "\n" * match[0].count("\n") if match["comment"] else match[0], text
     )
 
 
 def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
-    """Yields each ``//`` and ``/* */`` comment, with its line and with whether code is before
-    it."""
+    """Yields each ``//`` and ``/* */`` comment, with its line number. The last value is true if
+    there is code before the comment on the same line."""
     line, at = 1, 0
     for token in TOKENS.finditer(text):
         written = token["comment"]
@@ -175,7 +182,8 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 def read_comments(file: str, text: str) -> Iterator[Comment]:
     """Yields the documentation comments of a file."""
     block: list[str] = []
-    start, behind = 0, False  # line of the block, and whether the comment follows its declaration
+    # line number of the block; true if the comment is after its declaration
+    start, behind = 0, False
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)
         follows = bool(block) and line == start + len(block) and not after_code
@@ -222,13 +230,13 @@ def _tag(file: str, line: int, text: str, match: re.Match[str], end: int) -> Tag
 
 
 def _paragraphs(text: str) -> list[str]:
-    """Returns the paragraphs. A paragraph ends at a blank line, so the first paragraph may be
-    empty."""
+    """Splits a text into paragraphs at its blank lines. The first paragraph is empty if the text
+    begins with a blank line."""
     first, *more = BLANK_LINE.split(text)
     return [plain(first), *filter(None, map(plain, more))]
 
 
 def plain(text: str) -> str:
-    """Returns a text on one line. Only the items of a list each begin a new line."""
+    """Returns a text as one line. Only each item of a list begins on a new line."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

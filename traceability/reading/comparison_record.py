@@ -14,7 +14,7 @@ RECORD = RESULTS / "diff.json"
 
 @dataclass(frozen=True)
 class Difference:
-    """A line of the comparison."""
+    """One difference between the two commits, as a row of the comparison."""
 
     section: str
     subject: str
@@ -23,8 +23,9 @@ class Difference:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Two commits and their differences. ``unmeasured`` lists the commits without recorded results.
-    Their verdicts, findings, sizes and metrics are not compared."""
+    """Two commits and the differences between them. ``unmeasured`` lists those of the two commits
+    that have no recorded results. In this case, verdicts, findings, sizes and metrics are not
+    compared."""
 
     first: str
     second: str

@@ -1,4 +1,4 @@
-"""Reads the names of the paper (``paper.toml``) and their counterparts here
+"""Reads the names in the paper (``paper.toml``) and their counterparts in this project
 (``concordance.toml``)."""
 
 from __future__ import annotations
@@ -22,20 +22,21 @@ STATEMENTS = Path("design/statements.toml")
 
 @dataclass
 class Concordance:
-    """The places of the paper, the names in them, and the entries of the concordance."""
+    """The places of the paper, the names that the paper uses at these places, and the entries of
+    the concordance."""
 
     places: list[PaperPlace] = field(default_factory=list)
     # element -> ids of the places that contain it
     named: dict[tuple[str, str], list[str]] = field(default_factory=dict)
-    # element -> line of its name in paper.toml
+    # element -> place of its name in paper.toml
     lines: dict[tuple[str, str], Place] = field(default_factory=dict)
     entries: list[PaperElement] = field(default_factory=list)
     statements: list[PaperStatement] = field(default_factory=list)
 
 
 def read_concordance(root: Path, entries: Entries) -> Concordance:
-    """Reads the concordance. Each entry lists the places of the paper that contain its name, if
-    there are any."""
+    """Reads the concordance. Each entry receives the list of the places in the paper that contain
+    its name."""
     if not (root / PAPER).exists() or not (root / CONCORDANCE).exists():
         return Concordance()
     concordance = _paper(root, entries)
@@ -56,7 +57,7 @@ def _paper(root: Path, entries: Entries) -> Concordance:
     lines = (root / PAPER).read_text(encoding="utf-8").splitlines()
     needs = {"id": str, "kind": str, "title": str}
     for item, header in entries.tables(root / PAPER, "place", needs, {"names": dict}, own="id"):
-        start = header.line  # The id is on a line below the header.
+        start = header.line  # In the TOML file, the id is on a line below the header of the table.
         place = Place(str(PAPER), start + 1)
         concordance.places.append(PaperPlace(item["id"], item["kind"], item["title"], place))
         own = (item["kind"], item["id"])
@@ -87,6 +88,7 @@ def _entries(root: Path, entries: Entries) -> list[PaperElement]:
 
 
 def _line(lines: list[str], name: str, start: int) -> int:
-    """Returns the number of the line with a name, at or after a line."""
+    """Returns the number of the first line that contains a name. The search begins at a given
+    line."""
     pattern = re.compile(rf'"{re.escape(name)}"')
     return next((n + 1 for n in range(start, len(lines)) if pattern.search(lines[n])), start + 1)

@@ -1,4 +1,4 @@
-"""The operations, members and comparisons in the condition of a branch."""
+"""Finds the operands in the condition of a branch: called operations, members and comparisons."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from traceability.reading.flow import operator_of
 COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
 JOINED = ("&&", "||", "and", "or")
 NUMBERS = {CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL}
-IsOwn = Callable[[Cursor | None], bool]  # whether a declaration belongs to the project
+# function that returns whether a declaration belongs to the project
+IsOwn = Callable[[Cursor | None], bool]
 
 
 def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
-    """Returns parts such as ``Class::operation`` or ``Class::member >= 3``. A local variable is
-    replaced by its initialiser."""
+    """Returns the operands of a condition, such as ``Class::operation`` or ``Class::member >= 3``.
+    The initialiser of a local variable replaces the variable."""
     variable = _local(condition)
     if variable is not None:
         return questions(variable, is_own)
@@ -36,7 +37,7 @@ def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
 
 
 def _local(cursor: Cursor) -> Cursor | None:
-    """Returns the initialiser of the local variable that an expression names."""
+    """Returns the initialiser of a local variable if the expression names such a variable."""
     while cursor.kind in (CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR):
         inner = list(cursor.get_children())
         if len(inner) != 1:
@@ -51,8 +52,8 @@ def _local(cursor: Cursor) -> Cursor | None:
 
 
 def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
-    """Yields the operands of an expression, in the order of the text. Arguments of calls are left
-    out."""
+    """Yields the operands of an expression in the order of the source text. Arguments of calls are
+    left out."""
     variable = _local(cursor)
     if variable is not None:
         yield from _names(variable, is_own)
@@ -68,9 +69,8 @@ def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
             return
     elif cursor.kind in NUMBERS:
         digits = next((token.spelling for token in cursor.get_tokens()), "").rstrip("uUlL")
-        if digits[
-            :1
-        ].isdigit():  # The syntax tree represents this comparison with 0 as an operator.
+        # The compiler can read a < b as (a <=> b) < 0. This 0 is not in the source text.
+        if digits[:1].isdigit():
             yield digits
         return
     for part in cursor.get_children():

@@ -1,5 +1,5 @@
-"""The values of constants. A constant is a variable, an enumerator, or an operation that returns a
-constant."""
+"""Reads the values of constants from the syntax tree. A constant can be a variable, an enumerator,
+or an operation that only returns a constant."""
 
 from __future__ import annotations
 
@@ -14,15 +14,14 @@ from clang.cindex import Cursor, CursorKind, SourceLocation, SourceRange, TokenK
 from traceability.reading.clang_names import class_name
 
 UNIT = re.compile(r"\[([^\]]+)\]")
-RANGE = " to "  # Brackets with this text contain a range, and not a unit.
+RANGE = " to "  # If square brackets contain this text, they state a range and not a unit.
 UNSIGNED = {TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG}
-INTEGER = 1  # kind of an evaluated expression
+INTEGER = 1  # kind that libclang gives to an integer that it evaluated
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """Returns the names of a constant that a text can use. They begin with the class, or with the
-    file for a constant of a namespace.
-    """
+    """Returns the names by which a text can refer to a constant. Each name begins with the class of
+    the constant. If the constant is outside classes, each name begins with the file."""
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]
@@ -30,8 +29,8 @@ def constant_names(cursor: Cursor, file: str) -> list[str]:
 
 
 def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
-    """Yields the constants of a declaration, each as the suffix of the name, the value and the
-    unit."""
+    """Yields the constants that a declaration defines. Each constant has a suffix for the name, the
+    value and the unit."""
     if cursor.kind == CursorKind.ENUM_CONSTANT_DECL:
         bits = 8 * cursor.semantic_parent.enum_type.get_size()
         unsigned = cursor.semantic_parent.enum_type.get_canonical().kind in UNSIGNED
@@ -53,8 +52,8 @@ def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
 
 
 def value_of(cursor: Cursor) -> Cursor | None:
-    """Returns the expression of a constant. For an operation with one statement, it is the returned
-    expression."""
+    """Returns the expression that defines a constant. For an operation with a single `return`
+    statement, returns the expression of this statement."""
     if cursor.kind == CursorKind.VAR_DECL:
         return last_expression(cursor) if cursor.type.is_const_qualified() else None
     body = next((c for c in cursor.get_children() if c.kind == CursorKind.COMPOUND_STMT), None)
@@ -70,9 +69,8 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[int, str] | None:
-    """Returns the number of an expression, and its unit if the type or the factory function has a
-    unit.
-    """
+    """Returns the value of an expression and its unit. The unit comes from the type, or from the
+    factory function that the expression calls. It is empty if neither has a unit."""
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated(value)
         return None if number is None else (number, "")
@@ -88,7 +86,7 @@ def number_of(value: Cursor) -> tuple[int, str] | None:
 
 
 def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
-    """Yields the named members of an initialiser."""
+    """Yields the members that a designated initialiser sets, such as ``{.low = 1}``."""
     while value.kind == CursorKind.UNEXPOSED_EXPR and len(list(value.get_children())) == 1:
         value = next(value.get_children())
     for part in value.get_children() if value.kind == CursorKind.INIT_LIST_EXPR else ():
@@ -98,21 +96,21 @@ def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
 
 
 def unit_of_function(function: Cursor) -> str:
-    """Returns the unit of the parameter of an operation that makes a quantity from a number. The
-    comment of the operation states this unit.
-    """
+    """Returns the unit of a factory function of a quantity. This unit is the unit of the function's
+    parameter."""
     if function.kind != CursorKind.FUNCTION_DECL:
         return ""
     return unit_in(function.raw_comment)
 
 
 def unit_of_type(value: Cursor) -> str:
-    """Returns the unit of a type. The comment above the type states it."""
+    """Returns the unit that the comment above a type states."""
     return unit_in(value.type.get_declaration().raw_comment)
 
 
 def unit_beside(cursor: Cursor) -> str:
-    """Returns the unit in the comment above a constant or at the end of its line."""
+    """Returns the unit that a comment states for a constant. The comment is above the constant or
+    at the end of its source line."""
     if stated := unit_in(cursor.raw_comment):
         return stated
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line

@@ -1,8 +1,9 @@
-"""The lines and branches of the design that each test executed, on this machine and on the K64.
+"""The source lines and branches of the design that each test executed, on the host and on the
+virtual K64.
 
-On this machine, the counters of gcc show the lines and branches: see ``gcov_arcs``. On the virtual
-K64, each test records one bit for each half-word that it executed. These bits show lines but no
-branches: see ``board_coverage``.
+On the host, the counters of gcc show the executed lines and branches: see gcov_arcs.py. On the
+virtual K64, each test writes one bit for each half-word of memory. These bits show the executed
+lines, but no branches: see board_coverage.py.
 """
 
 from __future__ import annotations
@@ -21,14 +22,15 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Folders of other programs, which are next to the test program. Code that only these programs
-# contain is ignored.
+# Build folders of programs that are not the test program of the firmware. Code that only these
+# programs contain is ignored.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
 @dataclass
 class Coverage:
-    """The executable code of a target, and the part of it that each recording executed."""
+    """The executable code of a target, and for each recording the part of this code that was
+    executed."""
 
     whole: Covered = field(default_factory=Covered)
     recordings: dict[str, Covered] = field(default_factory=dict)
@@ -39,7 +41,7 @@ class Coverage:
         return any(self.whole.branches.values())
 
     def of(self, recordings: list[str]) -> Covered:
-        """Returns the code that at least one of these recordings executed."""
+        """Returns the code that was executed in at least one of these recordings."""
         union = Covered()
         for name in recordings:
             if name in self.recordings:
@@ -48,12 +50,12 @@ class Coverage:
 
     @functools.cached_property
     def all(self) -> Covered:
-        """Returns the code that at least one recording executed."""
+        """Returns the code that was executed in at least one recording of the target."""
         return self.of(list(self.recordings))
 
 
 def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
-    """Returns the coverage of each target. It is from the last run of the target's tests."""
+    """Returns the coverage of each target from the last run of its tests."""
     readers = {HOST: _read_host, VIRTUAL_K64: _read_board}
     coverages: dict[str, Coverage] = {}
     for binding, reader in readers.items():
@@ -73,7 +75,8 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 
 def _key(root: Path, binding: str) -> str:
-    """Returns a key that identifies the run of the tests and the version of the reader."""
+    """Returns a key for the cache. The key changes after a new run of the tests, and after a change
+    of the reader."""
     run = run_hash(root, binding)
     here = Path(__file__).parent
     parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")
@@ -119,7 +122,8 @@ def _read_host(root: Path) -> Coverage:
     for graphs in units.values():
         for graph in graphs.values():
             coverage.whole.merge(_of_design(root, graph.whole()))
-    # A function with the same counters as before is solved only once.
+    # The counters of a function are evaluated only once. Other tests with the same counters use the
+    # stored result.
     solved: dict[tuple[Path, str], Covered] = {}
     for path in files:
         covered = coverage.recordings[path.name.removesuffix(".arcs")] = Covered()
@@ -141,7 +145,8 @@ def _executed(root: Path, graphs: dict[int, Graph], line: str) -> Covered:
 
 
 def _of_design(root: Path, covered: Covered) -> Covered:
-    """Returns only the files of the design, with paths relative to the root."""
+    """Returns the coverage of the files that belong to the design. Their paths become relative to
+    the root."""
     own = Covered()
     for path, lines in covered.lines.items():
         if file := design_file(root, path):
@@ -151,7 +156,8 @@ def _of_design(root: Path, covered: Covered) -> Covered:
 
 @functools.cache
 def design_file(root: Path, file: str) -> str:
-    """Returns the path below the root. The path is empty for a file outside the design."""
+    """Returns the path of a design file relative to the root. Returns "" for a file outside the
+    design."""
     path = Path(file)
     if not path.is_relative_to(root):
         return ""

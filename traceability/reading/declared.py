@@ -44,26 +44,29 @@ class ClauseText:
     pattern: str
     says: str
     fix: str
-    about: list[str]  # roles whose modules the clause is about
+    # Roles that the clause mentions. A page shows the modules with these roles as the places of the
+    # clause.
+    about: list[str]
     place: Place
 
 
 @dataclass
 class KnownApplication:
-    """An application of the design, and the modules with each of its roles."""
+    """A pattern application that design/applications.toml declares, and for each role the modules
+    with this role."""
 
     id: str
     pattern: str
     roles: dict[str, list[str]]
     place: Place
-    replaces: list[str] = field(default_factory=list)  # operations that decorators do not forward
+    # operations that decorators do not forward to the component
+    replaces: list[str] = field(default_factory=list)
 
 
 @dataclass
 class KnownPattern:
-    """A pattern: its name, the number of its uses, and its roles. Each use of the pattern assigns
-    modules to the roles.
-    """
+    """A pattern, with its roles and with the number of its applications. Each application assigns
+    at least one module to each role."""
 
     name: str
     applications: int
@@ -73,7 +76,7 @@ class KnownPattern:
 
 @dataclass
 class SharedFunctions:
-    """A file that is not a module. It contains functions that the modules of a folder share."""
+    """A file with functions that several modules of a folder use. It belongs to no module."""
 
     file: str
     why: str
@@ -125,14 +128,17 @@ class Declared:
     patterns: list[KnownPattern] = field(default_factory=list)
     apart: list[Apart] = field(default_factory=list)
     shared: list[SharedFunctions] = field(default_factory=list)
-    names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
-    name_places: dict[str, Place] = field(default_factory=dict)  # logic module -> its entry
-    total: int | None = None  # number of modules that the design has
+    # logic module -> the names of its modules
+    names: dict[str, list[str]] = field(default_factory=dict)
+    # logic module -> the place of its entry
+    name_places: dict[str, Place] = field(default_factory=dict)
+    total: int | None = None  # number of modules in the paper
     blocks: list[Block] = field(default_factory=list)
     contexts: dict[str, ExecutionContext] = field(default_factory=dict)
-    ends: list[str] = field(default_factory=list)  # methods that end the firmware
+    ends: list[str] = field(default_factory=list)  # methods that stop the firmware and never return
     pipes: dict[str, PipeText] = field(default_factory=dict)
-    protections: dict[str, Protection] = field(default_factory=dict)  # key: a member, or Class::*
+    # key: Class::member, or Class::* for all members of a class
+    protections: dict[str, Protection] = field(default_factory=dict)
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
     beliefs: list[BoardBelief] = field(default_factory=list)
     belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
@@ -143,14 +149,15 @@ class Declared:
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
-    # application -> the change that is made to it
+    # pattern application -> the folder that makes its likely change
     kits: dict[str, Kit] = field(default_factory=dict)
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: dict[str, ProofProperty] = field(default_factory=dict)
     proof_events: dict[str, ProofEvent] = field(default_factory=dict)
 
 
-# The files of a complete design. Trees and state machines are separate.
+# The files that a complete design must have. Invocation trees and state machines are in separate
+# folders and are not listed here.
 FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
@@ -204,7 +211,7 @@ def read_declared(root: Path) -> Declared:
     _modules(design / "modules.toml", entries, declared)
     entries.others()
     for path in files_below(root, ("design", "requirements"), (".toml",)):
-        entries.whole(path)  # Other readers read the rest of the file.
+        entries.whole(path)  # Other readers read the other tables of the file.
     if declared.total is not None:
         entries.absent(design / f"{name}.toml" for name in FILES)
     return declared
@@ -220,7 +227,8 @@ def _architecture(path: Path, entries: Entries, declared: Declared) -> None:
 
 
 def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
-    """Returns the tables ``[uses."user"]``, whose lines are ``"used" = "reason"``."""
+    """Returns the allowed uses. The file has a table ``[uses."user"]`` for each user, with a line
+    ``"used" = "reason"`` for each use."""
     tables = entries.value(path, "uses", {})
     begin = Place(str(path.relative_to(entries.root)), 1)
     uses: list[AllowedUse] = []
@@ -305,7 +313,8 @@ def _execution(path: Path, entries: Entries, declared: Declared) -> None:
 def _trees(root: Path, path: Path, declared: Declared) -> None:
     file = str(path.relative_to(root))
     current = ""
-    stack: list[tuple[int, list[TreeNode]]] = []  # depth of the nodes above, and their children
+    # the nodes above the present node: depth and list of children of each
+    stack: list[tuple[int, list[TreeNode]]] = []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         words = line.split("#")[0].rstrip()
         if not words:
@@ -321,14 +330,20 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
             fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * after it"
-            declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
+            declared.tree_errors.append(
+                (
+                    place,
+                    "this line is neither the id of a requirement nor a method of a tree",
+                    fix,
+                )
+            )
             continue
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
             text = f"{label} is indented too far"
             declared.tree_errors.append(
-                (place, text, "indent it by two blanks more than its caller")
+                (place, text, "indent the method by two blanks more than its caller")
             )
         while stack and stack[-1][0] >= depth:
             stack.pop()
@@ -345,7 +360,7 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             declared.trees[current] = (declared.trees[current][0], node)
         else:
             text = f"the tree of {current} has a second root"
-            declared.tree_errors.append((place, text, "leave one root"))
+            declared.tree_errors.append((place, text, "keep only one root in the tree"))
             continue
         stack.append((depth, children))
 

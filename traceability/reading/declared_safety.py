@@ -43,8 +43,8 @@ OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
 
 
 def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
-    """Returns the declared case with its scenarios. The case is empty if the file does not
-    exist."""
+    """Returns the declared safety case with its fault scenarios. Returns an empty safety case if
+    the file does not exist."""
     path = root / FILE
     if not path.exists():
         return SafetyCase()
@@ -78,9 +78,8 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
 
 
 def linked(case: SafetyCase) -> SafetyCase:
-    """Returns the case with levels and times. Its goals and assumptions have links back to their
-    hazards.
-    """
+    """Returns the safety case with computed values: the levels, the values of the formulas, and the
+    hazards of each goal and of each assumption."""
     hazards = {
         name: replace(
             hazard, level=level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
@@ -104,9 +103,8 @@ def linked(case: SafetyCase) -> SafetyCase:
 
 
 def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> str:
-    """Returns the performance level that the risk graph requires. The level is empty if the graph
-    has no such entry.
-    """
+    """Returns the performance level that the risk graph requires for these parameters. Returns ""
+    if the graph has no such entry."""
     rows = case.graph.get(severity, [])
     if exposure not in ROWS or avoidance not in COLUMNS or len(rows) != len(ROWS):
         return ""
@@ -120,7 +118,8 @@ def highest(case: SafetyCase, levels: Iterable[str]) -> str:
 
 
 def evaluate(formula: str) -> float | None:
-    """Returns the value of a formula of numbers. Returns ``None`` if the formula is invalid."""
+    """Returns the value of a formula that contains only numbers and operators. Returns ``None`` if
+    the formula is invalid."""
     try:
         return _value(ast.parse(formula, mode="eval").body)
     except (SyntaxError, ValueError, ZeroDivisionError):
@@ -136,14 +135,13 @@ def _value(node: ast.expr) -> float:
 
 
 def words_of(texts: Iterable[str]) -> list[str]:
-    """Returns the names in texts such as "SG-1, SG-2"."""
+    """Returns the single names in texts such as "SG-1, SG-2"."""
     return [word for text in texts for word in re.split(r"[\s,]+", text.strip(" .")) if word]
 
 
 def read_sources(text: str) -> list[SourceReference]:
-    """Returns the references of a text such as "goal: SG-2; paper: Section VII". A reference
-    without a colon has no kind.
-    """
+    """Returns the references in a text such as "goal: SG-2; paper: Section VII". A reference
+    without a valid kind before a colon has the kind ""."""
     sources: list[SourceReference] = []
     for part in filter(None, (reference.strip() for reference in text.split(";"))):
         kind, colon, name = part.partition(":")
@@ -160,9 +158,8 @@ def read_sources(text: str) -> list[SourceReference]:
 
 
 def read_scenarios(root: Path) -> dict[str, FaultScenario]:
-    """Returns the scenarios by name. The first comment of a scenario is its title. A comment "#
-    goal SG-1" names a goal.
-    """
+    """Returns the fault scenarios by name. The first comment in a scenario file is the title. A
+    comment "# goal SG-1" names a safety goal."""
     paths = files_below(root, (str(SCENARIOS),), (".scenario",))
     return {path.stem: _scenario(root, path) for path in paths}
 

@@ -1,5 +1,5 @@
-"""Runs Doxygen. Its warnings are findings, and Breathe generates the pages of members from its
-XML."""
+"""Runs Doxygen. The warnings become findings. From the XML that Doxygen writes, Breathe generates
+the pages of the members."""
 
 from __future__ import annotations
 
@@ -21,29 +21,31 @@ from traceability.whole_file import write_whole
 
 INPUTS = (*DESIGN, "tests", "requirements")
 DOXYFILE = Path("traceability/doxygen/Doxyfile")
-# The reader of comments checks the ids of requirements and the names of tags.
+# Warnings with these words are ignored, because the reader of comments checks the ids of
+# requirements and the names of tags.
 NOT_OURS = re.compile(r"[Rr]equirement|satisfies|verifies|Found unknown command")
 
 
 def doxygen_executable() -> str:
-    """Returns the program next to the running Python. If it does not exist, returns the program on
-    the path."""
+    """Returns the path of the Doxygen program. The program in the folder of the running Python is
+    preferred to the program on PATH."""
     installed = Path(sys.executable).parent / "doxygen"
     return str(installed) if installed.exists() else (shutil.which("doxygen") or "doxygen")
 
 
 @dataclass
 class DoxygenRun:
-    """A run of Doxygen in the background. There is no process if no input changed."""
+    """A run of Doxygen in the background. ``process`` is None if no input changed, because the
+    recorded output is still valid."""
 
     root: Path
     xml: Path
-    record: Path  # state of the inputs, and output of Doxygen
+    record: Path  # file with the hash of the inputs and the output of Doxygen
     state: str
     process: subprocess.Popen[bytes] | None = None
 
     def warnings(self) -> list[tuple[Place, str]]:
-        """Waits until the run ends, and returns its warnings."""
+        """Waits until the run ends. Returns the warnings, also those of a recorded run."""
         if self.process is not None:
             output = self.process.communicate()[1].decode()
             code, self.process = self.process.returncode, None
@@ -55,7 +57,7 @@ class DoxygenRun:
         return list(_warnings(self.root, lines))
 
     def stop(self) -> None:
-        """Ends the process if its result is no longer needed."""
+        """Stops Doxygen if it still runs. The result is then lost."""
         if self.process is not None and self.process.poll() is None:
             self.process.kill()
             self.process.wait()
@@ -63,7 +65,8 @@ class DoxygenRun:
 
 @contextmanager
 def doxygen_beside(root: Path, build: Path) -> Iterator[DoxygenRun]:
-    """Runs Doxygen while the caller continues. Stops Doxygen if the caller fails."""
+    """Starts Doxygen in the background. Stops it at the end of the `with` block if it still
+    runs."""
     run = start_doxygen(root, build)
     try:
         yield run
@@ -72,7 +75,7 @@ def doxygen_beside(root: Path, build: Path) -> Iterator[DoxygenRun]:
 
 
 def start_doxygen(root: Path, build: Path) -> DoxygenRun:
-    """Starts Doxygen if an input changed."""
+    """Starts Doxygen if an input changed since the recorded run."""
     xml, record = build / "xml", build / "doxygen.json"
     doxyfile = root / DOXYFILE
     if not doxyfile.exists():
@@ -87,7 +90,8 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
     last = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
     if xml.is_dir() and last.get("state") == run.state:
         return run
-    # The record is removed first, because an interrupted run can leave an incomplete folder.
+    # The record is removed before the run. If the run is interrupted, the incomplete folder then
+    # has no valid record.
     record.unlink(missing_ok=True)
     shutil.rmtree(xml, ignore_errors=True)
     build.mkdir(parents=True, exist_ok=True)
@@ -108,7 +112,7 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
 
 
 def _warnings(root: Path, lines: list[str]) -> Iterator[tuple[Place, str]]:
-    """Yields each warning together with the indented lines below it."""
+    """Yields each warning with its place. Indented lines below a warning belong to its text."""
     for line in re.sub(r"\n +", " ", "\n".join(lines)).splitlines():
         match = re.match(r"(.+?):(\d+): (?:warning|error): (.*)", line)
         if match is not None and not NOT_OURS.search(match[3]):

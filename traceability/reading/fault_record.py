@@ -1,4 +1,5 @@
-"""The published records of the campaigns."""
+"""Reads the published results of the campaigns, which are long test runs with inserted faults or
+random scenarios."""
 
 from __future__ import annotations
 
@@ -9,7 +10,7 @@ from typing import Any
 from traceability.reading.published import Published, read_published
 
 OUTCOMES = ("harmless", "detected", "late", "silent", "hung", "stopped")
-FAULTS, FUZZ, LOADS = "faults", "fuzz", "loads"  # names of the published records
+FAULTS, FUZZ, LOADS = "faults", "fuzz", "loads"  # names of the published campaigns
 
 
 METRICS = (
@@ -21,14 +22,14 @@ METRICS = (
 
 
 def read_campaigns(root: Path) -> dict[str, Published]:
-    """Returns the published records. The key is the kind of the campaign."""
+    """Returns the published results by the kind of the campaign."""
     records = {name: read_published(root, name) for name in (FAULTS, FUZZ, LOADS)}
     return {name: record for name, record in records.items() if record}
 
 
 def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
-    """Returns the metrics of the last campaigns. They are all under ``last``, because no build runs
-    the campaigns."""
+    """Returns the metrics of the last campaigns. All of them are below the key ``last``, because a
+    build does not run the campaigns."""
     return {
         metric: {
             "command": record.command,
@@ -43,7 +44,7 @@ def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
 
 def _values(name: str, result: Mapping[str, Any]) -> dict[str, Any]:
     if name == LOADS:
-        return {}  # The page of the bench shows them.
+        return {}  # The page of the bench shows these results.
     if name == FUZZ:
         counts = result["outcomes"]
         return {f"reliability.fuzz_{key}": counts[key] for key in ("inputs", "failures")}

@@ -1,8 +1,9 @@
-"""The flow of references from an object to its users, through members, parameters and results.
+"""Finds to which objects the references in the code can refer. It follows a reference through
+members, parameters and results.
 
-A place is named by a string: ``field Class::name``, ``param function 0``, ``var file:name``,
-``result function``, ``this Class``, ``function name`` or ``constant Enum::name``. An expression
-without a name is ``value``.
+Here, a place is a location that can contain a reference. A string names it: ``field Class::name``,
+``param function 0``, ``var file:name``, ``result function``, ``this Class``, ``function name`` or
+``constant Enum::name``. An expression without a name has the name ``value``.
 """
 
 from __future__ import annotations
@@ -28,12 +29,12 @@ CHANCES = {
     CursorKind.CONDITIONAL_OPERATOR,
     *LOOPS,
 }
-# Such a declaration can precede a condition.
+# A condition can begin with such a declaration, as in ``if (int x = f(); x > 0)``.
 DECLARATIONS = {
     CursorKind.DECL_STMT,
     CursorKind.VAR_DECL,
 }
-# functions of the standard library that store a reference
+# functions of the standard library that store their arguments
 KEEPS = {
     "store",
     "exchange",
@@ -53,7 +54,8 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """A flow of references. The place may refer to the objects of the sources."""
+    """A flow of references: the place ``into`` can refer to each object to which one of ``sources``
+    refers."""
 
     into: str
     sources: list[str]
@@ -61,7 +63,7 @@ class FlowFact:
 
 
 class FlowReader:
-    """Finds the places to which the expressions of one unit refer."""
+    """A reader that records the flows of references in one translation unit."""
 
     def __init__(self, place: PlaceOf) -> None:
         self.place = place
@@ -70,8 +72,8 @@ class FlowReader:
     # ---- names of places ------------------------------------------------------
 
     def node(self, cursor: Cursor | None) -> str:
-        """Returns the place of a declaration. The place is empty if the declaration is outside of
-        the project."""
+        """Returns the name of the place that a declaration defines. Returns "" for a declaration
+        outside the project."""
         at = self.place(cursor) if cursor is not None else None
         parent = cursor.semantic_parent if cursor is not None else None
         if cursor is None or at is None or parent is None or cursor.spelling.startswith("__"):
@@ -89,7 +91,7 @@ class FlowReader:
         return names.get(cursor.kind, "")
 
     def function(self, cursor: Cursor) -> str:
-        """Returns the id of a function. If a function is local to a file, its id contains the
+        """Returns the id of a function. The id contains the file if the function is local to a
         file."""
         name = function_id(cursor)
         if "::" in name or cursor.linkage == LinkageKind.EXTERNAL:
@@ -98,7 +100,8 @@ class FlowReader:
         return f"{at.file}:{name}" if at else name
 
     def sources(self, cursor: Cursor) -> list[str]:
-        """Returns the places that an expression names. Intermediate steps are left out."""
+        """Returns the places from which an expression gets its reference. For ``a.b().c``, this is
+        only the member c."""
         return list(dict.fromkeys(self._sources(cursor)))
 
     def _sources(self, cursor: Cursor) -> Iterator[str]:
@@ -119,7 +122,8 @@ class FlowReader:
                 yield f"result {self.function(target)}"
                 return
             if not target.is_copy_constructor() and not target.is_move_constructor():
-                return  # A new object is named by its place.
+                # A constructor makes a new object. The place that receives the object names it.
+                return
         for child in cursor.get_children():
             yield from self._sources(child)
 
@@ -133,19 +137,20 @@ class FlowReader:
             self.flows.append(FlowFact(into, sources, place.file))
 
     def given(self, member: Cursor, value: Cursor, place: Place) -> None:
-        """Records a member that a constructor or a designated initialiser sets."""
+        """Records the flow into a member that a constructor or a designated initialiser sets."""
         self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
 
     def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:
-        """Records the sources of each parameter, and returns the sources of each argument."""
+        """Records the flow from each argument of a call to the parameter. Returns the sources of
+        each argument."""
         named = [self.sources(value) for value in call.get_arguments()]
         for number, sources in enumerate(named):
             self.add(f"param {self.function(target)} {number}", sources, place)
         return named
 
     def receiver(self, call: Cursor) -> list[str]:
-        """Returns the places of the object on which a call is made. The list is empty if it is the
-        caller's own object."""
+        """Returns the places that refer to the object whose method is called. Returns an empty list
+        if the caller calls a method of its own object."""
         callee = next(call.get_children(), None)
         if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
             return []
@@ -153,7 +158,8 @@ class FlowReader:
         return self.sources(base) if base is not None else []
 
     def note(self, cursor: Cursor, function: str, place: Place) -> None:
-        """Records the references that statements other than calls pass."""
+        """Records the flows of references in statements that are not calls of project functions:
+        declarations, return statements, loops over ranges, and assignments."""
         kind = cursor.kind
         if kind == CursorKind.VAR_DECL:
             self.variable(cursor, place)
@@ -179,7 +185,8 @@ class FlowReader:
         self.add(name, sources, place)
 
     def kept(self, sides: list[Cursor], place: Place) -> None:
-        """Records ``a[i] = b``. Both the member and the index then refer to ``b``."""
+        """Records the flow of an assignment. After ``a[i] = b``, both ``a`` and ``i`` count as
+        references to ``b``."""
         sources = self.sources(sides[1])
         for name in self.sources(sides[0]) if sources else []:
             self.add(name, sources, place)
@@ -189,7 +196,8 @@ class FlowReader:
             return
         values = list(call.get_arguments())
         into = self.receiver(call)
-        if not into and len(values) > 1:  # For an operator, the first argument is the object.
+        # In the call of an operator, the first argument is the object.
+        if not into and len(values) > 1:
             into, values = self.sources(values[0]), values[1:]
         for name in into:
             for value in values:
@@ -198,7 +206,7 @@ class FlowReader:
     # ---- members that a body uses -------------------------------------------
 
     def written(self, cursor: Cursor) -> list[str]:
-        """Returns the members that a statement changes."""
+        """Returns the data members that a statement changes."""
         kind = cursor.kind
         if kind in ASSIGNMENTS:
             left = next(cursor.get_children(), None)
@@ -216,13 +224,14 @@ class FlowReader:
         return []
 
     def referred(self, variable: Cursor) -> list[str]:
-        """Returns the member that the code can change through a reference."""
+        """Returns the data members that code can change by means of a non-const local reference."""
         value = next(reversed(list(variable.get_children())), None)
         constant = variable.type.get_pointee().is_const_qualified()
         return [] if constant or value is None else self.members(value)
 
     def changed_by(self, call: Cursor) -> list[str]:
-        """Returns a member that a call of a non-const method changes."""
+        """Returns the data members that a call can change. A call of a non-const method can change
+        the object of the call."""
         target = call.referenced
         if target.kind not in (CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE):
             return []
@@ -234,7 +243,8 @@ class FlowReader:
         return self.members(first) if first is not None else []
 
     def members(self, cursor: Cursor) -> list[str]:
-        """Returns the members that contain an expression by value, as ``Class::name``."""
+        """Returns the data members (``Class::name``) whose memory contains the object that an
+        expression names. Members behind a pointer or a reference are left out."""
         members: list[str] = []
         at: Cursor | None = cursor
         while at is not None:
@@ -251,9 +261,9 @@ class FlowReader:
 
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the classes whose addresses a statement compares, and the enumerations whose numbers
-    it uses.
-    """
+    """Yields the types on which the statement makes a decision. A class is yielded if the statement
+    compares addresses of its objects. An enumeration is yielded if its number is compared, is the
+    subject of a switch, or is an index."""
     children = list(cursor.get_children())
     if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
         if operator_of(cursor, children[0]) in COMPARISONS:
@@ -268,7 +278,7 @@ def branches_on(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def numbered(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the enumerations whose number an expression uses."""
+    """Yields the enumerations whose values an expression converts to numbers."""
     for part in cursor.walk_preorder():
         if part.kind in CASTS or part.spelling == "to_underlying":
             given = list(part.get_children())[-1:]
@@ -277,8 +287,8 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """Returns the number of a statement's first parts that every execution of the statement
-    executes."""
+    """Returns how many of the first parts of a statement are always executed. The other parts
+    depend on a condition."""
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)
@@ -302,7 +312,7 @@ def is_method_name(cursor: Cursor) -> bool:
 
 
 def method_in_template(call: Cursor) -> Cursor | None:
-    """Returns the method of a class template that a call in another template names."""
+    """Returns the method of a class template that a call inside another template names."""
     callee = next(call.get_children(), None) if call.kind == CursorKind.CALL_EXPR else None
     if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
         return None

@@ -1,5 +1,5 @@
-"""Linear inequalities between the numbers of executions of marked lines, such as ``edges <=
-entries``."""
+"""Linear inequalities, such as ``edges <= entries``. They limit how often the marked source lines
+are executed in relation to each other."""
 
 from __future__ import annotations
 
@@ -7,21 +7,23 @@ import ast
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-ENTRIES = "entries"  # name for the number of calls of the method
+ENTRIES = "entries"  # this name means the number of calls of the method
 
 
 @dataclass(frozen=True)
 class Inequality:
-    """An inequality whose left side is not greater than the right side. A term without a name is a
-    number."""
+    """An inequality: the left side is at most the right side. A term without a counter is a
+    constant number."""
 
-    # counter -> factor, which is positive on the left side and negative on the right side
+    # counter -> factor; positive for a counter on the left side, negative for a counter on the
+    # right side
     factors: Mapping[str, int]
     most: int
 
 
 def read_inequality(text: str, counters: Iterable[str], value: Callable[[str], int]) -> Inequality:
-    """Reads an inequality of sums. ``value`` returns the number of a constant expression."""
+    """Reads an inequality between two sums. ``value`` is a function that returns the number of a
+    constant expression."""
     left, sign, right = text.partition("<=")
     if not sign:
         raise ValueError(f"no inequality: {text}")
@@ -47,7 +49,7 @@ def _terms(node: ast.expr) -> list[ast.expr]:
 def _split(
     term: ast.expr, names: frozenset[str], value: Callable[[str], int]
 ) -> tuple[str | None, int]:
-    """Returns the counter of a term and its factor. A term without a counter has none."""
+    """Returns the counter and the factor of a term. The counter is None for a constant number."""
     if isinstance(term, ast.Name) and term.id in names:
         return term.id, 1
     if isinstance(term, ast.BinOp) and isinstance(term.op, ast.Mult):

@@ -1,8 +1,8 @@
-"""The lines and branches of the design that each test executed on this machine.
+"""Reads the source lines and branches that each test executed on the host.
 
-gcc counts some arcs of the flow graph of each function, and writes the graphs next to the object
-files. The counters of the other arcs are computed from the rule that the program leaves a block as
-often as it enters the block.
+gcc writes the flow graph of each function next to the object files. An arc of this graph is a step
+from one block of instructions to another. The program counts only some arcs. The counts of the
+other arcs are computed from a rule: the program leaves each block as often as it enters the block.
 """
 
 from __future__ import annotations
@@ -15,17 +15,18 @@ from pathlib import Path
 from typing import TypeVar
 
 FUNCTION, BLOCKS, ARCS, LINES = 0x01000000, 0x01410000, 0x01430000, 0x01450000
-HEADER = 16  # number of bytes for the kind of file, the version and two check sums
+# number of bytes at the beginning of the file: kind of file, version and two check sums
+HEADER = 16
 ON_TREE, FAKE = 1, 2
 
-Line = tuple[str, int]  # file and number of the line
-Branch = tuple[int, int]  # line and number of the branch
+Line = tuple[str, int]  # file and line number
+Branch = tuple[int, int]  # line number, and number of the branch in this line
 Part = TypeVar("Part")
 
 
 @dataclass
 class Covered:
-    """The lines and branches of files."""
+    """Sets of source lines and branches, by file."""
 
     lines: dict[str, set[int]] = field(default_factory=dict)
     branches: dict[str, set[Branch]] = field(default_factory=dict)
@@ -57,16 +58,16 @@ class Arc:
 
 @dataclass
 class Graph:
-    """The flow graph of a function, with the source lines of each block.
+    """The flow graph of a function: its arcs, and the source lines of each block.
 
-    If a function is inlined, its block has lines of another file.
+    A block can have source lines of another file, if it contains an inlined function.
     """
 
     arcs: list[Arc] = field(default_factory=list)
-    lines: dict[int, list[Line]] = field(default_factory=dict)  # block -> lines
+    lines: dict[int, list[Line]] = field(default_factory=dict)  # block -> source lines
 
     def solve(self, counters: tuple[int, ...]) -> list[int]:
-        """Returns the number of times that the program took each arc."""
+        """Returns for each arc how often the program took it."""
         given = iter(counters)
         taken: list[int | None] = [next(given, 0) if arc.counted else None for arc in self.arcs]
         leaving, entering = self._sides()
@@ -96,9 +97,8 @@ class Graph:
 
     @functools.cached_property
     def branches(self) -> dict[int, tuple[str, Branch]]:
-        """Returns the file and the branch of each arc. The arcs that leave a block belong to the
-        last line of the block.
-        """
+        """Returns for each arc that is a branch the file and the branch. A block with several
+        leaving arcs ends with a branch. These arcs belong to the last line of the block."""
         leaving, _ = self._sides()
         branches: dict[int, tuple[str, Branch]] = {}
         seen: dict[Line, int] = {}
@@ -111,7 +111,7 @@ class Graph:
         return branches
 
     def whole(self) -> Covered:
-        """Returns all executable code."""
+        """Returns all source lines and branches of the function."""
         return self._covered(self.lines, self.branches)
 
     def executed(self, counters: tuple[int, ...]) -> Covered:
@@ -136,7 +136,7 @@ class Graph:
 
 
 def read_graphs(path: Path) -> dict[int, Graph]:
-    """Returns the graph of each function of an object file, by the function's number."""
+    """Reads the flow graphs of an object file. Returns them by the numbers of their functions."""
     graphs: dict[int, Graph] = {}
     graph, file = Graph(), ""
     for tag, words in records(path.read_bytes()):
@@ -160,8 +160,8 @@ def read_graphs(path: Path) -> dict[int, Graph]:
 
 
 class Words:
-    """The content of a record. It has numbers of four bytes, and texts with their length before
-    them."""
+    """A reader for the content of a record. A number has four bytes. The length of a text is stored
+    before the text."""
 
     def __init__(self, data: bytes) -> None:
         self.data = data
@@ -196,7 +196,7 @@ def records(data: bytes) -> Iterator[tuple[int, Words]]:
 
 
 def lines_of(words: Words, file: str) -> Iterator[Line]:
-    """Yields the source lines of a block."""
+    """Yields the source lines of a block from a record."""
     while words.left():
         if line := words.number():
             yield file, line

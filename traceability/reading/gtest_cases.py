@@ -1,4 +1,4 @@
-"""The tests of a file, each with its macro, its line and its body."""
+"""Reads the GoogleTest cases in a source file: suite, name, line and body of each test."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from traceability.reading.comments import code_of
 
 MACROS = ("TEST", "TEST_F", "TEST_P", "TYPED_TEST", "TYPED_TEST_P")
 HEAD = re.compile(rf"^(?:{'|'.join(MACROS)})\(\s*(\w+)\s*,\s*(\w+)\s*\)", re.MULTILINE)
-# Macros that list parameters or types. They define no test.
+# Macros that only list parameters or types. They define no test.
 LISTS = (
     *("INSTANTIATE_TEST_SUITE_P", "INSTANTIATE_TYPED_TEST_SUITE_P", "TYPED_TEST_SUITE"),
     *("TYPED_TEST_SUITE_P", "REGISTER_TYPED_TEST_SUITE_P"),
@@ -24,7 +24,7 @@ class Case:
     suite: str
     name: str
     line: int
-    body: str  # body, including the macro
+    body: str  # source text of the test, including the line with the macro
 
     @property
     def id(self) -> str:
@@ -45,8 +45,8 @@ def read_tests(text: str) -> Iterator[Case]:
 
 
 def unknown_macros(text: str) -> Iterator[tuple[int, str]]:
-    """Yields the line and the name of each macro that looks like the macro of a test but is not
-    known."""
+    """Yields the line and the name of each macro that looks like a test macro but that this reader
+    cannot read."""
     for match in MACRO.finditer(text):
         if match[1] not in (*MACROS, *LISTS):
             yield text.count("\n", 0, match.start()) + 1, match[1]

@@ -8,9 +8,8 @@ from traceability.reading.build_evidence import git
 
 
 def last_changes(root: Path) -> dict[str, str]:
-    """Returns the date and the hash of the last commit of each file. Returns nothing without
-    git.
-    """
+    """Returns for each file the date and the hash of the last commit that changed it. Returns an
+    empty dictionary without git."""
     found: dict[str, str] = {}
     log = git(root, "log", "--no-merges", "--format=%x00%cs %h", "--name-only")
     for entry in filter(None, log.split("\0")):

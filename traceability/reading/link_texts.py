@@ -1,7 +1,6 @@
-"""Reads the texts on which the links of a requirement depend, without comments and layout. A text
-is looked up by name in its file. Therefore the same lookup in an earlier version of the file
-returns the earlier text.
-"""
+"""The texts on which the links of a requirement depend, without comments and layout. Each text is
+looked up in its file by its name and not by a line number. The same name therefore also finds the
+earlier text in an earlier version of the file."""
 
 from __future__ import annotations
 
@@ -13,14 +12,14 @@ from collections.abc import Iterator
 from traceability.reading.comments import code_of, read_comments
 from traceability.reading.gtest_cases import read_tests
 
-OF_LINKS = ("satisfies", "isr")  # these tags are not part of a specification
+OF_LINKS = ("satisfies", "isr")  # Tags that are left out of the specification of a method.
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
 STRING = re.compile(r'"(?:\\.|[^"\\\n])*"')
 CONSTANT = re.compile(r"\b(?:constexpr|constinit)\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
 BOUND = re.compile(r"// (bound|passes): ([^\n;]*)")
-CODE = ("body", "test", "function")  # kinds of texts that are bodies of functions
-# A type, and the name of a variable or a parameter.
+CODE = ("body", "test", "function")  # kinds of texts that are code
+# Matches the declaration of a variable or a parameter: a type and a name.
 LOCAL = re.compile(
     r"(?<![\w.:])([A-Za-z_][\w:]*)(?:<[^;(){}]*>)?(?:\s+const)?(?:\s*[&*]+\s*|\s+)"
     r"([a-z]\w*)\s*(?=[={(\[;,)]|:(?!:))"
@@ -38,19 +37,21 @@ TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTIL
 
 @functools.cache
 def hash_of_text(text: str) -> str:
-    """Returns a hash of the words and signs of a text. The layout does not change the hash."""
+    """Returns a hash of the words and punctuation marks of a text. Blanks and line breaks do not
+    change the hash."""
     words = " ".join(TOKENS.findall(text))
     return hashlib.sha256(words.encode()).hexdigest()[:HASH_DIGITS]
 
 
 def hash_of(kind: str, text: str) -> str:
-    """Returns the hash of a text of a kind. In code, the names of local variables do not change the
-    hash."""
+    """Returns the hash of a text. If the kind of the text is code, other names of local variables
+    give the same hash."""
     return hash_of_text(numbered(text) if kind in CODE else text)
 
 
 def numbered(code: str) -> str:
-    """Returns code in which a number replaces each local variable and parameter."""
+    """Returns the code with a number in the place of the name of each local variable and
+    parameter."""
     declared = [match[2] for match in LOCAL.finditer(code) if match[1] not in NO_TYPES]
     names = list(dict.fromkeys(name for name in declared if name not in BUILT_IN))
     if not names:
@@ -62,7 +63,8 @@ def numbered(code: str) -> str:
 
 @functools.cache
 def requirements(text: str) -> list[tuple[str, str]]:
-    """Returns the id of each requirement with the complete text below it."""
+    """Returns the ids of the requirements in a file. Each id has the complete text of its
+    requirement."""
     return [
         (part.tags[0].argument, part.source())
         for comment in read_comments("", text)
@@ -72,23 +74,24 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """Yields each comment with its declaration. The result has the lines, the declaration, and both
-    as one text."""
+    """Yields each documentation comment with the declaration below it. Each result has the lines of
+    the comment, the declaration, and both as one text."""
     return list(_specifications(text))
 
 
 @functools.cache
 def tests(text: str) -> list[tuple[str, str]]:
-    """Returns the id of each test with its body. Comments are left out."""
+    """Returns the ids of the tests in a file. Each id has the body of its test, without
+    comments."""
     return [(case.id, case.code) for case in read_tests(text)]
 
 
 @functools.cache
 def support(text: str) -> str:
-    """Returns the text of a file without its tests. It contains fixtures, oracles, helpers and
-    lists of parameters.
+    """Returns the text of a test file outside its tests: fixtures, computed expected values,
+    helpers and lists of parameters.
 
-    For a scenario and for a file without tests, this is the whole text except the comments.
+    For a scenario, and for a file without tests, returns the whole text except the comments.
     """
     rest = text
     for case in read_tests(text):
@@ -97,7 +100,8 @@ def support(text: str) -> str:
 
 
 def without_remarks(text: str) -> str:
-    """Returns the lines of a tree or scenario with their depths. ``#`` comments are left out."""
+    """Returns the lines of an invocation tree or a scenario. The depth of its indentation is
+    written before each line. ``#`` comments are left out."""
     lines = (line.split("#")[0].rstrip() for line in text.splitlines())
     return "\n".join(
         f"{(len(line) - len(line.lstrip())) // 2} {line.strip()}" for line in lines if line
@@ -116,12 +120,12 @@ def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
 
 
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:
-    """Yields the complete text below a requirement."""
+    """Yields the complete text of the requirement with this id."""
     return (source for identifier, source in requirements(text) if identifier == name)
 
 
 def texts_of_tree(text: str, name: str) -> Iterator[str]:
-    """Yields the nodes of the tree of a requirement."""
+    """Yields the nodes of the invocation tree of a requirement, as one text."""
     return (without_remarks(match[2]) for match in TREE.finditer(text) if match[1] == name)
 
 
@@ -140,7 +144,8 @@ def texts_of_body(text: str, name: str) -> Iterator[str]:
 
 
 def code_with_bounds(text: str) -> str:
-    """Returns code without comments. The declared bounds of loops remain."""
+    """Returns code without comments. Comments that declare the bound of a loop remain, because they
+    have an effect on a check."""
     return code_of(BOUND.sub(r"\1(\2);", text))
 
 
@@ -156,7 +161,7 @@ def texts_of_test(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_support(text: str, name: str) -> Iterator[str]:
-    """Yields the text of a file without its tests. A scenario is yielded as a whole."""
+    """Yields the text of a file outside its tests. For a scenario, yields the whole text."""
     yield without_remarks(text) if name.endswith(".scenario") else support(text)
 
 

@@ -1,4 +1,4 @@
-"""Reads the measurements of the WebAssembly module that runs the images in a web page."""
+"""Reads the measurements of the WebAssembly module that runs the firmware images in a web page."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ KEYS = ("ready_s", "bytes", "real_time_factor", "scenarios_equal", "scenarios")
 
 
 def read_live(root: Path) -> dict[str, Any] | None:
-    """Returns the record, if it was measured with the present sources."""
+    """Returns the measurements. Returns None if they were not made with the present sources."""
     record = read_json(root / RECORD)
     return record if isinstance(record, dict) and is_fresh(root, LIVE) else None
 
 
 def live_metrics(root: Path) -> dict[str, Any]:
-    """Returns the metrics of the module. A metric that was not measured is null."""
+    """Returns the metrics of the WebAssembly module. The value of a metric that was not measured is
+    None."""
     record = read_live(root) or {}
     return {f"live.{key}": record.get(key) for key in KEYS}

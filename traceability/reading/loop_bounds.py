@@ -1,5 +1,5 @@
-"""The maximum number of iterations of loops. It is in a comment of the source, or in the head of
-the loop."""
+"""Reads the maximum number of iterations of each loop. A comment in the source or the head of the
+loop states this number."""
 
 from __future__ import annotations
 
@@ -26,22 +26,24 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True)
 class Bound:
-    """The maximum number of iterations for each entry of the loop, or for a call of its
-    function."""
+    """The maximum number of iterations of a loop. If ``in_all`` is true, it counts all iterations
+    in one call of the function. Otherwise, it counts the iterations after each entry of the loop.
+    """
 
     rounds: int
     in_all: bool
 
 
 class Bounds:
-    """The bounds that the sources declare."""
+    """A reader of the bounds that the source files declare."""
 
     def __init__(self, root: Path, values: Mapping[str, int]) -> None:
         self.root, self.values = root, values
         self.lines: dict[str, list[str]] = {}
 
     def at(self, place: Place) -> Bound | None:
-        """Returns the bound of the loop, or of the call, on a line."""
+        """Returns the bound that is declared for the loop or the call on a source line. Returns
+        None without a valid bound."""
         lines = self._lines(place[0])
         if not 0 < place[1] <= len(lines):
             return None
@@ -54,25 +56,28 @@ class Bounds:
         try:
             rounds = self.value(match[1] if match else head[2] if head else "")
         except (KeyError, SyntaxError, ValueError):
-            return None  # The bound has an unknown name. The loop counts as a loop without a bound.
+            # The bound contains an unknown name. The loop then counts as a loop without a bound.
+            return None
         return Bound(rounds, match is not None and match[2] is not None)
 
     def passes(self, place: Place) -> int | None:
-        """Returns the maximum number of executions of a line in one call of its function."""
+        """Returns the declared maximum number of executions of a source line in one call of its
+        function."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         match = PASSES.match(before)
         return self.value(match[1]) if match else None
 
     def counter(self, place: Place) -> str | None:
-        """Returns the name with which flow facts count the executions of a line."""
+        """Returns the name by which the flow facts refer to the number of executions of a source
+        line."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         match = COUNTS.match(before)
         return match[1] if match else None
 
     def value(self, text: str) -> int:
-        """Returns the number of a constant expression."""
+        """Returns the value of a constant expression."""
         return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
 
     def _lines(self, file: str) -> list[str]:

@@ -1,8 +1,9 @@
-"""The instructions of an image with their cycles, in blocks with jumps, calls and loops.
+"""Reads the instructions of a firmware image with their processor cycles. The instructions are
+grouped into blocks, and the jumps, calls and loops are found.
 
 The cycles are counted as on the virtual board (``sim/emulator/Timing.hpp``), from tables 3-1 and
-7-1 of the Cortex-M4 manual. If the manual states a range, its upper end counts. The flash is slow
-and has no cache.
+7-1 of the Cortex-M4 manual. If the manual states a range, the greatest number is used. The flash
+memory is assumed to be slow and to have no cache.
 """
 
 from __future__ import annotations
@@ -24,32 +25,34 @@ JUMP = re.compile(rf"^(?:b(?P<condition>{CONDITION})?(?:\.[nw])?|(?P<compare>cbn
 TABLE = re.compile(r"tb[bh] |(?:ldr\S*|add\S*|mov\S*) pc, (?!.*\[pc, #)")
 MANY = re.compile(r"^(?:push|pop|ldm|stm|vpush|vpop|vldm|vstm)")
 MEMORY = re.compile(r"^(?:v?ldr|v?str)")
-PLACE = re.compile(r"((?:src|extensions)/[^:]+):(\d+)")  # files of the project
+PLACE = re.compile(r"((?:src|extensions)/[^:]+):(\d+)")  # place in a file of the project
 VENEER = re.compile(r"^_+(?P<name>\w+)_veneer$")
 
 
 @dataclass
 class Instruction:
-    """An instruction. ``cycles`` does not include the cost of a taken jump or of a called
-    function."""
+    """A machine instruction. ``cycles`` does not include the additional cycles of a taken jump, or
+    the cycles of a called function."""
 
     address: int
     name: str
     operands: str
     cycles: int
-    call: str = ""  # symbol
+    call: str = ""  # symbol of the called function; "" if it is no call
     indirect: bool = False
-    jumps: int | None = None  # address
-    ends: bool = False  # No instruction follows, because this one is a jump or a return.
+    jumps: int | None = None  # target address of a jump
+    # True if the next instruction in memory is not executed after this one, because this one always
+    # jumps or returns.
+    ends: bool = False
 
 
 @dataclass
 class Block:
-    """Instructions that are executed either all or not at all."""
+    """A basic block: instructions of which either all or none are executed."""
 
     start: int
     instructions: list[Instruction]
-    next: int | None = None  # the next block if the program does not jump
+    next: int | None = None  # address of the block that follows if the program does not jump
     jump: int | None = None
 
     @property
@@ -62,21 +65,21 @@ class Block:
 
 @dataclass
 class Loop:
-    """The blocks between a block and the jumps back to it. If a loop can be entered at more than
-    one block, it has a head that is part of each iteration."""
+    """A loop: the head, and all blocks that lead from the head back to the head. Each iteration
+    passes through the head."""
 
     head: int
     blocks: set[int]
-    back: set[int]  # blocks that jump back to the head
+    back: set[int]  # blocks from which the program goes back to the head
 
 
 @dataclass
 class Code:
-    """A function. Its blocks are found by their addresses."""
+    """The machine code of a function. ``blocks`` contains its blocks by their start addresses."""
 
     symbol: str
     blocks: dict[int, Block] = field(default_factory=dict)
-    hidden: bool = False  # It has jumps whose targets are in a table.
+    hidden: bool = False  # true if the function has jumps whose targets are in a table
     loops: list[Loop] = field(default_factory=list)
 
     def instructions(self) -> Iterator[Instruction]:
@@ -84,7 +87,7 @@ class Code:
 
 
 def read_code(elf: Path) -> dict[str, Code]:
-    """Returns the code of each symbol."""
+    """Returns the machine code of each function by its symbol."""
     words = ["arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     functions: dict[str, list[Instruction]] = {}
@@ -107,9 +110,8 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
-    """Returns the files and lines of each instruction. The first line is where the instruction was
-    written. The next lines are where it was inlined.
-    """
+    """Returns the source lines of each instruction. The first line contains the code of the
+    instruction. If this code was inlined, the next lines are the places of the calls."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout
@@ -165,15 +167,14 @@ def _cycles(address: int, name: str, operands: str) -> int:
         cycles += FP_DIVIDE
     elif name.startswith(("vmla", "vmls", "vfma", "vfms", "vnm", "vfnm")):
         cycles += FP_ACCUMULATE
-    if (
-        address < FLASH_END
-    ):  # Each instruction may begin a new phrase, and may read a word of flash.
+    # In the worst case, the instruction is in a new phrase of the flash, and reads another word.
+    if address < FLASH_END:
         cycles += 2 * PHRASE
     return cycles
 
 
 def _registers(operands: str) -> int:
-    """Returns the number of words in a list of registers."""
+    """Returns the number of words that the registers in a list contain."""
     count = 0
     for part in operands.partition("{")[2].partition("}")[0].split(","):
         first, _, last = part.strip().partition("-")
@@ -203,14 +204,16 @@ def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
             block.jump, present.call = present.jumps, ""
         elif (
             present.jumps is not None
-        ):  # This jump enters another function, which returns to the caller of this function.
+            # A jump to another function (a tail call). That function returns to the caller of this
+            # function.
+        ):
             present.cycles += REFILL
     return blocks
 
 
 def _loops(code: Code) -> list[Loop]:
-    """Returns the natural loops. A natural loop has a jump back to a block that is on every path to
-    the jump."""
+    """Returns all loops of a function. A natural loop has a jump back to its head, and each path to
+    this jump passes through the head."""
     entry = next(iter(code.blocks))
     before: dict[int, list[int]] = {start: [] for start in code.blocks}
     for block in code.blocks.values():
@@ -233,9 +236,8 @@ def _loops(code: Code) -> list[Loop]:
 
 
 def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
-    """Returns the loops that a path can enter at more than one block. Such a loop has no head that
-    is on every path. It gets a block as its head, and this block is part of each iteration.
-    """
+    """Returns the loops that the program can enter at several blocks. Such a loop is not a natural
+    loop. As its head, a block is chosen that is part of each iteration."""
     entered_loops: list[Loop] = []
     while True:
         ways = {
@@ -255,7 +257,8 @@ def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
         heads = (block for block in sorted(blocks) if not _cycle(_within(ways, blocks - {block})))
         head = next(heads, None)
         if head is None:
-            return entered_loops  # Such a function has no bound.
+            # The loop has no block that is part of each iteration. The function then has no bound.
+            return entered_loops
         entered_loops.append(Loop(head, blocks, {block for block in blocks if head in ways[block]}))
 
 

@@ -1,5 +1,4 @@
-"""Reads the record of ./wr mutate. It contains the inserted faults and the tests that found
-them."""
+"""Reads the results of ./wr mutate: the inserted faults, and the tests that found these faults."""
 
 from __future__ import annotations
 
@@ -14,7 +13,7 @@ RECORD = RESULTS / "mutation.json"
 
 
 def last_mutation(root: Path, sources: str) -> LastRecord | None:
-    """Returns the result of the last run, even if the sources have changed."""
+    """Returns the result of the last mutation test, even if the sources have changed since."""
     data = read_json(root / RECORD)
     if not isinstance(data, dict):
         return last_score(root, "mutation")
@@ -32,7 +31,8 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
 
 
 def read_mutation(root: Path, sources: str) -> Mutation | None:
-    """Returns the faults that were tried in exactly these sources."""
+    """Returns the faults that the mutation test tried in exactly the present sources. Returns None
+    if there is no such run."""
     data = read_json(root / RECORD)
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None

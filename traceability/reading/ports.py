@@ -1,4 +1,5 @@
-"""The ports of the firmware to other devices, and the results of their tests."""
+"""Reads the ports of the firmware to other devices and microcontrollers, and the results of their
+tests."""
 
 from __future__ import annotations
 
@@ -13,11 +14,12 @@ from traceability.reading.toml_reader import Entries
 from traceability.schema import Place, Port
 
 FOLDER = Path("ports")
-RESULT = RESULTS / "ports.json"  # folder of a port -> the suites of its tests
+RESULT = RESULTS / "ports.json"  # folder of a port -> the test suites of this port
 
 
 def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
-    """Returns the ports by their folders. Results of tests are included if they are not stale."""
+    """Returns the ports by their folders. Test results are included only if they belong to the
+    present sources."""
     data = read_json(root / RESULT)
     results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
     ports = {}
@@ -30,7 +32,7 @@ def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
     return ports
 
 
-# The ports share the headers next to their folders.
+# All ports use the headers that are next to their folders.
 def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[str, Any]) -> Port:
     changed = Kit(folder.name, item["title"], Place("", 0))
     if (folder / PATCH).exists():

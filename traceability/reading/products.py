@@ -1,4 +1,5 @@
-"""The products. Each product is a separate image, which CMake builds from a composition."""
+"""Reads the products (variants of the robot). Each product has a firmware image, which CMake builds
+from a composition."""
 
 from __future__ import annotations
 
@@ -15,13 +16,15 @@ from traceability.schema import ProductImage
 from traceability.sources import DESIGN, files_below
 
 DEFAULT = "weeding_robot"
-PAPER = "weeding_robot_paper"  # only the design of the paper, without safety functions
+# the product that contains only the design of the paper, without the safety functions
+PAPER = "weeding_robot_paper"
 LIST = Path("design/products.toml")
 
 
 @dataclass(frozen=True)
 class Product:
-    """A product with its composition, and with the modules that only it contains."""
+    """A product, with its composition and with the modules that it contains in addition to the
+    robot of the paper."""
 
     name: str
     commands: str
@@ -31,7 +34,7 @@ class Product:
 
 
 def listed(root: Path) -> list[Product]:
-    """Returns the products in the order of the list."""
+    """Returns the products in the order of design/products.toml."""
     table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
     parts = table["parts"]
     return [
@@ -50,51 +53,52 @@ _LISTED = listed(Path(__file__).parents[2])
 PRODUCTS = {product.name: product.commands for product in _LISTED}
 HAS = {product.name: set(product.has) for product in _LISTED}
 DIFFERENT = set().union(*HAS.values())
-RESULTS = Path("build/results/products.json")  # contents of each image
+RESULTS = Path("build/results/products.json")  # file with the contents of each firmware image
 
-# A symbol of a class of the project. It is a method, an object of the class, or its table of
-# methods.
+# Matches a symbol that belongs to a class of the project: a method, a static object, or the virtual
+# method table of the class.
 SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")
 
 
 def intruders(modules: Iterable[str], has: set[str]) -> set[str]:
-    """Returns the modules in an image that the product must not contain."""
+    """Returns those modules of an image that belong only to other products."""
     return (set(modules) & DIFFERENT) - has
 
 
 def image_of(product: str, suffix: str) -> Path:
-    """Returns the released image. This image is flashed, measured and tested."""
+    """Returns the path of the firmware image that is released. The same image is flashed, measured
+    and tested."""
     return Path("build/k64") / f"{product}{suffix}"
 
 
 def recorded_image_of(product: str, suffix: str) -> Path:
-    """Returns the image of the same sources with less inlining. It allows the recording of each
-    call."""
+    """Returns the path of the firmware image for recordings. It has the same sources but less
+    inlining. Therefore, each call can be recorded."""
     return Path("build/k64_calls") / f"{product}{suffix}"
 
 
 def module_names(root: Path) -> set[str]:
-    """Returns the design modules. Each module has a header with its name and its secret."""
+    """Returns the names of the design modules: the names of all headers that contain a @secret."""
     headers = files_below(root, DESIGN, (".hpp",))
     return {path.stem for path in headers if "@secret" in path.read_text(encoding="utf-8")}
 
 
 def modules_in(elf: Path, modules: Iterable[str]) -> list[str]:
-    """Returns the modules of this list that are in an image. Their code or constants are among the
-    symbols of the image.
-    """
+    """Returns those modules of the list that are in a firmware image. A module is in the image if
+    the image has a symbol of its code or of its constants."""
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     return sorted(modules_of(listed).intersection(modules))
 
 
 def modules_of(listed: str) -> set[str]:
-    """Returns the classes of the project in a list of symbols."""
+    """Returns the classes of the project to which the symbols in a list belong."""
     return {match[1] for match in map(SYMBOL.match, listed.splitlines()) if match}
 
 
 def read_products(root: Path) -> dict[str, ProductImage] | None:
-    """Returns the image of each product, if the present sources built all images."""
+    """Returns the firmware image of each product. Returns None if the images were not built from
+    the present sources."""
     images = read_record(root / RESULTS, dict[str, ProductImage])
     fresh = images is not None and set(images) == set(PRODUCTS) and read_image(root) is not None
     return images if fresh else None

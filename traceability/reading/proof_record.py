@@ -1,4 +1,4 @@
-"""Reads the properties of the state machines, and the results of their proofs."""
+"""Reads the properties that the state machines must have, and the results of their proofs."""
 
 from __future__ import annotations
 
@@ -15,22 +15,25 @@ from traceability.schema import ProofProperty, ProofResult
 PROPERTIES = Path("design/proofs/properties.toml")
 PROOFS = RESULTS / "proofs.json"
 PROVE = "./wr prove --again"  # the command that proves all properties and writes the record
-SCENARIOS = RESULTS / "proofs"  # folder for counterexamples that can be played
+SCENARIOS = RESULTS / "proofs"  # folder for scenarios that play counterexamples
 FOLDER = Path("build/proofs")
 ROUND_MS = 100
-START_MS = 50  # the events of the first cycle, before its clock pulse
-AFTER_MS = 10  # text between two events of a cycle
+# time of the events in the first cycle; they come before the clock pulse of this cycle
+START_MS = 50
+AFTER_MS = 10  # time between two events in the same cycle [ms]
 
 
 @dataclass(frozen=True)
 class ProofEvent:
-    """An event of the environment in the model, and the actions of a scenario that cause it."""
+    """An event of the environment in the proof model, and the actions with which a scenario causes
+    this event."""
 
     id: str
     says: str
-    actions: Sequence[str]  # empty if no action can cause the event
-    ends: str  # action that ends the event, in the next cycle without the event
-    wait: int  # duration of the event [ms]
+    actions: Sequence[str]  # actions that cause the event; empty if no action can cause it
+    # action that ends the effect of the event in the next cycle; "" if no action is needed
+    ends: str
+    wait: int  # time that the scenario waits for the event [ms]
 
 
 def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
@@ -54,7 +57,8 @@ def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
 
 
 def read_proofs(root: Path) -> dict[str, ProofResult] | None:
-    """Returns the results, if they belong to the present machines, composition and properties."""
+    """Returns the results of the proofs. Returns None if the machines, the composition or the
+    properties have changed since."""
     if not is_fresh(root, TASK):
         return None
     return read_record(root / PROOFS, dict[str, ProofResult])
@@ -63,8 +67,8 @@ def read_proofs(root: Path) -> dict[str, ProofResult] | None:
 def readable(
     events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> list[tuple[str, list[str]]]:
-    """Returns the cycles of a counterexample. Each cycle has its events and transitions in
-    words."""
+    """Returns the cycles of a counterexample for a reader. Each cycle has a title, and its events
+    and transitions as sentences."""
     rounds: list[tuple[str, list[str]]] = []
     for line in events:
         kind, _, rest = line.partition(" ")
@@ -83,8 +87,8 @@ def readable(
 def scenario(
     proof: ProofProperty, events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> str:
-    """Returns a scenario that plays a counterexample. The scenario is "" if no action causes one of
-    its events."""
+    """Returns a scenario that plays a counterexample. Returns "" if the counterexample contains an
+    event that no action can cause."""
     lines, at, number, lasting = [], START_MS, 0, dict[str, str]()
     ending: dict[str, str] = {}
     for line in events:

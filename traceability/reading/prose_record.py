@@ -1,4 +1,5 @@
-"""The findings of the linter of prose, and the hash of the texts."""
+"""The record of the prose linter: the number of its findings, and the hash of the texts that it
+read."""
 
 from __future__ import annotations
 
@@ -31,15 +32,15 @@ def texts_hash(root: Path) -> str:
 
 
 def write_prose(root: Path, findings: int) -> None:
-    """Writes the number of findings, with the hash of the texts."""
+    """Writes the number of findings and the hash of the texts."""
     content = {"findings": findings, "texts": texts_hash(root)}
     (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     (root / RECORD).write_text(json.dumps(content), encoding="utf-8")
 
 
 def read_prose(root: Path) -> int | None:
-    """Returns the number of findings in the present texts. Returns None if the linter has not read
-    these texts."""
+    """Returns the number of findings in the present texts. Returns None if the texts changed since
+    the linter read them."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or record.get("texts") != texts_hash(root):
         return None

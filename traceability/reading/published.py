@@ -1,4 +1,5 @@
-"""Committed records of runs that take too long to repeat in each build."""
+"""Reads and writes published results: committed records of runs that take too long for each
+build."""
 
 from __future__ import annotations
 
@@ -18,7 +19,7 @@ RECORDS = Path("tests/records")
 
 @dataclass(frozen=True)
 class Published:
-    """The result of the last published run of a command."""
+    """The result of the last run of a command that was published."""
 
     command: str
     commit: str  # empty without git
@@ -27,7 +28,7 @@ class Published:
 
 
 def publish(root: Path, name: str, command: str, commit: str, result: Mapping[str, Any]) -> Path:
-    """Writes the record of a run that ends today, and returns its file."""
+    """Writes the record of a run with the date of today. Returns the path of the record."""
     record = Published(command, commit, time.strftime("%Y-%m-%d", time.gmtime()), result)
     path = root / RECORDS / f"{name}.json"
     write_whole(path, json.dumps(asdict(record), indent=1) + "\n")
@@ -35,14 +36,14 @@ def publish(root: Path, name: str, command: str, commit: str, result: Mapping[st
 
 
 def read_published(root: Path, name: str) -> Published | None:
-    """Returns the last published record. Returns None if no run of the command was published."""
+    """Returns the last published result of a command. Returns None if there is none."""
     data = read_json(root / RECORDS / f"{name}.json")
     return Published(**data) if isinstance(data, dict) else None
 
 
 def last_score(root: Path, name: str) -> LastRecord | None:
-    """Returns the last published result of a mutation test. This result belongs to earlier
-    sources."""
+    """Returns the last published result of a mutation test. The result is marked as not current,
+    because the sources may have changed since."""
     record = read_published(root, name)
     if record is None:
         return None

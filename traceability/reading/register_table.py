@@ -1,4 +1,4 @@
-"""Reads the registers that the firmware uses from the table src/k64/registers.hpp."""
+"""Reads src/k64/registers.hpp, the table of the registers that the firmware uses."""
 
 from __future__ import annotations
 
@@ -18,20 +18,21 @@ class Register:
     name: str
     address: int
     bits: int
-    access: str  # name in the enumeration Access
-    flags: dict[str, int] = field(default_factory=dict)  # name -> number of the bit
+    access: str  # enumerator of the C++ enumeration Access
+    flags: dict[str, int] = field(default_factory=dict)  # name of a bit -> number of the bit
 
 
 @dataclass(frozen=True)
 class RegisterBlock:
-    name: str  # name of the namespace
+    name: str  # name of the namespace in the table
     brief: str
     registers: list[Register]
-    distance: int  # distance to the next block of its kind [byte]; 0 for a single block
+    # distance to the next block of the same kind [byte]; 0 if there is only one block
+    distance: int
 
 
 def read_registers(root: Path) -> list[RegisterBlock]:
-    """Returns the blocks, in the order of the table."""
+    """Returns the blocks of registers in the order of the table."""
     text = (root / TABLE).read_text(encoding="utf-8")
     return [_block(*match.groups()) for match in BLOCK.finditer(text)]
 

@@ -1,4 +1,5 @@
-"""The record of a release that was built twice, in two folders."""
+"""Reads the record of a release that was built twice, in two different folders, to compare the
+files."""
 
 from __future__ import annotations
 
@@ -11,8 +12,8 @@ RECORD = RESULTS / "release.json"
 
 
 def release_metrics(root: Path, commit: str) -> dict[str, Any]:
-    """Returns whether two builds of this commit were equal byte by byte. Returns nothing if they
-    were not compared."""
+    """Returns whether the two builds of this commit gave files that are equal byte by byte. Returns
+    None if they were not compared."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not commit or not record["commit"].startswith(commit):
         return {}

@@ -1,4 +1,5 @@
-"""A cache of results between runs. A result is valid as long as its inputs are the same."""
+"""A cache that stores results between runs of the tools. A result is valid as long as its inputs
+are the same."""
 
 from __future__ import annotations
 
@@ -15,10 +16,10 @@ Result = TypeVar("Result")
 
 
 def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
-    """Returns the result that was computed from these parts. If the result is not in the cache,
+    """Returns a result that depends only on these parts. If the cache does not contain the result,
     computes and stores it.
 
-    The ``repr`` of each part identifies the part.
+    Two parts count as equal if their ``repr`` is equal.
     """
     key = hashlib.sha256("\0".join(map(repr, parts)).encode()).hexdigest()
     if path.exists():
@@ -32,6 +33,7 @@ def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result
 
 
 def code_of(*modules: str) -> list[str]:
-    """Returns the hashes of the modules that compute a result, such as ``reading/traces``."""
+    """Returns the hashes of the Python modules that compute a result, such as ``reading/traces``.
+    After a change of a module, the stored result is no longer valid."""
     package = Path(__file__).parents[1]
     return [file_hash(package / f"{name}.py") for name in modules]

@@ -1,4 +1,4 @@
-"""Reads the results and sizes that the test run wrote."""
+"""Reads the results of the tests and the sizes of the modules that the last run wrote."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ from traceability.sources import file_hash, source_hash
 T = TypeVar("T")
 RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
-RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # target -> the run of the tests whose results count
+# target -> name of the test run whose results are used
+RUNS = {HOST: "trace", VIRTUAL_K64: "board"}
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
-TYPE = re.compile(r"/\d+$")  # suffix of a suite of typed tests
-PLAIN = "plain"  # the run that records nothing
-# The results of gcovr. They are the totals, and the lines of each file.
+TYPE = re.compile(r"/\d+$")  # a suite of typed tests ends with "/" and the number of the type
+PLAIN = "plain"  # name of the test run without recordings
+# The results of gcovr: the totals, and the executed lines of each file.
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
 BOARD_ONLY = (
@@ -32,7 +33,8 @@ BOARD_ONLY = (
 )
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
-COMPARED = "tests/usual_design/"  # Only the comparison of the designs runs these tests.
+# Only the comparison of the two designs runs the tests in this folder.
+COMPARED = "tests/usual_design/"
 
 
 @dataclass
@@ -40,15 +42,17 @@ class Result:
     result: str  # "passed", "failed", "skipped"
     milliseconds: float
     message: str
-    recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
+    # names of the files with the recorded calls
+    recordings: list[str] = field(default_factory=list)
     measured: str = ""  # text of the property "measured" that the test reports
-    # instance of a parameterised test -> result
+    # for a parameterised test: name of the instance -> result of the instance
     instances: dict[str, str] = field(default_factory=dict)
-    images: list[str] = field(default_factory=list)  # products whose images the test ran
+    # products whose firmware images the test executed
+    images: list[str] = field(default_factory=list)
 
 
 def read_json(path: Path) -> Any:
-    """Returns the content. Returns None if the file is missing or incomplete."""
+    """Returns the content of a JSON file. Returns None if the file is missing or incomplete."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -61,18 +65,16 @@ def day_of(record: Path) -> str:
 
 
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
-    """Returns the numbers about an image that tests of a target report in a property with this
-    name.
-    """
+    """Returns the numbers that the tests of a target reported in a property. Only tests that ran
+    the named firmware image count."""
     content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
     return [int(test[name]) for test in tests if name in test and test.get("image") == image]
 
 
 def read_record(path: Path, kind: type[T]) -> T | None:
-    """Returns the content as typed records. Returns None if the content is missing, is incomplete
-    or has another form.
-    """
+    """Returns the content of a JSON file as an object of a type. Returns None if the file is
+    missing or incomplete, or does not fit the type."""
     content = read_json(path)
     try:
         return RECORDS.structure(content, kind) if isinstance(content, dict) else None
@@ -81,8 +83,7 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """Returns the targets for which a test of the firmware is built. The folder of the test decides
-    this."""
+    """Returns the targets for which a test is built. They depend on the folder of the test file."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):
@@ -93,14 +94,13 @@ def bindings_of(file: str) -> list[str]:
 
 
 def cost_of(root: Path, run_name: str) -> Path:
-    """Returns the file that contains the processor time of a run of the tests."""
+    """Returns the path of the file with the processor time of a test run."""
     return root / RESULTS / f"{run_name}.cost.json"
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """Returns the durations of two runs of the tests of these sources. One run recorded everything,
-    and the other run recorded nothing.
-    """
+    """Returns how many times longer the tests took with recordings than without. Returns None if
+    the two runs did not use these sources."""
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
         return None
@@ -109,17 +109,19 @@ def read_recording_factor(root: Path, sources: str) -> float | None:
 
 
 def run_hash(root: Path, binding: str) -> str:
-    """Returns a hash that identifies the last run of the tests by its time."""
+    """Returns the hash of the result file of the last test run. Each run gives another hash,
+    because the file contains times."""
     return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
 
 
 def read_totals(root: Path) -> dict[str, float] | None:
-    """Returns the totals of gcovr, if they belong to the last run on this machine."""
+    """Returns the totals of gcovr. Returns None if they do not belong to the last run on the
+    host."""
     return count_totals(root) if task_record.is_fresh(root, task_record.COVERAGE) else None
 
 
 def count_totals(root: Path) -> dict[str, float] | None:
-    """Returns the totals of gcovr, if it found a line of the design."""
+    """Returns the totals of gcovr. Returns None if gcovr found no source line of the design."""
     record = read_json(root / COVERAGE)
     if not isinstance(record, dict) or not record["line_total"]:
         return None
@@ -127,23 +129,21 @@ def count_totals(root: Path) -> dict[str, float] | None:
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:
-    """Returns the hash of the present sources if the results belong to them. Otherwise, returns a
-    different text.
-    """
+    """Returns the hash of the present sources if the test results belong to these sources. Returns
+    "other sources" if they do not, and None without results."""
     if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
         return None
     return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"
 
 
 def read_results(root: Path, binding: str) -> dict[str, Result]:
-    """Returns the results by ``Suite.Name``. The instances of a parameterised test count as one
-    test.
-    """
+    """Returns the test results of a target by ``Suite.Name``. All instances of a parameterised test
+    have one common result."""
     return results_in(read_json(root / RESULTS / f"{RUNS[binding]}.json") or {})
 
 
 def results_in(data: dict[str, Any]) -> dict[str, Result]:
-    """Returns the results in the content of a file of results."""
+    """Returns the test results from the content of a GoogleTest result file."""
     results: dict[str, Result] = {}
     for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
@@ -158,9 +158,8 @@ def results_in(data: dict[str, Any]) -> dict[str, Result]:
 
 
 def _together(earlier: Result, result: Result) -> Result:
-    """Returns the common result of several instances, or of a test with several images. If one
-    result is a failure, the common result is a failure.
-    """
+    """Combines two results of one test: results of two instances, or of runs with two firmware
+    images. The combined result is "failed" if one of the two results is "failed"."""
     worst = earlier if earlier.result == "failed" else result
     failed = {
         name: instance for name, instance in earlier.instances.items() if instance == "failed"
@@ -177,8 +176,8 @@ def _together(earlier: Result, result: Result) -> Result:
 
 
 def plain_name(suite: str, name: str) -> str:
-    """Removes the prefix and the number of a parameterised test, and the number of a type, from a
-    name."""
+    """Returns ``Suite.Name`` without the parts that GoogleTest adds: the prefix and the number of a
+    parameterised test, and the number of a type."""
     whole = TYPE.sub("", suite)
     return f"{whole.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
 
@@ -196,7 +195,8 @@ def _result(test: dict[str, Any]) -> Result:
 
 
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
-    """Returns the faults that were seeded in the drivers of these sources."""
+    """Returns the results of the faults that a test inserted in the drivers. Returns None if the
+    test did not use these sources."""
     data = read_json(root / RESULTS / "driver_faults.json")
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None
@@ -204,7 +204,7 @@ def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
 
 
 def read_sizes(root: Path) -> dict[str, tuple[int, int]]:
-    """Returns the bytes of flash and of RAM of each module."""
+    """Returns the size of each module in the firmware image: flash and RAM [byte]."""
     data = read_json(root / RESULTS / "size_k64.json")
     if not isinstance(data, dict):
         return {}

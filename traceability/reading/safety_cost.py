@@ -1,4 +1,5 @@
-"""The cost of the safety functions, in files and lines since a base commit.
+"""Counts the files and lines that were added or edited for the safety functions since a base
+commit.
 
 In edited files, only lines of code count. Comments do not count.
 """
@@ -20,9 +21,8 @@ SAFETY = "extensions/safety"
 
 
 def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
-    """Returns the counts from the base to the present commit. Returns ``None`` if git does not have
-    the base.
-    """
+    """Returns the cost of the safety functions between the base commit and the present commit.
+    Returns ``None`` if git does not contain the base commit."""
     base = git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}").strip()
     head = git(root, "rev-parse", "--short=10", "HEAD").strip()
     if not (root / ".git").exists() or not case.base or not base or not head:
@@ -49,7 +49,7 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
 
 
 def contents(root: Path, names: list[str]) -> list[str]:
-    """Returns the texts of files at given commits. A missing file has an empty text."""
+    """Returns the texts of files in the form "commit:path". The text of a missing file is empty."""
     words = ["git", "-C", str(root), "cat-file", "--batch"]
     requests = "".join(f"{name}\n" for name in names).encode()
     answer = subprocess.run(words, input=requests, capture_output=True, check=True).stdout
@@ -67,7 +67,7 @@ def contents(root: Path, names: list[str]) -> list[str]:
 
 
 def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
-    """Returns the lines of code of a file that were added and removed between two versions."""
+    """Counts the lines of code that were added and removed between two versions of a file."""
     old, new = code_of(before.strip()).splitlines(), code_of(after.strip()).splitlines()
     edits = SequenceMatcher(None, old, new, autojunk=False).get_opcodes()
     changed = [edit for edit in edits if edit[0] != "equal"]
@@ -77,7 +77,8 @@ def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
 
 
 def numstat(text: str) -> list[TouchedFile]:
-    """Returns the files that ``git diff --numstat`` lists. A binary file has no lines."""
+    """Returns the files and counts that ``git diff --numstat`` lists. A binary file has the count
+    0."""
     rows = [line.split("\t") for line in text.splitlines()]
     return [
         TouchedFile(file, int(added) if added != "-" else 0, int(removed) if removed != "-" else 0)
@@ -86,8 +87,8 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """Returns the correction that names the file. If there is none, returns the correction of its
-    innermost folder."""
+    """Returns the correction that names the file, or else the correction that names the innermost
+    folder of the file. Returns None without such a correction."""
     matching = [
         (len(path), correction)
         for correction in corrections

@@ -1,4 +1,5 @@
-"""The results of the seeded faults, and whether they belong to the present files."""
+"""Reads and writes the results of the seeded faults. It detects whether the results belong to the
+present files."""
 
 from __future__ import annotations
 
@@ -33,9 +34,8 @@ SOURCES = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """The outcome of a seeded fault. If there is a finding at the expected ``line``, ``said`` is
-    this finding.
-    """
+    """The outcome of a seeded fault. ``said`` are the findings of the checks. If there is a finding
+    at the expected ``line``, ``said`` is only this finding."""
 
     name: str
     check: str
@@ -48,9 +48,8 @@ class Outcome:
 
 
 def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str) -> None:
-    """Writes the outcomes. ``left_out`` is the number of faults that need test results or a site
-    that do not exist.
-    """
+    """Writes the outcomes. ``left_out`` is the number of faults that were not tried, because they
+    need test results or a built site and these did not exist."""
     record = {
         "commit": commit,
         "left_out": left_out,
@@ -62,7 +61,7 @@ def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str
 
 
 def last_seeded(root: Path) -> LastRecord | None:
-    """Returns the result of the last run, even if files have changed."""
+    """Returns the number of found faults in the last run, even if files have changed since."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict):
         return last_score(root, "drift")
@@ -74,7 +73,7 @@ def last_seeded(root: Path) -> LastRecord | None:
 
 
 def read_record(root: Path) -> list[Outcome] | None:
-    """Returns the outcomes, if all faults were seeded in the present state of the project."""
+    """Returns the outcomes. Returns None if files have changed since the faults were seeded."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not is_fresh(root, SEEDED_FAULTS):
         return None

@@ -1,4 +1,5 @@
-"""The seeded faults, as tests/drift declares them."""
+"""Reads the seeded faults from tests/drift. Each fault is an edit of the project that a check must
+find."""
 
 from __future__ import annotations
 
@@ -8,24 +9,23 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 FAULTS = Path("tests/drift")
-# The targets of a seeded fault. They are the sources, the sources with the results of their tests,
-# the pages, and the finished site.
+# The stages at which a fault can be seeded: in the sources, in sources that have test results, in
+# the pages, or in the finished site.
 STAGES = ("sources", "results", "pages", "site")
 COMPILER = "syntax-error"
 
 
 @dataclass(frozen=True)
 class Edit:
-    """An edit of a file: it replaces the first match of a search pattern. An edit without a search
-    pattern creates a new file.
-    """
+    """A replacement of the first match of a pattern. An edit without a pattern creates a new
+    file."""
 
     file: str
     find: str
     put: str
 
     def apply(self, root: Path) -> int:
-        """Changes the file. Returns the first line of the change."""
+        """Changes the file. Returns the number of the first changed line."""
         path = root / self.file
         if not self.find:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -46,8 +46,8 @@ class Fault:
     """A seeded fault. Its finding must be in the file ``place``, on the first line that ``at``
     matches.
 
-    Without ``at``, the finding must be where the first change begins. A finding about a folder has
-    no line.
+    Without ``at``, the finding must be on the line where the first edit begins. A finding about a
+    folder has no line.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""The inputs of the model, and the facts that follow from all inputs together."""
+"""The inputs of the model, and facts that are derived from several inputs."""
 
 from __future__ import annotations
 
@@ -25,22 +25,25 @@ from traceability.sources import DESIGN, SRC
 
 @dataclass
 class Facts:
-    """The inputs of the model. They are for the checks that need more than the model."""
+    """The inputs of the model. Checks use them if the model does not contain enough details."""
 
     root: Path
     comments: Comments
     syntax: Syntax
     declared: Declared
-    subclasses: dict[str, list[str]]  # class -> all classes that derive from it, directly or not
+    # class -> all classes that derive from it, directly or indirectly
+    subclasses: dict[str, list[str]]
     overriders: dict[str, list[str]]  # method -> all methods that override it
     bodies: dict[str, list[BodyFact]]
     classes: dict[str, ClassFact]
-    written_in: dict[str, str]  # file -> the class that has its name
+    written_in: dict[str, str]  # file -> the class with the name of the file
     bodies_of: dict[str, list[BodyFact]] = field(
         default_factory=dict
-    )  # class -> all bodies in its files
-    names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> names in its code
-    includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> includes
+    )  # class -> all function bodies in its files
+    # class -> names of classes that its code contains
+    names_of: dict[str, list[NameFact]] = field(default_factory=dict)
+    # class -> includes in its files
+    includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)
     warnings: list[tuple[Place, str]] = field(default_factory=list)  # warnings of Doxygen
 
     def __post_init__(self) -> None:
@@ -54,18 +57,18 @@ class Facts:
 
     @property
     def modules(self) -> set[str]:
-        """Returns the design modules, with the names that the design uses."""
+        """Returns the names of all modules that design/modules.toml lists."""
         return {name for names in self.declared.names.values() for name in names}
 
     @property
     def with_role(self) -> set[str]:
-        """Returns the modules with a role in the design."""
+        """Returns the names of all modules to which the design assigns a role in a pattern."""
         applications = self.declared.applications.values()
         return {name for item in applications for names in item.roles.values() for name in names}
 
     @property
     def builders(self) -> set[str]:
-        """Returns the builder modules."""
+        """Returns the names of all modules with the role Concrete Builder."""
         return {
             name
             for item in self.declared.applications.values()
@@ -73,9 +76,8 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """Returns the class to which code belongs. Other code in the file of a class belongs to the
-        class.
-        """
+        """Returns the class to which a piece of code belongs. All other code in the file of a class
+        also belongs to this class."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
@@ -90,19 +92,19 @@ class Facts:
 
     @functools.cached_property
     def folders(self) -> dict[str, Comment]:
-        """Returns the comment with ``@dir`` of each folder."""
+        """Returns for each folder the comment with ``@dir``, which describes the folder."""
         comments = self.comments.below(DESIGN)
         return {comment.of("dir")[0].argument: comment for comment in comments if comment.of("dir")}
 
     def kind_of(self, name: str) -> str:
-        """Returns class, struct, enum or alias. The result is empty for a class outside the
+        """Returns "class", "struct", "enum" or "alias". Returns "" for a type outside the
         project."""
         fact = self.classes.get(name)
         return fact.kind if fact else ""
 
     @functools.cached_property
     def with_file(self) -> set[str]:
-        """Returns the classes with the name of a file."""
+        """Returns the classes that have the same name as their file."""
         return set(self.written_in.values())
 
     @functools.cached_property
@@ -113,11 +115,13 @@ class Facts:
         return (self.root / file).read_text(encoding="utf-8").splitlines()
 
     def targets(self, method: str, virtual: bool) -> list[str]:
-        """Returns the methods that a call can reach."""
+        """Returns the methods that a call can execute: the called method, and for a virtual call
+        also each overriding method."""
         return [method, *self.overriders.get(method, [])] if virtual else [method]
 
     def method(self, owner: str, name: str) -> MethodFact | None:
-        """Returns the method that ``owner`` has or inherits."""
+        """Returns the method with this name in the class ``owner`` or in a base class. Returns None
+        if there is none."""
         fact = self.classes.get(owner)
         if fact is None:
             return None
@@ -170,23 +174,24 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
 
 @dataclass(frozen=True)
 class Object:
-    """An object. Its ``name`` is ``Class::member`` or ``file:variable``."""
+    """An object in the firmware. ``name`` is ``Class::member`` or ``file:variable``."""
 
     name: str
     kind: str  # class of the object
 
 
 class References:
-    """The objects that each reference may refer to.
+    """For each reference, the objects to which it may refer.
 
-    An object is a member or a variable whose type is a class of the project. References to it are
-    followed through constructors, parameters, members and results, in all files of the robot.
+    An object is a member or a variable whose type is a class of the project. The references to an
+    object are followed through constructors, parameters, members and results, in all files of src.
     """
 
     def __init__(self, facts: Facts) -> None:
         self.facts = facts
-        self.known: dict[str, set[Object]] = {}  # place -> objects
-        self.next: dict[str, set[str]] = {}  # place -> places that refer to the same objects
+        # place (see flow.py) -> objects to which it may refer
+        self.known: dict[str, set[Object]] = {}
+        self.next: dict[str, set[str]] = {}  # place -> places that may refer to the same objects
         self._objects()
         self._flows()
         self._solve()
@@ -245,16 +250,15 @@ class References:
                     work.append(target)
 
     def objects(self, places: list[str], kind: str = "") -> set[Object]:
-        """Returns the objects that places may refer to. If a class is given, returns only objects
-        of this class and its subclasses."""
+        """Returns the objects to which these places may refer. If ``kind`` names a class, only
+        objects of this class and of its subclasses are returned."""
         family = {kind, *self.facts.subclasses.get(kind, [])}
         reachable = {item for place in places for item in self.known.get(place, set())}
         return {item for item in reachable if not kind or item.kind in family}
 
     def targets(self, call: CallFact) -> list[str]:
-        """Returns the methods that a call may reach. They are methods of the objects on which it is
-        called.
-        """
+        """Returns the methods that a call may execute. For a virtual call, these are methods of the
+        objects to which the reference in the call may refer."""
         owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]
@@ -267,11 +271,11 @@ class References:
     def reached(
         self, start: Iterable[str], within: dict[str, str], ends: list[str]
     ) -> dict[str, str]:
-        """Returns the methods and functions that may run below the start, each with the first
-        caller that was found.
+        """Returns all methods and functions that the functions in ``start`` may call, directly or
+        indirectly. For each of them, the result contains the first caller that was found.
 
-        ``within`` restricts a virtual method to one of its overriding methods. The search does not
-        continue below the methods in ``ends``.
+        ``within`` replaces a virtual method by one of its overriding methods. Calls inside the
+        methods in ``ends`` are not followed.
         """
         callers = dict.fromkeys(start, "")
         work = list(callers)
@@ -287,6 +291,6 @@ class References:
         return callers
 
     def own_bodies(self, method: str) -> list[BodyFact]:
-        """Returns the bodies that are in the robot itself, and not in an extension."""
+        """Returns the bodies of a method that are in src. Bodies in an extension are left out."""
         bodies = self.facts.bodies.get(method, [])
         return [body for body in bodies if body.place.file.startswith(f"{SRC}/")]

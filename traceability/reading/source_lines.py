@@ -1,4 +1,4 @@
-"""The lines of files, each with its place."""
+"""Reads text files line by line. Each line has its place."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from traceability.sources import files_below
 def lines_below(
     root: Path, names: Iterable[str], suffixes: tuple[str, ...]
 ) -> Iterator[tuple[Place, str]]:
-    """Yields the lines of the files below some folders, in the order of ``files_below``."""
+    """Yields all lines of the files below the given folders. The files come in the order of
+    files_below()."""
     for path in files_below(root, names, suffixes):
         file = str(path.relative_to(root))
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):

@@ -1,4 +1,4 @@
-"""The files on which the verdict of a test depends, in addition to the tested code."""
+"""Finds the files, besides the tested code, on which the result of a test depends."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LITERAL = re.compile(r'"([^"\n]+)"')
 
 
 class SupportFiles:
-    """Finds fixtures, helpers and scenarios. Each file is read once."""
+    """A search for the fixtures, helpers and scenarios of tests. Each file is read only once."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -41,7 +41,8 @@ class SupportFiles:
         return (self.root / file).read_text(encoding="utf-8")
 
     def _helpers(self, file: str) -> frozenset[str]:
-        """Returns the headers of tests/, the files that they include, and their sources."""
+        """Returns the headers in tests/ that a file includes, directly or indirectly, and the
+        source files of these headers."""
         reached: set[str] = set()
         pending = [file]
         while pending:
@@ -70,8 +71,7 @@ class SupportFiles:
 
     def _played(self, file: str, test: str) -> set[str]:
         """Returns the scenarios that the test or its parameters name. If they name a folder,
-        returns all its scenarios.
-        """
+        returns all scenarios in this folder."""
         suite = test.split(".", maxsplit=1)[0]
         bodies = [case.body for case in read_tests(self.text(file)) if case.id == test]
         lists = re.findall(

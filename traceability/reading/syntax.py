@@ -1,9 +1,8 @@
-"""Reads the facts of the code from the syntax tree of libclang. The facts therefore agree with the
-compiler.
+"""Reads facts about the code from the syntax tree of libclang, which reads C++ in the same way as
+the Clang compiler.
 
-A cache contains the facts of each translation unit. The key consists of the content of the unit's
-files, and of the code of all files that they include. Comments of the included files are not part
-of the key.
+The facts of each translation unit are in a cache. They are valid while the unit's own files and the
+code of all included files are unchanged. A change of a comment in an included file does not matter.
 """
 
 from __future__ import annotations
@@ -39,7 +38,8 @@ READERS = (
 
 
 def read_syntax(root: Path, cache: Path) -> Syntax:
-    """Returns the facts of all files of the design. Only units whose files changed are parsed."""
+    """Returns the facts about all files of the design. Only translation units with changed files
+    are parsed. The other facts come from the cache."""
     cache.mkdir(parents=True, exist_ok=True)
     hashes: dict[str, str] = {}
     units = translation_units(root)
@@ -92,7 +92,8 @@ def _is_stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bo
 
 
 def own_files(unit: str) -> tuple[str, str]:
-    """Returns the files whose facts may be read from a unit."""
+    """Returns the own files of a translation unit: the source file and the header of the same
+    name."""
     return unit, unit.removesuffix(".cpp") + ".hpp"
 
 
@@ -109,7 +110,9 @@ def code_hash(path: Path) -> str:
 def _reader_hash(board: bool) -> str:
     here = Path(__file__).parent
     own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
-    shape = repr(signature(Place))  # Most facts have these types. They contain no code of a reader.
+    # Most facts contain a Place. Its definition is not in a reader, so it must be a part of the
+    # hash.
+    shape = repr(signature(Place))
     return hashlib.sha256(own + f"{Place} {shape} {clang_arguments(board)}".encode()).hexdigest()
 
 
@@ -122,7 +125,9 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
             file: file_hash(root / file) if file in own else code_hash(root / file)
             for file in sorted(included)
         },
-        "facts": pickle.dumps(facts),  # Only the same version of the reader can read these facts.
+        # The facts are pickled separately, because only the same version of the reader can unpickle
+        # them.
+        "facts": pickle.dumps(facts),
     }
     path = _entry(cache, unit)
     if facts.errors:
@@ -131,7 +136,8 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
 
 
 def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax, set[str]]:
-    """Returns the facts of the files, and all files of the project that the unit includes."""
+    """Parses a translation unit. Returns the facts about its files, and all project files that the
+    unit includes."""
     arguments = [*clang_arguments(is_board(unit)), *include_options(root)]
     if header.exists():
         arguments += ["-include-pch", str(header)]
@@ -146,7 +152,8 @@ def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax
     for name in files:
         reader.facts.includes += includes_of(root, name)
     for problem in tree.diagnostics:
-        # With parsed headers, libclang reports errors without a file. These errors have no meaning.
+        # If libclang uses precompiled headers, it reports errors that have no file. These errors
+        # are ignored, because they are no errors of the code.
         if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
             file = reader.relative(problem.location.file.name)
             place = Place(file or unit, problem.location.line if file else 1)
@@ -154,18 +161,19 @@ def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax
     return reader.facts, included
 
 
-# Matches all forms that the preprocessor permits. An include may follow a comment or contain
-# digraphs.
+# Matches an include in all forms that the preprocessor permits. For example, a comment may come
+# first, and %: may replace #.
 INCLUDE = re.compile(
     r'\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]'
 )
 
 
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
-    """Returns the files of the project that a file includes, with their names as they are written.
+    """Returns the project files that a file includes. They are read from the source text and not
+    from the compiler.
 
-    The compiler reads a header only once. Its list of includes lacks a header that was included
-    before.
+    The list of the compiler is not complete: if a header was included before, a second include of
+    this header is missing in the list.
     """
     includes: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()

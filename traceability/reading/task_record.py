@@ -1,4 +1,4 @@
-"""Reads the record of the task graph, which shows the results that belong to the present files."""
+"""Reads the record of the build tasks. It shows which results belong to the present files."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from doit.dependency import MD5Checker
 
 RECORD = Path("build/tasks.json")
-# The tasks whose results the model reads.
+# The names of the tasks whose results the model reads.
 TESTS_TRACE, TESTS_BOARD, TESTS_PLAIN = "tests (trace)", "tests (virtual K64)", "tests (plain)"
 COVERAGE = "coverage"
 IMAGES = "sizes of the images"
@@ -27,7 +27,7 @@ FIRMWARE_FAULTS = "tests (tools, firmware)"
 
 
 def is_fresh(root: Path, task: str) -> bool:
-    """Returns whether a task was completed and its inputs have not changed since."""
+    """Returns whether a task was completed and the inputs of the task have not changed since."""
     entry = _read(root).get(task)
     if entry is None:
         return False

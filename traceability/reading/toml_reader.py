@@ -1,6 +1,6 @@
-"""Reads the entries of the files in ``design/``, each with its line.
+"""Reads the entries of the TOML files in ``design/``. Each entry has its place.
 
-If an entry cannot be read, the reader skips it and reports a problem.
+If an entry cannot be read, the reader skips this entry and reports a problem.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any, ClassVar, Protocol, TypeVar, get_args, get_origin, get_t
 
 from traceability.schema import Place
 
-MAY_BE_EMPTY = ("guard", "action")  # keys of a transition
+MAY_BE_EMPTY = ("guard", "action")  # keys of a transition in a state machine
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
 
@@ -38,13 +38,13 @@ class Problem:
 class Entries:
     root: Path
     problems: list[Problem] = field(default_factory=list)
-    unreadable: list[str] = field(default_factory=list)  # files
+    unreadable: list[str] = field(default_factory=list)  # paths of files that are not TOML
     _read: dict[Path, dict[str, Any]] = field(default_factory=dict)
     _asked: dict[Path, set[str]] = field(default_factory=dict)
 
     def whole(self, path: Path) -> dict[str, Any]:
-        """Returns the content of a file. The content is empty if the file does not exist or is not
-        TOML."""
+        """Returns the content of a TOML file. Returns an empty content if the file does not exist
+        or is not valid TOML."""
         if path not in self._read:
             text = path.read_text(encoding="utf-8") if path.exists() else ""
             try:
@@ -65,16 +65,15 @@ class Entries:
         )
 
     def value(self, path: Path, name: str, missing: Any) -> Any:
-        """Returns the value that a name has in a file."""
+        """Returns the value of a top-level name in a file, or a default value."""
         self._asked.setdefault(path, set()).add(name)
         return self.whole(path).get(name, missing)
 
     def tables(
         self, path: Path, name: str, needs: Keys, may: Keys | None = None, own: str = ""
     ) -> list[Entry]:
-        """Returns the entries ``[[name]]``. Two entries never have the same value of the key
-        ``own``.
-        """
+        """Returns the entries ``[[name]]`` of a file. If two entries have the same value of the key
+        ``own``, the second entry is a problem."""
         listed = self.value(path, name, [])
         places = self._places(path, name, len(listed))
         entries: list[Entry] = []
@@ -102,11 +101,11 @@ class Entries:
         keys: Mapping[str, str] | None = None,
         **fixed: Any,
     ) -> list[T]:
-        """Returns the entries ``[[name]]`` as objects of a dataclass.
+        """Returns the entries ``[[name]]`` of a file as objects of a dataclass.
 
-        An entry must have the fields without a default. It may have the fields in ``may``. If the
-        key of a field has another name, ``keys`` names it. The field ``place`` is the place of the
-        entry.
+        An entry must contain a key for each field without a default value. A key for a field in
+        ``may`` is optional. ``keys`` lists the fields whose key has another name. The field
+        ``place`` receives the place of the entry.
         """
         types = {key: _type_of(hint) for key, hint in get_type_hints(record).items()}
         members = fields(record)
@@ -133,7 +132,8 @@ class Entries:
         return [Place(str(path.relative_to(self.root)), number) for number in numbers[:count]]
 
     def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
-        """Returns whether an entry has the keys that it needs. An unknown key is a problem."""
+        """Returns whether an entry has all keys that it needs. Reports missing, empty and unknown
+        keys as problems."""
         keys = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
@@ -150,13 +150,13 @@ class Entries:
         return not missing
 
     def line_in(self, place: Place, words: str) -> Place:
-        """Returns the place of some words in the entry that begins at a place. If the entry does
-        not contain them, returns this place."""
+        """Returns the place of a text in the entry that begins at ``place``. If the entry does not
+        contain the text, returns ``place``."""
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
         header = lines[place.line - 1] if place.line <= len(lines) else ""
-        # prefix of the parts of the entry, as in [[entry.part]]
+        # Tables with this prefix, such as [[entry.part]], belong to the entry.
         below = header.strip().rstrip("]") + "."
         for number, line in enumerate(lines[place.line - 1 :], place.line):
             if number > place.line and line.startswith("[[") and not line.startswith(below):
@@ -166,21 +166,21 @@ class Entries:
         return place
 
     def others(self) -> None:
-        """Records the tables and names of the files that no reader uses."""
+        """Reports each table and each name that no reader uses as a problem."""
         for path, keys in self._asked.items():
             for name in self._read.get(path, {}).keys() - keys:
                 text = f"no reader uses the values under {name}"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
 
     def absent(self, files: Iterable[Path]) -> None:
-        """Records the expected files that do not exist."""
+        """Reports each expected file that does not exist as a problem."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
             text, fix = "there is no such file", "write the file: a complete design contains it"
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:
-        """Returns the first place of a name in a file."""
+        """Returns the place where a name first occurs in a file."""
         begins = re.compile(rf"\s*(\[\[?\s*)?{re.escape(name)}\b")
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         line = next((n for n, line in enumerate(lines, 1) if begins.match(line)), 1)
@@ -188,7 +188,7 @@ class Entries:
 
 
 def _type_of(hint: Any) -> type[Any]:
-    """Returns the TOML type of the values of a field."""
+    """Returns the type that the value of a dataclass field has in TOML."""
     origin = get_origin(hint)
     if origin is None:
         return Real if hint is float else hint

@@ -1,4 +1,5 @@
-"""Reads the recorded calls of each test, and embeds declared trees in them."""
+"""Reads the recorded calls of each test, and searches the declared invocation trees in these
+recordings."""
 
 from __future__ import annotations
 
@@ -22,12 +23,12 @@ from traceability.whole_file import write_whole
 
 @dataclass(frozen=True)
 class Source:
-    """The folder with the recordings of a target, and the executable that contains their
-    symbols."""
+    """The inputs for the recordings of a target: the folder with the recordings, and the executable
+    with the symbols of the recorded functions."""
 
     executable: Path
     folder: Path
-    names: str  # program that lists the symbols
+    names: str  # program that lists the symbols of the executable
 
 
 SOURCES = {
@@ -37,16 +38,18 @@ SOURCES = {
     ),
 }
 EXIT = 1 << 63
-# This bit is a flag. The other bits are the number of the event at which the same calls begin.
+# An event with this bit represents repeated calls. The other bits are the number of the earlier
+# event at which the same calls begin.
 REPEAT = 1 << 62
 SHOWN = 60
 
 
 @dataclass(slots=True)
 class Row:
-    """A call. It contains the rows before ``end``, except rows of interrupts.
+    """A call in a recording. The rows after this row and before ``end`` are calls inside this call,
+    or calls of interrupts.
 
-    Each entry of an interrupt has a different ``activation``. The code outside of interrupts has
+    Each execution of an interrupt has a different ``activation``. The code outside interrupts has
     the activation 0.
     """
 
@@ -59,12 +62,13 @@ class Row:
 
 @dataclass
 class Traces:
-    """The recordings of a target."""
+    """All recordings of a target, with the symbols for reading them."""
 
     folder: Path
-    state: str = ""  # identifies the run of the tests and the executable
-    symbols: dict[int, str] = field(default_factory=dict)  # address -> method or function
-    vectors: set[str] = field(default_factory=set)  # functions that the hardware calls
+    state: str = ""  # hash that identifies the recordings and the executable
+    # address -> name of the method or function
+    symbols: dict[int, str] = field(default_factory=dict)
+    vectors: set[str] = field(default_factory=set)  # names of the functions that the hardware calls
     tests: set[str] = field(default_factory=set)
 
     def file(self, test: str) -> Path:
@@ -79,11 +83,12 @@ class Traces:
     def calls(
         self, test: str, names: dict[int, str], turning: Set[int] = frozenset()
     ) -> Iterator[tuple[str, bool]]:
-        """Yields each entry and exit of the named functions in order. An entry is the name with
-        true, and an exit is the name with false.
+        """Yields each entry and exit of the named functions in the order of time. Yields (name,
+        True) for an entry, and (name, False) for an exit.
 
-        If repeated calls contain no call of ``turning``, they are listed again only after such a
-        call.
+        ``turning`` are the functions after which repeated calls are interesting again. Repeated
+        calls that contain no such function are yielded once, and then again only after a call of
+        such a function.
         """
         events = self.events(test)
         calls = {address: [(name, True)] for address, name in names.items()}
@@ -108,22 +113,24 @@ class Traces:
             yield from calls[event]
 
     def functions(self, test: str) -> set[str]:
-        """Returns the methods and the other functions that ran in a test."""
+        """Returns the names of all functions, including methods, that a test executed."""
         return {self.symbols[at] for at in set(self.events(test)) if at in self.symbols}
 
     def methods(self, test: str) -> set[str]:
-        """Returns the methods that ran in a test."""
+        """Returns the names of the methods that a test executed."""
         return {name for name in self.functions(test) if "::" in name}
 
     def addresses(self, methods: Set[str]) -> set[int]:
         return {address for address, name in self.symbols.items() if name in methods}
 
     def rows(self, test: str, shown: Set[int]) -> list[Row]:
-        """Returns the calls of the methods at these addresses, in order."""
+        """Returns the calls of the functions at the addresses in ``shown``, in the order of
+        time."""
         rows: list[Row] = []
         addresses = shown | self.addresses(self.vectors)
         addresses |= {at | EXIT for at in addresses}
-        # Index of the row and previous activation. The index is -1 for a handler that is not shown.
+        # Each element: index of the row, and the activation before the call. The index is -1 for a
+        # handler that is not shown.
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
         for event in [event for event in self.events(test) if event in addresses]:
@@ -149,7 +156,7 @@ class Traces:
 
 
 def _outermost(events: array[int], begin: int) -> Iterator[int]:
-    """Yields the events of a call and of all calls below it."""
+    """Yields the events from the begin of a call to its end, including all calls inside it."""
     depth = 0
     for event in events[begin:]:
         yield event
@@ -165,7 +172,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
         done = (
             root / RESULTS / f"{RUNS[binding]}.json"
-        ).exists()  # Without results, the tests are still running.
+        ).exists()  # If there are no results, the tests are still running.
         if tests and done and (root / source.executable).exists():
             cached = cache / f"symbols-{source.names}.json"
             traces.state = _state(traces.folder, root / source.executable)
@@ -176,7 +183,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
 
 
 def _state(folder: Path, executable: Path) -> str:
-    """Computes a hash that identifies the recordings and the executable."""
+    """Computes a hash of the executable and of the names, sizes and times of the recordings."""
     total = hashlib.sha256(file_hash(executable).encode())
     for entry in sorted(os.scandir(folder), key=lambda item: item.name):
         state = entry.stat()
@@ -185,9 +192,8 @@ def _state(folder: Path, executable: Path) -> str:
 
 
 def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
-    """Returns the method at each address. On the K64, the bit that marks the instruction set is
-    removed.
-    """
+    """Returns the name of the function at each address. For the K64, bit 0 is cleared, because this
+    bit only marks the Thumb instruction set."""
     state = executable.stat()
     key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
     if cache.exists():
@@ -246,17 +252,20 @@ def free_function_of(symbol: str) -> str:
 
 @dataclass
 class Embedding:
-    """The rows of the nodes of a tree in a trace. ``failed`` is the first node without a row."""
+    """The result of the search of an invocation tree in a recording. ``rows`` contains a row for
+    each node. If the search failed, ``failed`` is the first node without a row."""
 
-    rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> its row
+    rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> number of the row
     failed: TreeNode | None = None
 
 
 def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
-    """Searches the tree in a trace. A child must be within the call of its parent, and in order.
+    """Searches an invocation tree in the rows of a recording. The call of a child must be inside
+    the call of its parent. The calls of the children must have the order of the tree.
 
-    An interrupt can occur in the call of the parent. A call by this interrupt is not a call of the
-    parent, but a post by the parent is one.
+    If an interrupt occurs during the call of the parent, the calls by this interrupt do not count
+    as calls of the parent. A post is different: the posted method may run later and in another
+    activation.
     """
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}
@@ -275,7 +284,9 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
             position = index + 1
             for child in node.children:
                 if not child.children and not names[id(child)]:
-                    continue  # The recording does not contain the implementation of this node.
+                    # No recording can contain this node, because its method does not exist on this
+                    # target.
+                    continue
                 if child.kind == "post":
                     matched = fit(child, position, len(rows), None)
                 else:
@@ -300,9 +311,9 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
-    """Returns at most ``SHOWN`` calls around the rows of the tree, with the new number of each
-    remaining row.
-    """
+    """Returns a part of a recording for the page: the rows of the tree and some rows around them,
+    about ``SHOWN`` rows in all. Also returns the index of the first row, and the new number of each
+    remaining row."""
     first = placed[0]
     last = max(rows[index].end for index in placed)
     while rows[first].parent >= 0 and rows[rows[first].parent].end - rows[first].parent <= SHOWN:

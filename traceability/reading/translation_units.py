@@ -1,8 +1,8 @@
-"""The translation units of the design, and the options with which each compiler reads them.
+"""Lists the translation units of the design, and the compiler options for the host and for the K64.
 
-A header and the source file of the same name are one unit. A header without a source file is a unit
-of its own. Files below ``src/k64`` and in the folder ``k64`` of an extension are read for the K64,
-with the library of its compiler.
+A header and the source file of the same name are one translation unit. A header without a source
+file is a separate unit. Files below ``src/k64`` and in the folder ``k64`` of an extension are
+parsed for the K64, with the standard library of the K64 compiler.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-
 
 
 def translation_units(root: Path) -> dict[str, list[str]]:
-    """Returns for each unit the files whose facts are read from this unit."""
+    """Returns for each translation unit the files about which its syntax tree gives facts."""
     paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
     files = [str(path.relative_to(root)) for path in paths]
     units: dict[str, list[str]] = {}
@@ -53,7 +53,8 @@ def clang_arguments(board: bool) -> list[str]:
 
 
 def _board_folders() -> list[str]:
-    """Returns the folders of headers that the K64 compiler reports."""
+    """Returns the folders in which the K64 compiler searches system headers. The compiler itself
+    reports these folders."""
     answer = subprocess.run(
         [BOARD_COMPILER, *BOARD_FLAGS, "-E", "-x", "c++", "-v", "/dev/null"],
         capture_output=True,
@@ -69,7 +70,8 @@ def standard(cache: Path, board: bool = False) -> Path:
 
 
 def prepare_standard(root: Path, cache: Path, board: bool) -> None:
-    """Parses the headers of the standard library that the design includes, once for all units."""
+    """Precompiles the headers of the standard library that the design includes. All translation
+    units use the result."""
     names: set[str] = set()
     for path in files_below(root, DESIGN, (".cpp", ".hpp")):
         if board or not is_board(str(path.relative_to(root))):
@@ -79,7 +81,7 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     arguments = [
         "c++-header" if argument == "c++" else argument for argument in clang_arguments(board)
     ]
-    # Without the parsed headers, each unit parses these headers again.
+    # This option saves time: the templates of the headers are instantiated only once.
     arguments.append("-fpch-instantiate-templates")
     text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {arguments}\n"
     if header.exists() and header.read_text(encoding="utf-8") == text:
