@@ -49,7 +49,7 @@ def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
 
 @dataclass
 class Compared:
-    """A measured value of two variants of the robot: with and without the safety functions."""
+    """A measured value of two products: with and without the safety functions."""
 
     title: str
     unit: str

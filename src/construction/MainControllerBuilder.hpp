@@ -50,7 +50,7 @@ namespace wr {
 ///
 /// @function Builds and connects the link to the PC, the remote control, the reading modes, the
 /// operation states, the controller and the timer of its cycles. Each of these parts has one build
-/// step. The steps are declared in the sequence in which they are called. A variant of the robot
+/// step. The steps are declared in the sequence in which they are called. A product
 /// that does not need a part omits the step of this part. An extension can build the reading modes
 /// and the operation states itself.
 ///
@@ -91,7 +91,7 @@ class MainControllerBuilder {
     Watchdog& watchdog;         ///< resets the microcontroller if the control cycles are no longer
                                 ///< completed
     const StartRecord& start;   ///< cause of the start of the firmware
-    std::optional<RemoteControlDevices> remoteControl{};  ///< empty in a variant of the robot
+    std::optional<RemoteControlDevices> remoteControl{};  ///< empty in a product
                                                           ///< without remote control
   };
 
@@ -128,7 +128,7 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildModes();
 
-  /// @brief Builds the reading mode PC for a variant of the robot without other modes. A change of
+  /// @brief Builds the reading mode PC for a product without other modes. A change of
   /// the mode leads to PC again.
   /// @pre The link is built.
   /// @errors If a part is missing, the program ends with the assertion PartMissing. If modes are

@@ -24,7 +24,7 @@ constexpr std::size_t kKeyAddress = 0x410;  // after the flash configuration fie
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
-// The firmware image of one variant of the robot, on its own board. A finding ends the test. The
+// The firmware image of one product, on its own board. A finding ends the test. The
 // calls of this image are not recorded, because call recordings are only made of the main image
 // under test.
 class ProductRobot : public SteppedRobot {
@@ -65,7 +65,7 @@ class ProductRobot : public SteppedRobot {
   [[nodiscard]] emulator::VirtualBoard& board() { return line_.board; }
 };
 
-// The robot variant with Bluetooth, and a device with the same key. The device gets the number of
+// The product with Bluetooth, and a device with the same key. The device gets the number of
 // this start from a challenge of the robot.
 class RobotWithDevice final : public ProductRobot {
  public:
@@ -138,7 +138,7 @@ class RobotWithDevice final : public ProductRobot {
 
 class Product : public testing::TestWithParam<const char*> {};
 
-/// @brief Each variant of the robot starts, sends a Welcome, sends a report in every cycle, and
+/// @brief Each product starts, sends a Welcome, sends a report in every cycle, and
 /// follows the orders of the PC. The virtual board reports no finding.
 /// @verifies NFR-2
 TEST_P(Product, RunsWithoutFinding) {
@@ -157,7 +157,7 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
-/// @brief The outputs of each robot variant follow the orders of the PC. For an order of 0.96 V of
+/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of
 /// 24 V, the outputs are high for 4 % of each period, from the cycle of the order on. For 6 V, the
 /// outputs are high for a quarter of each period, at the latest after six cycles. The six cycles
 /// are needed because safety functions limit the rise. A stop ends the pulses.
@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(Products, Product,
                                          "weeding_robot_pc_bluetooth", "weeding_robot_warning"),
                          [](const auto& product) { return std::string(product.param); });
 
-/// @brief A robot variant that receives orders only from the PC never reads from another source,
+/// @brief A product that receives orders only from the PC never reads from another source,
 /// even when the PC is silent.
 /// @verifies NFR-2
 TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
@@ -209,7 +209,7 @@ TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   robot.commandByPc();
 }
 
-/// @brief The robot variant with Bluetooth follows signed orders that it receives over the second
+/// @brief The product with Bluetooth follows signed orders that it receives over the second
 /// serial port. The report shows their source.
 /// @verifies FR-150
 /// @verifies FR-260
@@ -287,7 +287,7 @@ TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
   EXPECT_FALSE(robot.report().stop());
 }
 
-/// @brief The robot variant with the warning switches the red light on only in the cycle before its
+/// @brief The product with the warning switches the red light on only in the cycle before its
 /// last waiting state.
 /// @verifies FR-152
 TEST(ProductThatWarns, FR152_RedLightIsTheWarning) {

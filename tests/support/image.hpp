@@ -28,13 +28,13 @@ namespace wr::test {
 [[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchBoardOn(
     std::vector<std::uint8_t> image, emulator::Options options);
 
-/// @brief Returns the file of the firmware image of a robot variant. The file is in the folder of
+/// @brief Returns the file of the firmware image of a product. The file is in the folder of
 /// the image under test.
 [[nodiscard]] std::filesystem::path imageOf(const std::string& product);
 
-/// @brief Switches on a board with the firmware image of a robot variant. The calls of this image
+/// @brief Switches on a board with the firmware image of a product. The calls of this image
 /// are not recorded, because all recordings must belong to the image under test.
-/// @param product name of the robot variant
+/// @param product name of the product
 /// @param image firmware image, which is the content of the flash
 /// @param options options of the board; the file with the symbols is added
 [[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchProductOn(

@@ -6,9 +6,9 @@
 
 namespace wr::test {
 
-/// @brief Records in the test results that a test is only for one robot variant. All other tests of
+/// @brief Records in the test results that a test is only for one product. All other tests of
 /// the firmware image also run with the image of the default variant.
-/// @param product name of the robot variant
+/// @param product name of the product
 inline void onlyWith(const std::string& product) {
   testing::Test::RecordProperty("only", product);
 }

@@ -1,5 +1,5 @@
-"""Reads the products (variants of the robot). Each product has a firmware image, which CMake builds
-from a composition."""
+"""Reads the products, which are variants of the robot. Each product has a firmware image. CMake
+builds the image from a composition."""
 
 from __future__ import annotations
 

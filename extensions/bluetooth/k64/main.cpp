@@ -1,5 +1,5 @@
 // The composition of the weeding robot that receives orders from the PC and a Bluetooth device: it
-// constructs and connects the objects of this robot variant.
+// constructs and connects the objects of this product.
 
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,5 @@
 // The composition of the weeding robot that has safety functions and receives orders only from the
-// PC: it constructs and connects the objects of this robot variant.
+// PC: it constructs and connects the objects of this product.
 
 #include "construction/MainControllerBuilder.hpp"
 #include "k64/core.hpp"

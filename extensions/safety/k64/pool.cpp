@@ -1,4 +1,4 @@
-// Constructs the pool of control systems for a robot variant with safety functions.
+// Constructs the pool of control systems for a product with safety functions.
 
 #include <array>
 

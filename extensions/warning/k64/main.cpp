@@ -1,5 +1,5 @@
 // The composition of the weeding robot that warns before it stops: it constructs and connects the
-// objects of this robot variant. The red light shows the warning.
+// objects of this product. The red light shows the warning.
 
 #include "construction/MainControllerBuilder.hpp"
 #include "k64/core.hpp"

@@ -17,7 +17,7 @@ extern std::array<WheelSystemBuilder, kWheelCount> wheelBuilders;
 extern const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders;
 
 /// @brief Builder of the pool of all control systems. It also passes each tick on to the control
-/// systems. Each variant of the robot contains one definition of this builder, with safety
+/// systems. Each product contains one definition of this builder, with safety
 /// functions or without them.
 extern ControlSystemPoolBuilder poolBuilder;
 

@@ -46,7 +46,7 @@ extern const std::uint32_t stackTop[];
       "b endOfProgram");
 }
 
-// Only some variants of the robot use these interrupts. These variants define their own handlers,
+// Only some products use these interrupts. These products define their own handlers,
 // which replace the weak handlers here.
 [[gnu::weak, gnu::naked]] void remoteControlInterrupt() {
   asm volatile("b unexpected");

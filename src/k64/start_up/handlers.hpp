@@ -50,11 +50,11 @@ void hallSensorInterrupt();
 void cycleTimerInterrupt();
 
 /// @brief Serves the signals of the remote control, because at least one of them has an edge. If a
-/// variant of the robot does not define this handler, the interrupt ends its firmware.
+/// product does not define this handler, the interrupt ends its firmware.
 void remoteControlInterrupt();
 
 /// @brief Serves the second serial port, which has received a byte, lost a byte, or has space for a
-/// byte to send. If a variant of the robot does not define this handler, the interrupt ends its
+/// byte to send. If a product does not define this handler, the interrupt ends its
 /// firmware.
 void secondPortInterrupt();
 }
@@ -62,7 +62,7 @@ void secondPortInterrupt();
 namespace wr {
 
 /// @brief Builds the robot, starts its control cycles, and sleeps between the interrupts. Each
-/// variant of the robot defines this function.
+/// product defines this function.
 [[noreturn]] void runRobot();
 
 // Interrupt lines.

@@ -17,7 +17,7 @@
 
 namespace wr::platform {
 
-// The devices of the board, which are the same for all variants of the robot. The composition of
+// The devices of the board, which are the same for all products. The composition of
 // each variant uses them.
 
 /// @brief Devices of one wheel.
@@ -56,8 +56,8 @@ extern K64Timebase::EntryTime rcEdgeTime;
 /// @brief Contact of the emergency stop. Its level is low while the emergency stop is released.
 extern K64Port emergencyStopContact;
 
-/// @brief Light that is on from the reset until control cycles run. After this time the variant of
-/// the robot may use the light.
+/// @brief Light that is on from the reset until control cycles run. After this time the product
+/// may use the light.
 extern K64Gpio redLight;
 
 /// @brief Cause of the last reset, and the fault before this reset.

@@ -1,4 +1,4 @@
-// The pool of control systems, for a variant of the robot without safety functions.
+// The pool of control systems, for a product without safety functions.
 
 #include "k64/core.hpp"
 #include "k64/start_up/control_systems.hpp"

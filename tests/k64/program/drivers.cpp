@@ -179,7 +179,7 @@ struct Pulse {
 std::array<Pulse, 3> pulses{};
 
 // Serves an input of the remote control. Then keeps the processor busy for the longest time that
-// the interrupt handler of any robot variant may need.
+// the interrupt handler of any product may need.
 void servePulse(std::size_t input) {
   constexpr std::uint32_t kRounds = 400;
   countEdges(kHallCount + input, kHallCount + input + 1);

@@ -13,7 +13,7 @@
 
 namespace wr::test {
 
-/// The robot variant with safety functions in the simulation, with a PC and a remote control.
+/// The product with safety functions in the simulation, with a PC and a remote control.
 class SafeRobot : public testing::Test {
  protected:
   static constexpr plant::EnablePosition kStop = plant::EnablePosition::Stop;

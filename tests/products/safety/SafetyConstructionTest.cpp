@@ -14,7 +14,7 @@
 namespace wr::test {
 namespace {
 
-/// The directors of the robot variants with safety functions.
+/// The directors of the products with safety functions.
 class SafetyDirectors : public ProductFixture {
  protected:
   RetainedStop::Cells cells{};

@@ -39,7 +39,7 @@ TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
 INSTANTIATE_TEST_SUITE_P(Files, ScenariosWithSafety, testing::ValuesIn(scenarios()),
                          [](const auto& file) { return file.param.stem().string(); });
 
-/// The robot variant with safety functions in the simulation.
+/// The product with safety functions in the simulation.
 class SafetyScenario : public testing::TestWithParam<const char*> {
  protected:
   static std::vector<std::string> failures(const std::string& name) {

@@ -13,7 +13,7 @@ constexpr int kWaitingN = 2;
 constexpr int kReconnecting = 3;
 constexpr int kWaitingK = 4;
 
-// The robot variant with the warning. The PC is connected and has sent an order.
+// The product with the warning. The PC is connected and has sent an order.
 class WarningRobot : public ProductFixture {
  protected:
   WarningRobot() {
@@ -88,7 +88,7 @@ TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   EXPECT_TRUE(passed);
 }
 
-/// @brief When the PC is silent, the robot variant with the warning also follows the remote
+/// @brief When the PC is silent, the product with the warning also follows the remote
 /// control.
 /// @verifies FR-17
 TEST_F(WarningRobot, FR17_RemoteControlFollowsThePc) {

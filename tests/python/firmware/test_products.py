@@ -1,4 +1,4 @@
-"""The firmware image of each robot variant contains all parts that the variant needs, and no other
+"""The firmware image of each product contains all parts that the product needs, and no other
 parts."""
 
 from __future__ import annotations

@@ -13,7 +13,7 @@
 
 namespace wr {
 
-/// Main Control and one wheel, composed of the modules of the robot as in each robot variant.
+/// Main Control and one wheel, composed of the modules of the robot as in each product.
 class PatternDesign {
  public:
   explicit PatternDesign(const Devices& devices);
