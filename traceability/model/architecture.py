@@ -46,8 +46,9 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
-    """Returns the shortest path of calls from a module to another. A post leads to the body of the
-    thread.
+    """Returns the shortest path of calls from the source module of a connection to its target
+    module. A call of ``ControlThread::post`` is followed to the command that the thread executes
+    later.
     """
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
@@ -67,8 +68,9 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 
 
 def called(facts: Facts, method: str) -> list[str]:
-    """Returns the methods that a method calls. A post leads to the body that its module passed to
-    the thread."""
+    """Returns the methods that a method calls. If the method calls ``ControlThread::post``, the
+    ``execute`` methods of the commands that its module passed to the thread are included.
+    """
     methods = [
         target
         for body in facts.references.own_bodies(method)

@@ -282,8 +282,9 @@ def _modules(facts: Facts) -> dict[str, Module]:
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
-    """Returns whether only subclasses can be constructed. This is so if all constructors are
-    protected."""
+    """Returns true if all constructors of the class are protected. Only subclasses can be
+    constructed then.
+    """
     made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
     return bool(made) and set(made) == {"protected"}
 

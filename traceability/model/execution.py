@@ -93,7 +93,7 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Returns the handlers of the interrupt lines that no call enables."""
+    """Returns the handlers of those interrupt lines that the firmware never enables by a call."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]

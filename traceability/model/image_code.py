@@ -52,8 +52,9 @@ class ImageCode:
 
 
 def read_image_code(root: Path) -> ImageCode | None:
-    """Returns the code of the image. Returns nothing if the present sources did not build the
-    image."""
+    """Returns the code of the firmware image. Returns None if the image was not built from the
+    present sources.
+    """
     elf = root / BUILD / f"{PRODUCT}.elf"
     if read_image(root) is None or not elf.exists():
         return None

@@ -64,8 +64,9 @@ class Impacts:
         }
 
     def _next(self, name: str) -> dict[str, str]:
-        """Returns the modules that a change of a module may affect directly, each with the
-        reason."""
+        """Returns the modules that a change of the given module may affect directly. Each of these
+        modules has the reason.
+        """
         module = self.model.modules[name]
         reasons: dict[str, str] = {}
         for subclass in module.subclasses:

@@ -40,8 +40,8 @@ NANOSECONDS = 1_000_000  # nanoseconds in a millisecond
 def prove_times(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> TimeProof | None:
-    """Returns the bounds of the image of the robot. Returns nothing if the present sources did not
-    build the image.
+    """Returns the upper bounds of the times in the firmware image of the robot. Returns None if the
+    image was not built from the present sources.
     """
     if image is None or not (root / DECLARED_IN).exists():
         return None
@@ -174,8 +174,8 @@ def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
 
 
 def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
-    """Returns the cycles from the clock pulse to the end of the main thread, including all
-    interrupts in this time.
+    """Returns the number of processor cycles from the clock pulse until the main thread has
+    finished its work. The interrupts that occur meanwhile are included.
     """
     all_bounds = list(contexts)
     own = sum(bound.cycles for bound in all_bounds if bound.entries is None)
@@ -238,11 +238,11 @@ def _busy(
 
 
 def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noise: bool) -> int:
-    """Returns the entries of an interrupt in a time. Requests that wait at its beginning are
-    included.
+    """Returns how often an interrupt can occur within ``cycles``. Requests that already wait when
+    this period begins are included.
 
-    With noise, an input can have new edges after each tick in this time. The handler of the first
-    edge may be late.
+    With noise, an input can have new edges after each tick within this period. The handler of the
+    first edge may be late.
     """
     assert bound.entries is not None
     if noise and bound.noise is not None:

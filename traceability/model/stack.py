@@ -66,8 +66,8 @@ def read_declared(root: Path) -> Declared:
 
 
 def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> StackProof | None:
-    """Returns the proof for the image of the robot. Returns nothing if the present sources did not
-    build the image.
+    """Returns the proof for the firmware image of the robot. Returns None if the image was not
+    built from the present sources.
     """
     if image is None or not model.contexts:
         return None
