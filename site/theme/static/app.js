@@ -1,5 +1,5 @@
-/* The script of all pages: theme, menu, search, module cards, letter keys and list filters. The reader can read the pages
- * without this script. */
+/* The script of all pages: theme, menu, search, module cards, letter keys and list filters. The reader can read the
+   pages without this script. */
 (function () {
   "use strict";
   const one = (selector, root) => (root || document).querySelector(selector);
@@ -130,8 +130,8 @@
     if (name && data.modules[name]) link.dataset.m = name;
   });
 
-  /* When the reader points at the box or at a table row of a module, both are highlighted. The same applies to the line and
-   the table rows of a transition. */
+  /* When the reader points at the box or at a table row of a module, both are highlighted. The same applies to the
+     line and the table rows of a transition. */
   const drawn = new Set(all(".main svg a[data-m]").map((link) => link.dataset.m));
   let joint = [];
   function join(node) {
@@ -205,8 +205,8 @@
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    /* The card is not a child of the link, because the styles of the link do not fit a card. It is a child of the dialog,
-       if the link is in a dialog; otherwise the dialog would cover the card. */
+    /* The card is not a child of the link, because the styles of the link do not fit a card. It is a child of the
+       dialog, if the link is in a dialog; otherwise the dialog would cover the card. */
     (link.closest("dialog") || document.body).append(card);
     const at = link.closest("svg") ? link.getBoundingClientRect() : link.getClientRects()[0],
       height = card.offsetHeight;
@@ -271,8 +271,8 @@
     loading = loading || Promise.all(SCRIPTS.map(read));
     return loading;
   }
-  /* Returns a text as HTML, in which the found words are marked. The mark includes an ending (such as -ing) that the search
-     ignores. */
+  /* Returns a text as HTML, in which the found words are marked. The mark includes an ending (such as -ing) that the
+     search ignores. */
   function lit(text, words) {
     const sorted = [...words].sort((a, b) => b.length - a.length);
     if (!sorted.length) return escape(text);
@@ -297,7 +297,8 @@
     const text = kind + lit(`${words} ${group === "Answers" ? "" : around(more, hit.terms)}`, hit.terms);
     return `<a role="option" tabindex="-1" id="hit${number}" class="${key}" href="${base + address}">${letter}<b>${lit(title, hit.terms)}</b><span class="d">${text}</span></a>`;
   }
-  /* Returns the preview of a hit as HTML: its group, its text, the text around the first found word, and its address. */
+  /* Returns the preview of a hit as HTML: its group, its text, the text around the first found word, and its address.
+     */
   function preview(hit) {
     if (hit.group) return "";
     const [group, , title, words, address, more] = PORTAL_SEARCH.entries[hit.id];

@@ -81,7 +81,8 @@
     return reports;
   }
 
-  /* Returns the lines that a CSV file with these reports has: first the column names, then the cells of each report. */
+  /* Returns the lines that a CSV file with these reports has: first the column names, then the cells of each report.
+     */
   function linesOf(reports) {
     const heads = Object.keys(reports[0] || {});
     const cell = (value) => {
@@ -98,9 +99,9 @@
     return isMcap ? linesOf(reportsOf(bytes)) : cellsOf(new TextDecoder().decode(bytes));
   }
 
-  /* Returns a function that returns the cells of a named column, and the time of each report since the first report [s].
-     After a reset, the robot counts its time from 0 again; the returned time continues without this jump. Returns null if
-     a necessary column is missing. */
+  /* Returns a function that returns the cells of a named column, and the time of each report since the first report
+     [s]. After a reset, the robot counts its time from 0 again; the returned time continues without this jump.
+     Returns null if there are no reports or if a necessary column is missing. */
   function tableOf([heads = [], ...lines]) {
     const needed = [
       "time_ms",
@@ -174,8 +175,8 @@
     return { first, last, at, ticks };
   }
 
-  /* Returns the SVG path of a curve. If isStep is true (a set-point), each value applies until the next value. Otherwise
-     straight lines connect the values. */
+  /* Returns the SVG path of a curve. If isStep is true (a set-point), each value applies until the next value.
+     Otherwise straight lines connect the values. */
   function pathOf(points, x, y, isStep) {
     const parts = points.map(([at, value], i) => {
       const across = (x.at(at) * WIDTH).toFixed(1);

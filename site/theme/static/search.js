@@ -1,5 +1,5 @@
-/* The search. It uses MiniSearch for the entries of search_index.js, and for the phrases that readers type when they look
-   for these entries. The page loads the scripts on first use.
+/* The search. It uses MiniSearch for the entries of search_index.js, and for the phrases that readers type when they
+   look for these entries. The page loads the scripts on first use.
    1. MiniSearch finds the words of the index that a typed word can mean. The typed word may be only the beginning of a
       word, or contain a typing error.
    2. MiniSearch finds the phrases and the entries that contain these words.
@@ -44,7 +44,7 @@
   ];
   const DEFINES = /^what (is|are) (an? |the )?[\w-]+( \w+)?\??$/i; // asks for the glossary
   const ASKED = 1.25; // weight of a group for which a word of the query asks
-  const OPTIONAL = 0.5; // weight of a word that asks for a group, because many entries of this group do not contain the word
+  const OPTIONAL = 0.5; // weight of a word that asks for a group; many entries of the group do not contain it
   const ALIKE = 0.7; // weight of a synonym
   const BEGUN = 0.7; // weight of a word that begins with the typed letters
   const CORRECTED = 0.95; // weight of the most frequent word that differs by a typing error
@@ -74,8 +74,8 @@
   const CAN = /\b[Cc]an (?=[a-z]|I\b)/; // the verb in a title; it does not mean the CAN bus
   const MAY = /\bcan (?=(i|you|we|it|this|the|a)\b)/i;
 
-  /* Returns the words of a text in small letters. WheelController becomes wheel and controller; FR-15, FR15 and fr 15 become
-     fr and 15; 5V becomes 5 and v. */
+  /* Returns the words of a text in small letters. WheelController becomes wheel and controller; FR-15, FR15 and fr 15
+     become fr and 15; 5V becomes 5 and v. */
   const pieces = (text) =>
     text
       .normalize("NFKD")
@@ -85,13 +85,14 @@
       .split(/[^\p{L}\p{N}]+/u)
       .filter(Boolean);
   const same = (text) => pieces(text).join("");
-  /* Returns the words without the words of SMALL. If all words are in SMALL (how does it work), returns all of them. */
+  /* Returns the words without the words of SMALL. If all words are in SMALL (how does it work), returns all of them.
+     */
   function large(words) {
     const others = words.filter((word) => !SMALL.has(word));
     return others.length ? others : words;
   }
-  /* Returns a word without its ending. requirements becomes requirement, crashes becomes crash, verified becomes verify,
-     stopping becomes stop, cycle and cycling become cycl, calibrate and calibration become calibr. */
+  /* Returns a word without its ending. requirements becomes requirement, crashes becomes crash, verified becomes
+     verify, stopping becomes stop, cycle and cycling become cycl, calibrate and calibration become calibr. */
   function stemmed(typed) {
     let word = typed;
     if (word.length > FEW && /ie[ds]$/.test(word)) word = `${word.slice(0, -3)}y`;
@@ -149,8 +150,8 @@
     );
     phrases.addAll(documents.map((phrase) => ({ ...phrase, weight: sum(phrase.words.map(rarity)) })));
   }
-  /* Returns the phrases that are made from the title of an entry. If the title has parentheses, the words before them and
-     the words in them are also phrases. */
+  /* Returns the phrases that are made from the title of an entry. If the title has parentheses, the words before them
+     and the words in them are also phrases. */
   function titlePhrases(group, title, text, names) {
     const isPart = PARTS.has(group) && title !== text;
     const parts = (title.match(/^(.*)\((.*)\)/) || []).slice(1).flatMap((part) => part.split(/,| and /));
@@ -158,9 +159,9 @@
   }
   const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + COMMON));
 
-  /* Returns the words of the index that a typed word can mean, each with its weight. If the typed word is in the index, it
-     means only itself. Otherwise it means the words that begin with it. If there are none, it means the words that differ
-     by the smallest number of typing errors. */
+  /* Returns the words of the index that a typed word can mean, each with its weight. If the typed word is in the
+     index, it means only itself. Otherwise it means the words that begin with it. If there are none, it means the
+     words that differ by the smallest number of typing errors. */
   const kept = new Map();
   const meanings = (word) => kept.get(word) || kept.set(word, meant(word)).get(word);
   function meant(word) {
@@ -208,8 +209,8 @@
     return { ...exactly, combineWith: "OR", queries: different.map((words) => ({ combineWith: "AND", queries: words })) };
   }
   /* Returns a function that computes the share of the query that a phrase or an entry contains. A rare word has more
-     weight than a frequent word. terms: the words that were found in the phrase or entry; valueOf: returns the weight of a word by
-     the field that contains it */
+     weight than a frequent word. terms: the words that were found in the phrase or entry; valueOf: returns the weight
+     of a word by the field that contains it */
   function shareIn(wanted) {
     const single = new Map(); // of each alternative of one word: the numbers of the wanted words, and its weights
     const several = []; // the alternatives of several words
@@ -229,8 +230,8 @@
     };
   }
 
-  /* Returns a map from each entry with a matching phrase to the score of its best phrase. The score combines two shares:
-     the share of the query that the phrase contains, and the share of the phrase that the query contains. */
+  /* Returns a map from each entry with a matching phrase to the score of its best phrase. The score combines two
+     shares: the share of the query that the phrase contains, and the share of the phrase that the query contains. */
   function nearest(wanted, query, shareOf) {
     const best = new Map();
     const queryWords = new Set(wanted.flatMap(({ alternatives }) => alternatives.flatMap(([words]) => words)));
@@ -243,8 +244,8 @@
     return best;
   }
 
-  /* Returns true if a query quotes a message. Most words of the query must be in the message, in the same order. The other
-     words can be values, such as file names, that the message contained. */
+  /* Returns true if a query quotes a message. Most words of the query must be in the message, in the same order. The
+     other words can be values, such as file names, that the message contained. */
   function isQuoted(message, query) {
     let lengths = message.map(() => 0); // of the longest common sequence that ends at or before each word
     for (const word of query) {
@@ -302,8 +303,8 @@
     return hits.filter(({ score }) => score >= LEAST * hits[0].score).slice(0, MOST);
   }
 
-  /* Returns the hits in groups. The first group is "Best hits". The other hits are in the group of their entry. The groups
-     are in the order of their best hit. */
+  /* Returns the hits in groups. The first group is "Best hits". The other hits are in the group of their entry. The
+     groups are in the order of their best hit. */
   function grouped(text) {
     const found = new Map();
     const hits = find(text);

@@ -1,5 +1,5 @@
-/* The time line of one control cycle. The reader can zoom from the whole cycle (100 ms) to a single call. Without this
- * script the page shows a fixed drawing. */
+/* The time line of one control cycle. The reader can zoom from the whole cycle (100 ms) to a single call. Without
+   this script the page shows a fixed drawing. */
 (function () {
   "use strict";
   const source = document.getElementById("timeline-data"),

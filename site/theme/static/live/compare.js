@@ -1,5 +1,5 @@
-/* Plays the same scenario with two variants of the robot. Then shows the states of both over time, and the modules that
-   only one of them runs. */
+/* Plays the same scenario with two variants of the robot. Then shows the states of both over time, and the modules
+   that only one of them runs. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-compare]");

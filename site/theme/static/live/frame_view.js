@@ -1,5 +1,5 @@
-/* Shows the parts of the frames that a running robot sends and receives. When the reader points at the bytes of a field,
-   the page shows the value of this field. */
+/* Shows the parts of the frames that a running robot sends and receives. When the reader points at the bytes of a
+   field, the page shows the value of this field. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-frames-of]");

@@ -95,9 +95,9 @@
     return field.s === 1 ? `${value} ${field.u}` : `${value}, that is ${value / Math.round(1 / field.s)} ${field.u}`;
   }
 
-  /* Returns the parts of a frame in the order in which they are sent: the first stuffing byte, the header, the fields,
-   * the check sum and the zero byte at the end. The other stuffing bytes are replaced by zeros, because each of them
-   * replaces a zero. */
+  /* Returns the parts of a frame in the order in which they are sent: the first stuffing byte, the header, the
+     fields, the check sum and the zero byte at the end. The other stuffing bytes are replaced by zeros, because each
+     of them replaces a zero. */
   function partsOf(line, frames) {
     const body = unstuffed(line.slice(0, -1)) || [];
     const kind = frames.find((frame) => frame.kind === body[1]);

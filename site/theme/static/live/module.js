@@ -138,8 +138,8 @@
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
-    /* Returns the last call of each function: the time of the call [ns], and the core registers r0 to r3 when the call
-     * begins. */
+    /* Returns the last call of each function: the time of the call [ns], and the core registers r0 to r3 when the
+       call begins. */
     lastCalls() {
       this.call("liveLastCalls");
       const bytes = this.kept();

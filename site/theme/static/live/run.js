@@ -62,8 +62,8 @@
   });
   productField.addEventListener("change", () => worker && begin(0));
 
-  /* Returns the name of the firmware image of a product: the flashed image if a flashed image is chosen now, otherwise
-   * the image in which each call can be seen. */
+  /* Returns the name of the firmware image of a product: the flashed image if a flashed image is chosen now,
+     otherwise the image in which each call can be seen. */
   function imageOf(product) {
     return "flashed" in productField.selectedOptions[0].dataset ? product : `${product}_calls`;
   }
@@ -750,8 +750,8 @@
 
   const MOST_LINES = 240;
 
-  /* Returns the text lines of the call tree. A call that is repeated without another call between shares the line of the
-   * first call. */
+  /* Returns the text lines of the call tree. A call that is repeated without another call between shares the line of
+     the first call. */
   function linesOf(rows) {
     const lines = [];
     const above = [];
@@ -763,7 +763,7 @@
         above.length = depth + 1;
         return;
       }
-      if (above.slice(0, depth).some((line) => line && line.again)) return; // this call is inside a repeated call, whose first call already shows it
+      if (above.slice(0, depth).some((line) => line && line.again)) return; // inside a repeated call
       const line = { method, depth, activation, count: 1, under: above[depth - 1] };
       above[depth] = line;
       above.length = depth + 1;

@@ -1,10 +1,11 @@
-/* Functions for the recorded calls of a control cycle. They convert the calls to rows, find the declared invocation trees
-   in these rows, and determine the states of the state machines. traceability/reading/traces.py has the same rules. */
+/* Functions for the recorded calls of a control cycle. They convert the calls to rows, find the declared invocation
+   trees in these rows, and determine the states of the state machines. traceability/reading/traces.py has the same
+   rules. */
 (function (scope) {
   "use strict";
 
-  /* Returns a row for each call: the method, the depth, the row number of the caller, the row number after the last nested
-   * call, and the number of the interrupt activation that made the call. */
+  /* Returns a row for each call: the method, the depth, the row number of the caller, the row number after the last
+     nested call, and the number of the interrupt activation that made the call. */
   function rowsOf(calls, methodAt, hardware) {
     const rows = [];
     const open = [];
@@ -38,8 +39,8 @@
     return rows;
   }
 
-  /* Converts a declared invocation tree for the search: each node gets its methods as a set. `needed` lists the sets of
-   * methods; if no method of one set is called, the tree cannot be in the calls. */
+  /* Converts a declared invocation tree for the search: each node gets its methods as a set. `needed` lists the sets
+     of methods; if no method of one set is called, the tree cannot be in the calls. */
   function prepared(declared, has) {
     const needed = [];
     const nodeOf = (node) => {
@@ -54,9 +55,10 @@
     return { id: declared.id, text: declared.text, root, needed, possible };
   }
 
-  /* Returns the row numbers of the nodes of an invocation tree, or null if the rows do not contain the tree. The calls of
-     the children must be inside the call of the parent, in the declared order. A call that an interrupt made meanwhile
-     is not a call of the parent. The call of a posted command may also follow after the call of the parent. */
+  /* Returns the row numbers of the nodes of an invocation tree, or null if the rows do not contain the tree. The
+     calls of the children must be inside the call of the parent, in the declared order. A call that an interrupt made
+     meanwhile is not a call of the parent. The call of a posted command may also follow after the call of the parent.
+     */
   function embed(tree, rows) {
     function fit(node, start, stop, activation) {
       for (let index = start; index < stop; index += 1) {
@@ -121,8 +123,8 @@
       this.state = to;
     }
 
-    /* Records that an operation of a state module was called. The machine was then in this state. If only one next state
-     * is possible and no transition to it has a guard, the machine changes to the next state. */
+    /* Records that an operation of a state module was called. The machine was then in this state. If only one next
+       state is possible and no transition to it has a guard, the machine changes to the next state. */
     operation(module, method, moves) {
       const state = this.stateOf.get(module);
       if (!state) return;

@@ -1,6 +1,6 @@
-/* Runs the robot on pages other than "Run the robot". On the page of a requirement, the script plays scenarios until all
-   calls of the invocation tree of this requirement are recorded. On a page with drawn modules, the script plays one
-   scenario and marks the modules that each control cycle calls. */
+/* Runs the robot on pages other than "Run the robot". On the page of a requirement, the script plays scenarios until
+   all calls of the invocation tree of this requirement are recorded. On a page with drawn modules, the script plays
+   one scenario and marks the modules that each control cycle calls. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-watch], [data-play]");
@@ -131,9 +131,9 @@
   const drawings = [...document.querySelectorAll(".main svg")].filter((svg) => svg.querySelector("a[data-m]"));
   const inDrawings = (selector) => drawings.flatMap((svg) => [...svg.querySelectorAll(selector)]);
 
-  /* Returns the connecting lines of a call in a class diagram: the line from the caller to the module that declares the
-   * operation, and the inheritance lines from there to the module that implements the operation. PlantUML gives a line of
-   * a call the id "Caller-Declarer", and an inheritance line the id "Base_-Derived". */
+  /* Returns the connecting lines of a call in a class diagram: the line from the caller to the module that declares
+     the operation, and the inheritance lines from there to the module that implements the operation. PlantUML gives a
+     line of a call the id "Caller-Declarer", and an inheritance line the id "Base_-Derived". */
   function linesOf(from, to) {
     const line = (name) => inDrawings(`path[id^="pattern-"][id$="-${name}"]`)[0];
     for (const way of waysUp(to, 4)) {
@@ -192,8 +192,8 @@
   const callsOf = (number) =>
     number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call inside the module";
 
-  /* Fills the column "live" in each table of the invocation tree. A cell shows the time and the arguments of the last call
-   * of its node. */
+  /* Fills the column "live" in each table of the invocation tree. A cell shows the time and the arguments of the last
+     call of its node. */
   function showLive(nodes) {
     document.querySelectorAll(".embed").forEach((table) => {
       const cells = [...table.querySelectorAll("td[data-live]")];

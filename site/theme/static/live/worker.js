@@ -1,5 +1,5 @@
-/* The worker of the page. It runs the robot one cycle at a time, at the chosen speed, and sends a snapshot to the page at
- * most 20 times per second. */
+/* The worker of the page. It runs the robot one cycle at a time, at the chosen speed, and sends a snapshot to the
+   page at most 20 times per second. */
 "use strict";
 importScripts("module.js", "trees.js", "frames.js");
 
@@ -267,8 +267,8 @@ async function find({ folder, id }) {
   post({ kind: "found" });
 }
 
-/* Returns the last call of each node of an invocation tree: the time [ms] and the arguments of the call. The nodes are in
-   the order of the tree. */
+/* Returns the last call of each node of an invocation tree: the time [ms] and the arguments of the call. The nodes
+   are in the order of the tree. */
 function lastCallsOf(root, called) {
   const calls = simulator.lastCalls();
   const nodesIn = (node) => [node, ...node.children.flatMap(nodesIn)];
@@ -281,7 +281,8 @@ function lastCallsOf(root, called) {
   });
 }
 
-/* Returns the arguments of a call as texts. The core registers contain the arguments in the order of the parameters. */
+/* Returns the arguments of a call as texts. The core registers contain the arguments in the order of the parameters.
+   */
 function argumentsOf({ method, registers }) {
   const SIZES = { bool: 1, i8: 8, u8: 8, i16: 16, u16: 16, i32: 32, u32: 32 };
   const { first, parameters } = facts.parameters[method] || { first: 0, parameters: [] };
@@ -294,8 +295,8 @@ function argumentsOf({ method, registers }) {
   });
 }
 
-/* Returns the name of the firmware image that contains the most of the given modules. If several images contain equally
-   many, the function prefers the paper's design, then the default product. */
+/* Returns the name of the firmware image that contains the most of the given modules. If several images contain
+   equally many, the function prefers the paper's design, then the default product. */
 function imageWith(modules) {
   const modulesOf = (one) => new Set(one.functions.map(([, method]) => ownerOf(method)));
   const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
@@ -309,7 +310,8 @@ const ownerOf = (method) => facts.methods[method].split("::")[0];
 /* The modules that the page shows while a scenario plays, and the number of calls of each until now. */
 let shown = { modules: new Set(), counts: {} };
 
-/* Prepares a scenario for a page that shows modules. Each later order "beat" runs one control cycle of the scenario. */
+/* Prepares a scenario for a page that shows modules. Each later order "beat" runs one control cycle of the scenario.
+   */
 async function play({ folder, modules, scenario: wanted, image }) {
   pause();
   await choose(folder, image || imageWith(modules));
@@ -391,8 +393,8 @@ function beat() {
   });
 }
 
-/* Plays one scenario with several products. Sends to the page, for each product, the states in each cycle and the modules
-   that ran. */
+/* Plays one scenario with several products. Sends to the page, for each product, the states in each cycle and the
+   modules that ran. */
 async function compare({ folder, products, scenario: name }) {
   pause();
   const scenario = facts.scenarios.find((one) => one.name === name);
