@@ -1,5 +1,5 @@
-/* Theme, menu, search, cards of modules, letter keys, and filters of all pages. The pages can be read without this
- * script. */
+/* The script of all pages: theme, menu, search, module cards, letter keys and list filters. The reader can read the
+   pages without this script. */
 (function () {
   "use strict";
   const one = (selector, root) => (root || document).querySelector(selector);
@@ -35,7 +35,7 @@
   });
   sayTheme();
 
-  /* commit, and the menu of narrow windows */
+  /* the number of the commit, and the menu in narrow windows */
   const commit = one("[data-commit]");
   if (data.commit) {
     one("code", commit).textContent = data.commit.slice(0, 7);
@@ -57,7 +57,7 @@
       list.open = true;
     });
 
-  /* the tab key reaches the view keys once; the arrow keys move between them */
+  /* the Tab key stops only at the first view key of a module; the arrow keys move to its other view keys */
   const VIEWS = [
     ["F", "Diagram", "diagram"],
     ["I", "Interface", "interface"],
@@ -90,7 +90,7 @@
       event.preventDefault();
       return;
     }
-    /* the arrow keys move from a name into its card and along its views */
+    /* the arrow keys move the focus from the name of a module into its card, and in the card from view to view */
     if (card && (target === owner || inCard) && /^Arrow(Down|Up|Left|Right)$/.test(event.key)) {
       const views = all("a", card),
         step = /Down|Right/.test(event.key) ? 1 : -1,
@@ -99,7 +99,7 @@
       event.preventDefault();
       return;
     }
-    /* a letter acts only while a module's name, its keys or its card have the focus */
+    /* a letter key opens a view only while the name of a module, its view keys or its card have the focus */
     const name = target.dataset.m || (group && group.dataset.vk) || (inCard && inCard.dataset.m);
     const view =
       name &&
@@ -124,13 +124,14 @@
     }
   });
 
-  /* the names of modules in drawings */
+  /* each link to a module in a drawing gets the attribute data-m with the name of this module */
   all("svg a[href]").forEach((link) => {
     const name = (link.getAttribute("href").match(/(?:^|\/)modules\/(\w+)\.html$/) || [])[1];
     if (name && data.modules[name]) link.dataset.m = name;
   });
 
-  /* highlights the box and the table rows of a module together, and the edge and the table rows of a transition */
+  /* When the reader points at the box or at a table row of a module, both are highlighted. The same applies to the
+     line and the table rows of a transition. */
   const drawn = new Set(all(".main svg a[data-m]").map((link) => link.dataset.m));
   let joint = [];
   function join(node) {
@@ -204,7 +205,8 @@
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    /* the card is outside of the element of the name, whose styles do not fit a card, but in the same window */
+    /* The card is not a child of the link, because the styles of the link do not fit a card. It is a child of the
+       dialog, if the link is in a dialog; otherwise the dialog would cover the card. */
     (link.closest("dialog") || document.body).append(card);
     const at = link.closest("svg") ? link.getBoundingClientRect() : link.getClientRects()[0],
       height = card.offsetHeight;
@@ -247,7 +249,7 @@
     { passive: true },
   );
 
-  /* search: the hits of search.js, in groups, and a preview of the chosen hit */
+  /* search: shows the hits that search.js returns, in groups, and a preview of the chosen hit */
   const input = one("#q"),
     hits = one("#hits"),
     field = input.parentElement;
@@ -256,7 +258,7 @@
   let chosen = -1,
     shown = [],
     loading = null;
-  /* reads the scripts of the search on first use */
+  /* loads the scripts of the search when the reader first uses the search */
   function load() {
     const read = (name) =>
       new Promise((done) => {
@@ -269,7 +271,8 @@
     loading = loading || Promise.all(SCRIPTS.map(read));
     return loading;
   }
-  /* a text with the found words marked, also with the endings that the search cuts off */
+  /* Returns a text as HTML, in which the found words are marked. The mark includes an ending (such as -ing) that the
+     search ignores. */
   function lit(text, words) {
     const sorted = [...words].sort((a, b) => b.length - a.length);
     if (!sorted.length) return escape(text);
@@ -278,7 +281,7 @@
       .map((part, i) => (i % 2 ? `<mark>${escape(part)}</mark>` : escape(part)))
       .join("");
   }
-  /* the text around the first found word */
+  /* Returns the part of a text around the first found word. */
   function around(text = "", words, length = 80) {
     const small = text.toLowerCase();
     const i = Math.min(...words.map((word) => small.indexOf(word)).filter((at) => at >= 0));
@@ -294,7 +297,8 @@
     const text = kind + lit(`${words} ${group === "Answers" ? "" : around(more, hit.terms)}`, hit.terms);
     return `<a role="option" tabindex="-1" id="hit${number}" class="${key}" href="${base + address}">${letter}<b>${lit(title, hit.terms)}</b><span class="d">${text}</span></a>`;
   }
-  /* a hit: its group, its text, the words around the found words, and its address */
+  /* Returns the preview of a hit as HTML: its group, its text, the text around the first found word, and its address.
+     */
   function preview(hit) {
     if (hit.group) return "";
     const [group, , title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
@@ -413,7 +417,7 @@
       count.textContent =
         (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
     };
-    /* the address contains the choice, so that a link can repeat it */
+    /* the address of the page contains the chosen filters, so that a copied link shows the same list */
     const controls = [field, ...facets];
     const nameOf = (control) => control.dataset.facet || "filter";
     const keepInAddress = () => {
@@ -443,9 +447,9 @@
     ),
   );
 
-  /* a column of numbers is aligned at its right end, with its head */
+  /* a column that contains mostly numbers is aligned to the right, also its heading */
   const NUMBER = /^[-+−]?\d[\d.\s]*(?:%|[mµn]?s|[kM]?B|bytes|m?V|m?A|rpm|m|°|cycles)?$/;
-  const MOSTLY = 0.8; // share of numbers in such a column
+  const MOSTLY = 0.8; // least share of cells with numbers
   all(".main table:not(.umx, .dot)").forEach((table) => {
     const heads = [...(table.tHead ? table.tHead.rows[0].cells : [])];
     const rows = all("tbody tr", table).filter((row) => row.cells.length === heads.length);
@@ -458,7 +462,7 @@
     });
   });
 
-  /* the current page is visible in the side navigation */
+  /* scrolls the side navigation, so that the entry of the current page is visible */
   const here = one(".side [aria-current]");
   if (here) side.scrollTop = here.offsetTop - side.clientHeight / 3;
 
@@ -512,7 +516,7 @@
     block.parentElement.append(button);
   });
 
-  /* elements that scroll can be scrolled with the keyboard */
+  /* the Tab key reaches the elements that scroll sideways, so that the arrow keys can scroll them */
   const reachable = () =>
     all(".prose .highlight, .prose table").forEach((part) => {
       if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
@@ -520,7 +524,7 @@
   reachable();
   addEventListener("resize", reachable);
 
-  /* a wide diagram is scrolled to its marked part */
+  /* scrolls a wide diagram, so that its marked element is in the middle */
   all(".scroll:has(> .located)").forEach((frame) => {
     const marked = one(".lit", frame).getBoundingClientRect(),
       view = frame.getBoundingClientRect();
@@ -590,7 +594,7 @@
   addEventListener("hashchange", reveal);
   if (location.hash) reveal();
 
-  /* marks the visible section in the bar of a module's page and in the contents */
+  /* marks the link to the visible section, in the bar of a module page and in the table of contents */
   const links = new Map(
     all('.vkbar a[href^="#"], .contents a').map((link) => [link.hash.slice(1), link]),
   );

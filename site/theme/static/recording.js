@@ -1,4 +1,5 @@
-/* Draws a recording that the reader chooses. plots.py draws the same curves for a file on the disk. */
+/* Draws the curves of a recording file that the reader chooses in the page. plots.py draws the same curves without a
+   browser. */
 (function () {
   "use strict";
   const place = document.getElementById("recording");
@@ -9,9 +10,9 @@
   const HEIGHT = 300;
   const TICKS = 5;
   const MS_OF_S = 1000;
-  const AT_END = 97; // per cent; beyond this place a label is aligned with the end of the axis
+  const AT_END = 97; // per cent of the axis; a label beyond this position is aligned with the end of the axis
 
-  // MCAP: the first bytes of a file, the kinds of its records, and the places of values in a record
+  // MCAP: the first bytes of a file, the kinds of records, and the offsets of values in a record
   const MAGIC = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
   const [CHANNEL, MESSAGE, CHUNK] = [0x04, 0x05, 0x06];
   const HEAD = 9; // kind and length of a record
@@ -22,7 +23,7 @@
 
   /* ---- reading ---- */
 
-  /* Returns the cells of each line. A cell in quotes may contain commas, quotes and ends of lines. */
+  /* Returns the cells of each line of a CSV text. A cell in quotes may contain commas, quotes and line breaks. */
   function cellsOf(text) {
     const lines = [];
     let line = [];
@@ -56,7 +57,7 @@
     return [new TextDecoder().decode(bytes.subarray(begin + LENGTH, end)), end];
   }
 
-  /* Returns the records of a chunk without compression. */
+  /* Returns the decompressed records of a chunk. Throws an error if the compression is neither zstd nor none. */
   function unpacked(chunk) {
     const [compression, end] = textAt(chunk, CHUNK_COMPRESSION);
     const records = chunk.subarray(end + 2 * LENGTH);
@@ -80,7 +81,8 @@
     return reports;
   }
 
-  /* Returns the names and the cells of the reports, in the same form as in a CSV file. */
+  /* Returns the lines that a CSV file with these reports has: first the column names, then the cells of each report.
+     */
   function linesOf(reports) {
     const heads = Object.keys(reports[0] || {});
     const cell = (value) => {
@@ -97,8 +99,9 @@
     return isMcap ? linesOf(reportsOf(bytes)) : cellsOf(new TextDecoder().decode(bytes));
   }
 
-  /* Returns the columns by their names, and the time of each report since the first report [s]. After a reset of the
-     robot the time continues. */
+  /* Returns a function that returns the cells of a named column, and the time of each report since the first report
+     [s]. After a reset, the robot counts its time from 0 again; the returned time continues without this jump.
+     Returns null if there are no reports or if a necessary column is missing. */
   function tableOf([heads = [], ...lines]) {
     const needed = [
       "time_ms",
@@ -172,8 +175,8 @@
     return { first, last, at, ticks };
   }
 
-  /* Returns the path of a curve. A set-point applies until the next set-point; other values are joined by straight
-     lines. */
+  /* Returns the SVG path of a curve. If isStep is true (a set-point), each value applies until the next value.
+     Otherwise straight lines connect the values. */
   function pathOf(points, x, y, isStep) {
     const parts = points.map(([at, value], i) => {
       const across = (x.at(at) * WIDTH).toFixed(1);

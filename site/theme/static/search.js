@@ -1,9 +1,10 @@
-/* The search: MiniSearch over the entries of search_index.js, and over the phrases that readers type for them. The
-   scripts are loaded on first use.
-   1. MiniSearch finds the words of the index that a typed word means, also for a beginning or a typing error.
+/* The search. It uses MiniSearch for the entries of search_index.js, and for the phrases that readers type when they
+   look for these entries. The page loads the scripts on first use.
+   1. MiniSearch finds the words of the index that a typed word can mean. The typed word may be only the beginning of a
+      word, or contain a typing error.
    2. MiniSearch finds the phrases and the entries that contain these words.
    3. The score of an entry has three parts: the score of its best phrase, the share of the query that the entry
-      contains, and the score of MiniSearch. Entries whose name is the query come first. */
+      contains, and the score of MiniSearch. If the query is the name of an entry, this entry is first. */
 (function () {
   "use strict";
   const SMALL = new Set(
@@ -12,7 +13,7 @@
       "need needs of on or our shall should so than that the their them then there these they thing this those " +
       "through to want was way we were what when where which who whose why will with work works would you your").split(" "),
   );
-  /* Weights of the groups whose entries are less often the answer. The others have the weight 1. */
+  /* Weights of the groups whose entries are less often the answer. All other groups have the weight 1. */
   const WEIGHTS = {
     "Logic modules": 0.97,
     "Pattern applications": 0.97,
@@ -29,7 +30,7 @@
     Paper: 0.5,
     Tests: 0.4,
   };
-  /* Words that ask for entries of some groups */
+  /* If the query contains one of these words, the reader asks for entries of the listed groups. */
   const KINDS = [
     ["requirement req test tested verify covered cover", ["Requirements", "Safety case"]],
     ["hazard goal", ["Safety case"]],
@@ -42,15 +43,15 @@
     ["struct enum type", ["Data types"]],
   ];
   const DEFINES = /^what (is|are) (an? |the )?[\w-]+( \w+)?\??$/i; // asks for the glossary
-  const ASKED = 1.25; // weight of the groups that a word asks for
-  const OPTIONAL = 0.5; // weight of such a word: many entries of the group lack the word
+  const ASKED = 1.25; // weight of a group for which a word of the query asks
+  const OPTIONAL = 0.5; // weight of a word that asks for a group; many entries of the group do not contain it
   const ALIKE = 0.7; // weight of a synonym
   const BEGUN = 0.7; // weight of a word that begins with the typed letters
   const CORRECTED = 0.95; // weight of the most frequent word that differs by a typing error
-  const LENGTHS = [0, 4, 6]; // least number of letters of a word with one typing error, and with two
+  const LENGTHS = [0, 4, 6]; // [n]: least number of letters of a word with n typing errors
   const FEW = 3; // greatest number of letters of a word without an ending
-  const LONG = 6; // greatest number of words of a phrase; with more words it is a list of single words
-  const MIDDLE = 0.7; // share of a list that a query covers, whatever its length
+  const LONG = 6; // greatest number of words of a phrase; a longer text is a list of single words
+  const MIDDLE = 0.7; // share of a list of single words that the query is assumed to cover
   const CLOSE = 0.5; // exponent of the share of a phrase that the query covers
   const WHOLE = 3; // exponent of the share of the query that an entry contains
   const [PHRASE, WORDS, LIBRARY] = [2, 3, 0.7]; // weights of the parts of a score
@@ -58,22 +59,23 @@
   const NAMED = 6; // addition to the score of an entry whose name or number is in the query
   const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weights of the words of an entry
   const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields for MiniSearch
-  const COMMON = 60; // words in far fewer entries are equally rare
+  const COMMON = 60; // two words that occur in far fewer entries than this are equally rare
   const QUOTED = 4; // least number of words of a quoted message, in their sequence
   const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // other groups have the same names
   const WRITTEN = new Set(["Data types", "Source"]); // named only by a query without spaces
   const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // the text of their entries is a title
   const PARTS = new Set(["Explanations", "Sections"]); // the title of a section needs the title of its page
-  const BEST = 3; // number of the hits that are shown before the groups
+  const BEST = 3; // number of hits that are shown before the groups
   const LEAST = 0.3; // least score of a hit, as a share of the best score
   const MOST = 400; // greatest number of hits
   const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // ids of requirements, goals, hazards, assumptions
   const NUMBERED = /\breq(?:uirement)?\b\D{0,9}(\d+)/i; // requirement 15 is FR-15
   const COMPOUND = /\p{L}{2,}-\p{L}{2,}/gu;
-  const CAN = /\b[Cc]an (?=[a-z]|I\b)/; // in a title: no CAN bus
+  const CAN = /\b[Cc]an (?=[a-z]|I\b)/; // the verb in a title; it does not mean the CAN bus
   const MAY = /\bcan (?=(i|you|we|it|this|the|a)\b)/i;
 
-  /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15; 5V is 5 and v. */
+  /* Returns the words of a text in small letters. WheelController becomes wheel and controller; FR-15, FR15 and fr 15
+     become fr and 15; 5V becomes 5 and v. */
   const pieces = (text) =>
     text
       .normalize("NFKD")
@@ -83,13 +85,14 @@
       .split(/[^\p{L}\p{N}]+/u)
       .filter(Boolean);
   const same = (text) => pieces(text).join("");
-  /* Returns the words without the small words. A text of small words only is a question too: how does it work. */
+  /* Returns the words without the words of SMALL. If all words are in SMALL (how does it work), returns all of them.
+     */
   function large(words) {
     const others = words.filter((word) => !SMALL.has(word));
     return others.length ? others : words;
   }
-  /* Requirements is requirement, crashes is crash, verified is verify, stopping is stop, cycle and cycling are cycl,
-     calibrate and calibration are calibr. */
+  /* Returns a word without its ending. requirements becomes requirement, crashes becomes crash, verified becomes
+     verify, stopping becomes stop, cycle and cycling become cycl, calibrate and calibration become calibr. */
   function stemmed(typed) {
     let word = typed;
     if (word.length > FEW && /ie[ds]$/.test(word)) word = `${word.slice(0, -3)}y`;
@@ -99,7 +102,7 @@
     if (word.length > FEW + 1) word = word.replace(/e$/, "");
     return word.replace(/^(.{5,}?)(?:at|(?:at)?ion)$/, "$1");
   }
-  /* Most words occur often: each is stemmed once. */
+  /* The stem of each word is computed only once, because most words occur often. */
   const stemOf = new Map();
   const stem = (word) => stemOf.get(word) || stemOf.set(word, stemmed(word)).get(word);
   const stems = (text) => large(pieces(text)).map(stem);
@@ -110,7 +113,7 @@
   const { entries, synonyms } = window.PORTAL_SEARCH;
   const groups = synonyms.map((group) => group.map(stems));
   const weightOf = (id) => WEIGHTS[entries[id][0]] || 1;
-  /* MiniSearch gets lists of stems: the words of a phrase are also needed for its score. */
+  /* MiniSearch gets lists of stems instead of texts, because the score of a phrase also needs its single stems. */
   const ready = { tokenize: (words) => [words].flat(), processTerm: (word) => word, stringifyField: (words) => words };
   const exactly = { prefix: false, fuzzy: false };
   let index = null; // of the entries
@@ -147,8 +150,8 @@
     );
     phrases.addAll(documents.map((phrase) => ({ ...phrase, weight: sum(phrase.words.map(rarity)) })));
   }
-  /* Returns the phrases for the title of an entry. The words before and in the parentheses of a question are also
-     phrases. */
+  /* Returns the phrases that are made from the title of an entry. If the title has parentheses, the words before them
+     and the words in them are also phrases. */
   function titlePhrases(group, title, text, names) {
     const isPart = PARTS.has(group) && title !== text;
     const parts = (title.match(/^(.*)\((.*)\)/) || []).slice(1).flatMap((part) => part.split(/,| and /));
@@ -156,8 +159,9 @@
   }
   const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + COMMON));
 
-  /* Returns the words of the index that a typed word can mean, each with its weight. A word that exists has no other
-     meaning. Otherwise the words that begin with it are meant, or the words with the least number of errors. */
+  /* Returns the words of the index that a typed word can mean, each with its weight. If the typed word is in the
+     index, it means only itself. Otherwise it means the words that begin with it. If there are none, it means the
+     words that differ by the smallest number of typing errors. */
   const kept = new Map();
   const meanings = (word) => kept.get(word) || kept.set(word, meant(word)).get(word);
   function meant(word) {
@@ -173,15 +177,15 @@
     }
     return [[word, 1]];
   }
-  /* Returns the words of the index in which two neighbouring letters are exchanged. */
+  /* Returns the words of the index that differ from a typed word by an exchange of two neighbouring letters. */
   const exchanged = (word) =>
     [...word]
       .slice(1)
       .map((letter, i) => word.slice(0, i) + letter + word[i] + word.slice(i + 2))
       .filter((other) => counts.has(other));
 
-  /* Returns the words of a query, with terms of several words (safe state) combined. Each has its alternatives: lists
-     of words, with their weights. */
+  /* Returns the words of a query. A term of several words (safe state) is one element. Each element has a list of
+     alternatives; an alternative is a list of words and a weight. */
   const equal = (one, other) => one.join(" ") === other.join(" ");
   function wantedIn(words) {
     const found = [];
@@ -198,14 +202,15 @@
     }
     return found;
   }
-  /* Returns the query of MiniSearch: any word, or an alternative with all its words. */
+  /* Returns the query for MiniSearch. It matches an entry that contains all words of at least one alternative. */
   function asQuery(wanted) {
     const lists = wanted.flatMap(({ alternatives }) => alternatives.map(([words]) => words));
     const different = [...new Map(lists.map((words) => [words.join(" "), words])).values()];
     return { ...exactly, combineWith: "OR", queries: different.map((words) => ({ combineWith: "AND", queries: words })) };
   }
   /* Returns a function that computes the share of the query that a phrase or an entry contains. A rare word has more
-     weight than a frequent word. terms: the words found there; valueOf: the weight of each by its place */
+     weight than a frequent word. terms: the words that were found in the phrase or entry; valueOf: returns the weight
+     of a word by the field that contains it */
   function shareIn(wanted) {
     const single = new Map(); // of each alternative of one word: the numbers of the wanted words, and its weights
     const several = []; // the alternatives of several words
@@ -225,8 +230,8 @@
     };
   }
 
-  /* Returns of each entry with a fitting phrase the score of the best: the share of the query that the phrase
-     contains, and the share of the phrase that the query contains. */
+  /* Returns a map from each entry with a matching phrase to the score of its best phrase. The score combines two
+     shares: the share of the query that the phrase contains, and the share of the phrase that the query contains. */
   function nearest(wanted, query, shareOf) {
     const best = new Map();
     const queryWords = new Set(wanted.flatMap(({ alternatives }) => alternatives.flatMap(([words]) => words)));
@@ -239,8 +244,8 @@
     return best;
   }
 
-  /* Returns whether a query quotes a message: most of its words are words of the message, in their sequence. Other
-     words are values. */
+  /* Returns true if a query quotes a message. Most words of the query must be in the message, in the same order. The
+     other words can be values, such as file names, that the message contained. */
   function isQuoted(message, query) {
     let lengths = message.map(() => 0); // of the longest common sequence that ends at or before each word
     for (const word of query) {
@@ -256,7 +261,7 @@
     return (most >= QUOTED && most > query.length / 2) || (most === query.length && most >= QUOTED - 1);
   }
 
-  /* Returns the numbers of the entries whose name or id is the query or is in it. */
+  /* Returns the numbers of the entries whose name is the whole query, or whose id is in the query. */
   function namedIn(text, all) {
     const numbered = text.match(NUMBERED);
     const written = [all.join(""), ...(text.match(IDENTIFIER) || []).map(same), ...(numbered ? [`fr${numbered[1]}`] : [])];
@@ -298,11 +303,13 @@
     return hits.filter(({ score }) => score >= LEAST * hits[0].score).slice(0, MOST);
   }
 
-  /* Returns the best hits, then the other hits in groups, the group of the best hit first. */
+  /* Returns the hits in groups. The first group is "Best hits". The other hits are in the group of their entry. The
+     groups are in the order of their best hit. */
   function grouped(text) {
     const found = new Map();
     const hits = find(text);
-    /* A hand-written page has two entries: its name, and its text. If the text is a hit, the name is not shown. */
+    /* A hand-written page has two entries: one with its name, and one with its text. If the entry with the text is a
+       hit, the entry with the name is not shown, because the page would be listed twice. */
     const written = new Set(hits.filter(({ id }) => entries[id][0] === "Explanations").map(({ id }) => entries[id][4]));
     const shown = hits.filter(({ id }) => entries[id][0] !== "Pages" || !written.has(entries[id][4]));
     shown.forEach((hit, i) => listIn(found, i < BEST ? "Best hits" : entries[hit.id][0]).push(hit));

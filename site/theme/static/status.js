@@ -1,5 +1,5 @@
-/* Shows the running tasks while ./wr portal measures, and loads the page again when results exist.
- * */
+/* Shows the running tasks while ./wr portal still makes results, and loads the page again when the pages have new
+ * results. */
 (function () {
   "use strict";
   if (!location.protocol.startsWith("http")) return;
@@ -7,7 +7,7 @@
   const line = document.createElement("div");
   line.className = "status";
   line.setAttribute("role", "status");
-  let pages = null; // the version of the pages to which this page belongs
+  let pages = null; // the version of the portal from which this page was loaded
   const clock = (seconds) =>
     Math.floor(seconds / 60) + ":" + String(Math.floor(seconds % 60)).padStart(2, "0");
 

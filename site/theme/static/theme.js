@@ -1,4 +1,4 @@
-/* Sets the theme that the reader chose, before the page is shown. */
+/* Sets the light or dark theme that the reader chose earlier. This happens before the browser shows the page. */
 (function () {
   var chosen = new URLSearchParams(location.search).get("theme");
   try { chosen = chosen || localStorage.getItem("theme"); } catch (error) { /* no storage: the system decides */ }

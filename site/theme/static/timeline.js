@@ -1,5 +1,5 @@
-/* The time line of one cycle, with a zoom from 100 ms to one call. Without this script the page shows a
- * fixed drawing. */
+/* The time line of one control cycle. The reader can zoom from the whole cycle (100 ms) to a single call. Without
+   this script the page shows a fixed drawing. */
 (function () {
   "use strict";
   const source = document.getElementById("timeline-data"),
@@ -14,7 +14,7 @@
     AXIS = 22,
     SHORTEST = 500; // the narrowest window [ns]
 
-  /* calls, their lanes and rows */
+  /* the calls; each priority has a lane, and each call depth has a row in this lane */
   const calls = [];
   let at = 0;
   data.begins.forEach((step, index) => {
@@ -40,7 +40,7 @@
     lane.rows[call.depth].push(call);
   });
 
-  /* the parts of the page */
+  /* the elements of the page: buttons, drawing, and text about the chosen call */
   const make = (name, classes, text) => {
     const element = document.createElement(name);
     if (classes) element.className = classes;
@@ -87,7 +87,7 @@
   live.hidden = false;
   place.querySelector(".tl-static").hidden = true;
 
-  /* the window of time */
+  /* the part of the cycle that is shown */
   let from = 0,
     to = data.length,
     chosen = null,
@@ -140,7 +140,7 @@
     lanes.forEach((lane, number) => {
       const group = draw("g", { class: "lane" + number }, area);
       const names = new Set();
-      // In the last drawn row all calls are too short for a bar.
+      // If all calls of a row are too short for a bar, the deeper rows are not drawn.
       let depth = 0;
       while (depth < lane.rows.length) {
         const y = top + HEAD + depth * ROW;
@@ -157,7 +157,7 @@
     area.setAttribute("height", top + 2);
     words.textContent = time(from) + " to " + time(to) + ", " + time(to - from) + " in view";
   }
-  /* The title with as many of the names as the width permits. */
+  /* Writes the title of a lane, followed by as many names as the width permits. */
   function fit(text, title, names, width) {
     for (let count = names.length; count >= 0; count -= 1) {
       const rest = names.length - count;

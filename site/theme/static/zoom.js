@@ -1,6 +1,6 @@
-/* Adds a button to each diagram that is wider than the text column. The button opens a window that shows the whole
- * diagram, and the reader can enlarge it there. On a phone the page shrinks the diagram to the width of the text
- * column. If this script does not run, the reader scrolls the diagram sideways. */
+/* Adds a button to each diagram that is wider than its frame in the page. The button opens a window with the diagram,
+ * where the reader can enlarge it. On a phone the diagram is shrunk to the width of its frame. Without this script
+ * there is no button, and the reader scrolls a wide diagram in its frame. */
 (function () {
   "use strict";
   const STEP = 1.25; // factor of the zoom buttons and keys
@@ -20,7 +20,8 @@
     place.after(button);
   }
 
-  /* The diagram moves into the window and back, so that its links, ids and live marks stay. */
+  /* Opens the window and moves the diagram into it. When the window is closed, the diagram moves back. A copy of the
+   * diagram would lose its live marks and would repeat its ids. */
   function open(place, svg) {
     const dialog = document.createElement("dialog");
     dialog.className = "zoom";
@@ -60,7 +61,7 @@
     }
     dialog.addEventListener("keydown", (event) => {
       const found = actions.find(([, key]) => key && key === event.key);
-      event.stopPropagation(); // the letter keys of the page do not act
+      event.stopPropagation(); // otherwise the letter keys of the page would also react
       if (found) found[2]();
     });
     dialog.addEventListener("close", () => {
@@ -78,8 +79,9 @@
     sheet.focus();
   }
 
-  /* A place has a width when it is shown, and another width when a phone is turned. The page is changed in the next
-   * frame, because a change while sizes are observed is an error of the browser. */
+  /* The frame of a diagram gets its width when it is shown, and a different width when a phone is turned. The script
+   * adds the button in the next animation frame, because browsers report an error if the page is changed while the
+   * ResizeObserver delivers new sizes. */
   const diagrams = new Map();
   function offer(place) {
     const svg = diagrams.get(place);

@@ -1,4 +1,5 @@
-/* Compares two products on the same drive: their states over time, and the modules that only one product runs. */
+/* Plays the same scenario with two variants of the robot. Then shows the states of both over time, and the modules
+   that only one of them runs. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-compare]");
@@ -8,7 +9,7 @@
   const folder = new URL(place.dataset.folder, location.href).href;
   const root = place.dataset.root;
   const products = place.dataset.compare.split(" ");
-  const MOST = 24; // number of rows; later changes of a state are not shown
+  const MOST = 24; // greatest number of rows; later changes of a state are not shown
 
   const element = (name, attributes, ...content) => {
     const made = document.createElement(name);
@@ -47,7 +48,7 @@
     worker.postMessage({ do: "load", folder });
   });
 
-  /* A row for each cycle in which the state of one of the products changes. */
+  /* Returns one row for each cycle in which at least one of the two variants changes its state. */
   function rowsOf([one, other]) {
     const now = ({ at, states, speed }) => ({ at, text: states.map((each) => each.state).join(", "), speed });
     const size = Math.min(one.cycles.length, other.cycles.length);

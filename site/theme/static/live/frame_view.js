@@ -1,4 +1,5 @@
-/* Shows the frames of a running robot, part by part. A reader points at the bytes of a field and sees its value. */
+/* Shows the parts of the frames that a running robot sends and receives. When the reader points at the bytes of a
+   field, the page shows the value of this field. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-frames-of]");

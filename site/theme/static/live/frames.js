@@ -95,9 +95,9 @@
     return field.s === 1 ? `${value} ${field.u}` : `${value}, that is ${value / Math.round(1 / field.s)} ${field.u}`;
   }
 
-  /* Returns the parts of a frame in their order on the line: the stuffing, the header, the fields, the
-   * check sum and the end. Stuffing bytes inside of the body are replaced by the zeros that they
-   * stand for. */
+  /* Returns the parts of a frame in the order in which they are sent: the first stuffing byte, the header, the
+     fields, the check sum and the zero byte at the end. The other stuffing bytes are replaced by zeros, because each
+     of them replaces a zero. */
   function partsOf(line, frames) {
     const body = unstuffed(line.slice(0, -1)) || [];
     const kind = frames.find((frame) => frame.kind === body[1]);
@@ -106,7 +106,7 @@
     const parts = [
       { bytes: [line[0]], name: "stuffing", meaning: "distance to the next zero of the body" },
       { bytes: [body[0]], name: "version", value: body[0], meaning: "version of the protocol" },
-      { bytes: [body[1]], name: "type", value: kind ? kind.name : body[1], meaning: "kind of payload" },
+      { bytes: [body[1]], name: "type", value: kind ? kind.name : body[1], meaning: "the type of the frame" },
       { bytes: [body[2]], name: "sequence", value: body[2], meaning: "number of the frame, from its sender" },
     ];
     let at = 0;

@@ -1,8 +1,8 @@
-/* Draws the interrupts and threads of one control cycle, with a lane for each priority. watch.js plays the drive, and
-   passes each cycle to this script. */
+/* Draws the interrupts and threads of one control cycle. Each priority has one lane of the drawing. watch.js plays a
+   scenario, and passes each control cycle to this script. */
 (function (scope) {
   "use strict";
-  const FIRST_INTERRUPT = 16; // number of the exception of line 0
+  const FIRST_INTERRUPT = 16; // number of the exception that interrupt line 0 raises
   const WIDTH = 1000; // width of a lane, in units of the drawing
   const LEAST = 1.5; // width of the thinnest bar
   const STEPS = 1000; // number of steps of the slider
@@ -14,7 +14,8 @@
   ];
   const SVG = "http://www.w3.org/2000/svg";
 
-  /* Returns the activations of a cycle: exception, begin and end [ns]. An activation ends at the border of the cycle. */
+  /* Returns the activations of a cycle: exception number, begin and end [ns]. An activation that began before the
+     cycle begins at 0. An activation that continues after the cycle ends at the end of the cycle. */
   function activationsOf(switches, lasted) {
     const open = new Map();
     const found = [];
@@ -29,7 +30,8 @@
     return found.sort((a, b) => a.begin - b.begin);
   }
 
-  /* Returns the lanes of the contexts, the highest priority first, each with its activations. */
+  /* Returns one lane for each priority, the highest priority first. A lane contains the activations of the contexts
+   * (interrupts and threads) that have this priority. */
   function lanesOf(contexts, activations) {
     const priorities = [...new Set(contexts.map((context) => context.priority))].sort((a, b) => a - b);
     return priorities.map((priority) => {
@@ -43,7 +45,8 @@
     });
   }
 
-  /* Returns the contexts that have begun and not ended at an instant. The first context preempts the other contexts. */
+  /* Returns the contexts that have begun and not yet ended at a given instant [ns]. The first context is the one that
+   * runs; it preempts the other contexts. */
   const activeAt = (lanes, at) =>
     lanes.flatMap((lane) => lane.bars.filter(({ begin, end }) => begin <= at && at < end).map((each) => each.context));
 

@@ -1,5 +1,5 @@
-/* The WebAssembly module with the virtual board and the simulated robot. The page runs it in a worker, and the tests
-   run it in Node. */
+/* The class LiveModule: the functions of the WebAssembly module that contains the virtual board and the simulated
+   robot. The page uses the class in a worker, and the tests use it in Node. */
 (function (scope) {
   "use strict";
 
@@ -7,7 +7,8 @@
   const STATES = ["runs", "ended", "found"];
   const OPTION = { resets: 1, verify: 2 };
 
-  /* The module imports only these functions; it has no files and no environment. */
+  /* Returns the WASI functions that the module imports. The module has no files and no environment variables. Each
+   * function that is not defined here returns 0. */
   function system(module) {
     const none = () => 0;
     return new Proxy(
@@ -36,8 +37,8 @@
       this.exports._initialize();
     }
 
-    /* Calls a function of the module. An exception of the module becomes a JavaScript exception
-     * with its text. */
+    /* Calls an exported function of the module. If this function throws a C++ exception, call() throws a JavaScript
+     * error with the text of the exception. */
     call(name, ...values) {
       try {
         return this.exports[name](...values);
@@ -110,7 +111,7 @@
       this.withText("liveRepeat", order);
     }
 
-    /* Returns the present values, by name. */
+    /* Returns the present values of the simulation, for example time_ms. The keys are the names of the values. */
     numbers() {
       const at = this.call("liveNumbers");
       const values = new Float64Array(this.exports.memory.buffer, at, this.names.length);
@@ -137,7 +138,8 @@
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
-    /* Returns the last call of each function: its time [ns], and the core registers 0 to 3 at its begin. */
+    /* Returns the last call of each function: the time of the call [ns], and the core registers r0 to r3 when the
+       call begins. */
     lastCalls() {
       this.call("liveLastCalls");
       const bytes = this.kept();
@@ -148,7 +150,8 @@
       }));
     }
 
-    /* Returns the entries and exits of interrupts and threads in the last cycle, in the order of time [ns]. */
+    /* Returns the entries and exits of the interrupts and threads in the last cycle, the earliest first. Times are in
+     * ns. */
     switches() {
       this.call("liveSwitches");
       const bytes = this.kept();
@@ -160,7 +163,8 @@
       }));
     }
 
-    /* Returns the bytes on the line since the last call. */
+    /* Returns the pieces of data that were sent on the serial line since the last call of line(). Each piece has its
+     * time [ms], its direction and its bytes. */
     line() {
       this.call("liveLine");
       const bytes = this.kept();
@@ -184,7 +188,8 @@
     }
   }
 
-  /* Plays a scenario to its end with all its events and reports, for a comparison with another target. */
+  /* Plays a scenario to its end. Returns the events and the reports of this run, so that a test can compare them with
+   * the same scenario on another target. */
   LiveModule.play = function (compiled, image, scenario) {
     const module = new LiveModule(compiled);
     module.start({ image, scenario, verify: true });

@@ -1,5 +1,5 @@
-/* The page that runs the robot: controls, manual actions, and the views of each snapshot of the
- * worker. */
+/* The script of the page that runs the robot. It handles the controls and the manual actions of the reader, and shows
+ * each snapshot that the worker sends. */
 (function () {
   "use strict";
   const live = document.getElementById("live");
@@ -11,7 +11,7 @@
   const asked = new URLSearchParams(location.search);
   const PERIOD = 100; // ms of a control cycle
   const SPAN = 20000; // ms of robot time that the plots show
-  const MOST = 40000; // cycles that the page keeps
+  const MOST = 40000; // greatest number of cycles in the history of the page
   const QUANTITY = {
     velocity: { unit: "rpm", full: 300, scale: 10, field: "velocity", truth: "true_velocity", show: 0.1 },
     tension: { unit: "V", full: 24, scale: 1000, field: "tension", truth: null, show: 0.001 },
@@ -62,7 +62,8 @@
   });
   productField.addEventListener("change", () => worker && begin(0));
 
-  /* Returns the image of a product, of the chosen kind. */
+  /* Returns the name of the firmware image of a product: the flashed image if a flashed image is chosen now,
+     otherwise the image in which each call can be seen. */
   function imageOf(product) {
     return "flashed" in productField.selectedOptions[0].dataset ? product : `${product}_calls`;
   }
@@ -749,7 +750,8 @@
 
   const MOST_LINES = 240;
 
-  /* Returns the calls as lines. Successive equal calls share a line. */
+  /* Returns the text lines of the call tree. A call that is repeated without another call between shares the line of
+     the first call. */
   function linesOf(rows) {
     const lines = [];
     const above = [];
@@ -761,7 +763,7 @@
         above.length = depth + 1;
         return;
       }
-      if (above.slice(0, depth).some((line) => line && line.again)) return; // the call is within a repeated call
+      if (above.slice(0, depth).some((line) => line && line.again)) return; // inside a repeated call
       const line = { method, depth, activation, count: 1, under: above[depth - 1] };
       above[depth] = line;
       above.length = depth + 1;

@@ -1,9 +1,11 @@
-/* Recorded calls of a control cycle: their rows, the declared trees in them, and the states of the machines.
-   traceability/reading/traces.py has the same rules. */
+/* Functions for the recorded calls of a control cycle. They convert the calls to rows, find the declared invocation
+   trees in these rows, and determine the states of the state machines. traceability/reading/traces.py has the same
+   rules. */
 (function (scope) {
   "use strict";
 
-  /* Returns a row for each call: method, depth, parent, end, and the activation of the interrupt that made the call. */
+  /* Returns a row for each call: the method, the depth, the row number of the caller, the row number after the last
+     nested call, and the number of the interrupt activation that made the call. */
   function rowsOf(calls, methodAt, hardware) {
     const rows = [];
     const open = [];
@@ -37,8 +39,8 @@
     return rows;
   }
 
-  /* Prepares a declared tree: the methods of each node as a set, and the methods that must occur
-   * for the tree. */
+  /* Converts a declared invocation tree for the search: each node gets its methods as a set. `needed` lists the sets
+     of methods; if no method of one set is called, the tree cannot be in the calls. */
   function prepared(declared, has) {
     const needed = [];
     const nodeOf = (node) => {
@@ -53,9 +55,10 @@
     return { id: declared.id, text: declared.text, root, needed, possible };
   }
 
-  /* Looks for a tree: each child is within the call of its parent, in order. A call by an interrupt
-     is not a call of the parent, but a posted command is. Returns the rows of the nodes, or
-     nothing. */
+  /* Returns the row numbers of the nodes of an invocation tree, or null if the rows do not contain the tree. The
+     calls of the children must be inside the call of the parent, in the declared order. A call that an interrupt made
+     meanwhile is not a call of the parent. The call of a posted command may also follow after the call of the parent.
+     */
   function embed(tree, rows) {
     function fit(node, start, stop, activation) {
       for (let index = start; index < stop; index += 1) {
@@ -84,7 +87,7 @@
     return fit(tree.root, 0, rows.length, null);
   }
 
-  /* Returns the trees that are in the rows, by their ids. */
+  /* Returns the ids of the invocation trees that the rows contain. */
   function treesIn(trees, rows) {
     const present = new Set(rows.map((row) => row.method));
     const some = (methods) => {
@@ -97,7 +100,7 @@
       .map((tree) => tree.id);
   }
 
-  /* The states of a machine, determined from the called operations of its state modules. */
+  /* A state machine whose present state is determined from the called operations of its state modules. */
   class Machine {
     constructor(declared) {
       this.id = declared.id;
@@ -120,8 +123,8 @@
       this.state = to;
     }
 
-    /* Records that an operation of a state was called: the machine was in this state. When only one transition
-     * is possible, it is taken. */
+    /* Records that an operation of a state module was called. The machine was then in this state. If only one next
+       state is possible and no transition to it has a guard, the machine changes to the next state. */
     operation(module, method, moves) {
       const state = this.stateOf.get(module);
       if (!state) return;

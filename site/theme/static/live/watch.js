@@ -1,5 +1,6 @@
-/* Runs the robot on other pages. On the page of a requirement it plays scenarios until the calls of the tree are
-   recorded. On a page with drawn modules it plays a drive, and marks the modules that each control cycle calls. */
+/* Runs the robot on pages other than "Run the robot". On the page of a requirement, the script plays scenarios until
+   all calls of the invocation tree of this requirement are recorded. On a page with drawn modules, the script plays
+   one scenario and marks the modules that each control cycle calls. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-watch], [data-play]");
@@ -123,15 +124,16 @@
     });
     button.after(step, pace, scenario);
     place.querySelector("[data-says]").hidden = true;
-    result.removeAttribute("role"); // the text changes ten times in a second
+    result.removeAttribute("role"); // the text changes ten times per second; a screen reader would read each change
     document.addEventListener("visibilitychange", () => document.hidden && timer && stop());
   }
 
   const drawings = [...document.querySelectorAll(".main svg")].filter((svg) => svg.querySelector("a[data-m]"));
   const inDrawings = (selector) => drawings.flatMap((svg) => [...svg.querySelectorAll(selector)]);
 
-  /* The lines of a call in a class diagram: from the caller to the module that declares the operation, and from there
-   * to the module that implements it. PlantUML names a line "Caller-Declarer", and an inheritance "Base_-Derived". */
+  /* Returns the connecting lines of a call in a class diagram: the line from the caller to the module that declares
+     the operation, and the inheritance lines from there to the module that implements the operation. PlantUML gives a
+     line of a call the id "Caller-Declarer", and an inheritance line the id "Base_-Derived". */
   function linesOf(from, to) {
     const line = (name) => inDrawings(`path[id^="pattern-"][id$="-${name}"]`)[0];
     for (const way of waysUp(to, 4)) {
@@ -141,7 +143,7 @@
     return [];
   }
 
-  /* Returns the chains of drawn base classes that begin with a module. */
+  /* Returns each chain that begins with a module and continues with its drawn base classes. */
   function waysUp(name, most) {
     const bases = inDrawings(`path[id^="pattern-"][id$="_-${name}"]`)
       .map((path) => path.id.slice(0, -name.length - 2).split("-").pop())
@@ -190,7 +192,8 @@
   const callsOf = (number) =>
     number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call inside the module";
 
-  /* Fills the column "live" of the tables of the tree: the time and the arguments of the last call of each node. */
+  /* Fills the column "live" in each table of the invocation tree. A cell shows the time and the arguments of the last
+     call of its node. */
   function showLive(nodes) {
     document.querySelectorAll(".embed").forEach((table) => {
       const cells = [...table.querySelectorAll("td[data-live]")];

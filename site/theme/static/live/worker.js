@@ -1,10 +1,10 @@
-/* Runs the robot in a worker of the page: cycle by cycle, at the chosen speed, with a snapshot at most 20
- * times a second. */
+/* The worker of the page. It runs the robot one cycle at a time, at the chosen speed, and sends a snapshot to the
+   page at most 20 times per second. */
 "use strict";
 importScripts("module.js", "trees.js", "frames.js");
 
 const SLICE = 50; // ms between snapshots
-const BUSY = 40; // ms of each period in which cycles run
+const BUSY = 40; // ms of each SLICE in which cycles run
 const CYCLE = 100; // ms of robot time
 const SECOND = 1000 / CYCLE; // in cycles
 const SHOWN_FRAMES = 24;
@@ -41,12 +41,12 @@ async function choose(folder, name) {
     .map((tree) => LiveTrees.prepared(tree, product.has));
 }
 
-/* A run: the module with a robot, and the records of this robot. */
+/* A simulated robot in the WebAssembly module, and the records of one run of this robot. */
 class Robot {
   constructor(scenario, log) {
     this.scenario = scenario;
     this.log = log; // manual actions: [time, kind, text]
-    this.next = 0; // position in the log while it is repeated
+    this.next = 0; // index of the next action in the log
     simulator = simulator || new LiveModule(compiled);
     simulator.start({
       image: product.bytes,
@@ -62,11 +62,11 @@ class Robot {
     this.state = "runs";
     this.rows = [];
     this.rowsHash = 0;
-    this.entries = []; // entries after each of the last cycles
+    this.entries = []; // for each of the last cycles: the number of calls of each function until then
     this.clear();
   }
 
-  /* Clears the parts that the page has received. */
+  /* Clears the records that were already sent to the page. */
   clear() {
     this.history = [];
     this.frames = [];
@@ -88,7 +88,7 @@ class Robot {
       return;
     }
     if (at !== undefined) return;
-    this.log.splice(this.next); // an action after a step back replaces the later actions
+    this.log.splice(this.next); // after a step back in time, a new action replaces the later actions
     this.log.push([this.time(), kind, text]);
     this.next = this.log.length;
   }
@@ -208,7 +208,7 @@ function tick() {
     cycles += 1;
     if (!robot.cycle() || robot.stopsAt) running = false;
   }
-  if (robot.time() < target - CYCLE) target = robot.time(); // this machine is too slow
+  if (robot.time() < target - CYCLE) target = robot.time(); // the computer of the reader is too slow for this speed
   if (cycles) snapshot();
   if (running) timer = setTimeout(tick, Math.max(0, SLICE - (performance.now() - now)));
   else snapshot();
@@ -222,7 +222,7 @@ function run() {
   tick();
 }
 
-/* Runs to a time without pauses, for a link or the time line. */
+/* Runs without pauses until a time of the robot [ms]. A link to an instant and the time line use this function. */
 function seek(time) {
   let wanted = time;
   const end = performance.now() + 60000;
@@ -230,7 +230,7 @@ function seek(time) {
   snapshot();
 }
 
-/* Plays the scenarios until a cycle contains the tree of a requirement. Scenarios of the paper's design come first. */
+/* Plays one scenario after the other, until a cycle contains the invocation tree of a requirement. */
 async function find({ folder, id }) {
   pause();
   for (const scenario of facts.scenarios) {
@@ -267,7 +267,8 @@ async function find({ folder, id }) {
   post({ kind: "found" });
 }
 
-/* Returns the last call of each node of a tree, in the sequence of the tree: its time [ms] and its arguments. */
+/* Returns the last call of each node of an invocation tree: the time [ms] and the arguments of the call. The nodes
+   are in the order of the tree. */
 function lastCallsOf(root, called) {
   const calls = simulator.lastCalls();
   const nodesIn = (node) => [node, ...node.children.flatMap(nodesIn)];
@@ -280,7 +281,8 @@ function lastCallsOf(root, called) {
   });
 }
 
-/* Returns the arguments of a call as texts. Registers have them in the order of the parameters. */
+/* Returns the arguments of a call as texts. The core registers contain the arguments in the order of the parameters.
+   */
 function argumentsOf({ method, registers }) {
   const SIZES = { bool: 1, i8: 8, u8: 8, i16: 16, u16: 16, i32: 32, u32: 32 };
   const { first, parameters } = facts.parameters[method] || { first: 0, parameters: [] };
@@ -293,8 +295,8 @@ function argumentsOf({ method, registers }) {
   });
 }
 
-/* Returns the image that contains most of the given modules. Of equal images, it prefers the paper's design, then the
-   default. */
+/* Returns the name of the firmware image that contains the most of the given modules. If several images contain
+   equally many, the function prefers the paper's design, then the default product. */
 function imageWith(modules) {
   const modulesOf = (one) => new Set(one.functions.map(([, method]) => ownerOf(method)));
   const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
@@ -305,10 +307,11 @@ function imageWith(modules) {
 
 const ownerOf = (method) => facts.methods[method].split("::")[0];
 
-/* Records the modules that a page shows while a scenario plays, and their calls until now. */
+/* The modules that the page shows while a scenario plays, and the number of calls of each until now. */
 let shown = { modules: new Set(), counts: {} };
 
-/* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of the drive. */
+/* Prepares a scenario for a page that shows modules. Each later order "beat" runs one control cycle of the scenario.
+   */
 async function play({ folder, modules, scenario: wanted, image }) {
   pause();
   await choose(folder, image || imageWith(modules));
@@ -326,7 +329,7 @@ async function play({ folder, modules, scenario: wanted, image }) {
   });
 }
 
-/* Returns the number of calls of each module since the start. */
+/* Returns, for each given module, the number of calls since the start of the scenario. */
 function countsOf(modules) {
   const entries = simulator.entries();
   const counts = Object.fromEntries([...modules].map((name) => [name, 0]));
@@ -337,7 +340,7 @@ function countsOf(modules) {
   return counts;
 }
 
-/* Returns the calls from one shown module to another in the last cycle. */
+/* Returns the pairs [caller, called module] of the last cycle, for calls between two different shown modules. */
 function callsBetween(modules) {
   const found = new Set();
   robot.rows.forEach((row) => {
@@ -348,7 +351,7 @@ function callsBetween(modules) {
   return [...found].map((pair) => pair.split(" "));
 }
 
-/* Returns the machines whose state the report contains. */
+/* The state machines whose state is in the report, each with the report field of the state. */
 const REPORTED = { "operation-states": "state", "reading-modes": "mode" };
 
 function nameOf(field, number) {
@@ -356,7 +359,7 @@ function nameOf(field, number) {
   return (found && found.v && found.v[number]) || String(number);
 }
 
-/* Returns the present state of each machine, and the module of this state. */
+/* Returns the present state of each state machine, and the module that implements this state. */
 function presentStates() {
   const reported = robot.numbers.reports > 0;
   return machines.map(({ id, state: inferred, declared }) => {
@@ -390,7 +393,8 @@ function beat() {
   });
 }
 
-/* Plays one scenario with several products. Returns the states of each cycle, and the modules that ran. */
+/* Plays one scenario with several products. Sends to the page, for each product, the states in each cycle and the
+   modules that ran. */
 async function compare({ folder, products, scenario: name }) {
   pause();
   const scenario = facts.scenarios.find((one) => one.name === name);
@@ -466,7 +470,8 @@ const ORDERS = {
   },
 };
 
-/* Executes one order after the other, because some orders wait for a file. */
+/* The queue of the orders. An order starts only when the order before it has ended, because some orders wait for a
+   file. */
 let orders = Promise.resolve();
 
 async function obey(data) {
