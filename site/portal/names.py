@@ -39,7 +39,7 @@ RESULTS = {
     None: ("none", "not run"),
 }
 
-# The link of a name is computed only once.
+# Methods whose results are cached: the link of a name is computed only once.
 KEPT = ("mod", "meth", "logic", "req", "safety", "pat", "change", "test", "check", "keys")
 
 
@@ -53,13 +53,13 @@ def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str)
 
 
 def breakable(name: str) -> Markup:
-    """Returns a name with marks at which the browser may start a new text line."""
+    """Returns a name with a tag at each position where the browser may start a new text line."""
     joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
     return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
 
 
 def views_of(module: Module, called: set[str]) -> set[str]:
-    """Returns the letters of the views of a module that have content."""
+    """Returns the letters of those views of a module that are not empty."""
     letters = {"I", "G", "S"}
     if module.name in called or any(m.calls for m in module.methods):
         letters.add("F")
@@ -113,7 +113,7 @@ class Names:
         )
 
     def types(self, code: str, own: str = "") -> Markup:
-        """Returns a type or a signature, with links at its modules and value types."""
+        """Returns a type or a signature. The modules and value types in it are links."""
         modules = self.model.modules
         parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
@@ -152,7 +152,9 @@ class Names:
         )
 
     def logic(self, identifier: str) -> Markup:
-        """Returns a logic module, with its parent if another logic module has the same name."""
+        """Returns the link to a logic module. The link also shows the name of the parent if another
+        logic module has the same name.
+        """
         module = self.model.logic_modules.get(identifier)
         text = Markup(module.name if module else identifier)
         parent = self.model.logic_modules.get(module.parent or "") if module else None
@@ -216,7 +218,7 @@ class Names:
         return Markup(", ").join(parts)
 
     def text(self, words: str) -> Markup:
-        """Returns a text of the model as HTML, with links at its names and ids."""
+        """Returns a text of the model as HTML. The names and identifiers in the text are links."""
 
         def name(match: re.Match[str]) -> str:
             code, whole = match.group(1), match.group(0)

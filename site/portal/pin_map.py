@@ -20,11 +20,11 @@ ROLE = re.compile(r"^ *(\w+),? +///< (.+)$", re.MULTILINE)
 
 
 class PinMapError(ValueError):
-    """The header has an unexpected form."""
+    """An error: the header does not have the form that this module can read."""
 
 
 def pin_map(root: Path) -> str:
-    """Returns the table as comma-separated values, with a line of titles."""
+    """Returns the table of pins as comma-separated values. The first line contains the titles."""
     text = (root / HEADER).read_text(encoding="utf-8")
     rows = list(entries(text, roles(text)))
     if not rows:

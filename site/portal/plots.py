@@ -21,7 +21,7 @@ WORDS = {"set_point": "set-point", "measured": "measured", "truth": "truth"}
 
 @dataclass
 class Tick:
-    """A value on an axis, and its place on the axis [per cent]."""
+    """A value on an axis, and its position on the axis [per cent of the length of the axis]."""
 
     text: str
     at: float
@@ -36,7 +36,7 @@ class Axis:
     ticks: list[Tick]
 
     def place(self, value: float) -> float:
-        """Returns the place of a value [per cent]."""
+        """Returns the position of a value on the axis [per cent of the length of the axis]."""
         return 100 * (value - self.first) / (self.last - self.first)
 
 
@@ -51,7 +51,7 @@ class Line:
 
 @dataclass
 class Mark:
-    """A labelled point of a drawing: its place on both axes [per cent]."""
+    """A labelled point of a drawing: its position on both axes [per cent]."""
 
     words: str
     across: float

@@ -365,7 +365,9 @@ class Portal:
         return [*own, *verifying]
 
     def source_of(self, source: SourceReference) -> Markup:
-        """Returns the source of a requirement, with a link where the source has a page here."""
+        """Returns the document or safety goal from which a requirement was derived. It is a link if
+        the portal has a page for it.
+        """
         if not source.kind:
             return self.names.text(source.name)
         if source.kind == "goal":
@@ -481,8 +483,8 @@ class Portal:
         return names.glyph("ok", "holds")
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
-        """Returns the result of a fault, or ``None`` when it was not seeded in the present
-        state.
+        """Returns the result of the run with a seeded fault, or ``None`` if no run with this fault
+        was made with the present sources.
         """
         return next(
             (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None

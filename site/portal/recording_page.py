@@ -1,4 +1,4 @@
-"""A recording of reports as a page of curves, which needs no other file."""
+"""Draws the reports of a recording as curves, in a single HTML file that needs no other file."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Values = Mapping[str, Any]
 
 
 class RecordingError(Exception):
-    """A file that is not a recording of reports."""
+    """An error: the file is not a recording of reports."""
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ class Series:
 
 
 def all_series() -> list[Series]:
-    """Returns the velocity, voltage and current of each wheel, then the steering."""
+    """Returns the plots: the velocity, voltage and current of each wheel, then the steering."""
     wheels = [
         Series(f"Wheel {wheel}, {title}", unit, name, f"set_point{wheel}", f"quantity{wheel}", of)
         for wheel in range(WHEEL_COUNT)
@@ -152,7 +152,7 @@ def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
 
 
 def points(reports: Iterable[tuple[float, Values]], name: str) -> list[tuple[float, float]]:
-    """Returns the values that are not missing."""
+    """Returns the values of a column with their times, without the missing values."""
     return [(at, report[name]) for at, report in reports if report[name] is not None]
 
 

@@ -1,5 +1,5 @@
-"""The list of requirements, and the page of each requirement: its tree next to the calls of a
-test.
+"""The list of requirements, and the page of each requirement. The page shows the invocation tree
+next to the calls that a test recorded.
 """
 
 from __future__ import annotations
@@ -100,8 +100,8 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
-    """Returns a row for each body of a method of the tree, with the lines that the tests executed
-    on each target.
+    """Returns a row for each method in the tree that has a body. The row shows the source lines that
+    the tests executed on each target.
     """
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
     for binding, methods in requirement.coverage.items():
@@ -115,7 +115,7 @@ def first_run(requirement: Requirement) -> TreeRun | None:
 
 
 def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
-    """Returns state machines with a transition of the requirement."""
+    """Returns the state machines that have a transition for the requirement."""
     return [
         machine
         for machine in portal.model.machines.values()
@@ -136,7 +136,9 @@ class Row:
 
 
 def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
-    """Returns each node of the tree in the row of the recorded call that it matches."""
+    """Returns the rows of the invocation tree and of a recorded run. A node of the tree and the
+    recorded call that it matches are in the same row.
+    """
     rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     places = run.places if run else [None] * len(nodes)
@@ -155,7 +157,7 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 
 def shortened(rows: list[Row]) -> list[Row]:
-    """Returns the rows, with a single row in place of many calls between two nodes."""
+    """Returns the rows. A single row replaces a long group of calls that match no node."""
     shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)

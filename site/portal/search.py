@@ -1,4 +1,4 @@
-"""The index of the search, the cards of the modules, and the targets of hand-written pages."""
+"""The search index, the cards of the modules, and the links that hand-written pages use."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ NAMED = {
 }
 
 
-# Pages whose sections repeat texts that have separate entries.
+# Pages without entries for their sections, because the texts of these sections have other entries.
 LISTS = {
     *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
     "structure",
@@ -45,7 +45,9 @@ LISTS = {
 
 
 def script(portal: Portal) -> str:
-    """Returns the data of each page as a script, so that the page needs no server to read them."""
+    """Returns the data that every page loads. They are a script, because a page that is opened
+    without a server can load scripts only.
+    """
     modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
     tours = {tour.id: asdict(tour) for tour in portal.tours}
     data = {"commit": portal.model.commit, "modules": modules, "tours": tours}
@@ -53,7 +55,7 @@ def script(portal: Portal) -> str:
 
 
 def index_script(portal: Portal, bodies: Path) -> str:
-    """Returns the data of the search. A page loads them at the first search."""
+    """Returns the search index. A page loads the index when the reader first searches."""
     parts = list(section_entries(portal, bodies))
     pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
     found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
@@ -106,7 +108,7 @@ def kind(module: Module) -> str:
 
 
 def plain(text: str) -> str:
-    """Returns a text without its markup, on one line."""
+    """Returns a text without its markup and without line breaks."""
     return " ".join(text.replace("`", "").split())
 
 
@@ -169,7 +171,7 @@ def inventory(found: list[Entry]) -> list[list[str]]:
 
 
 def method_entries(portal: Portal) -> Iterator[Entry]:
-    """Returns the methods that pages show, each once."""
+    """Yields an entry for each method that the pages show."""
     shown = {
         method.id: method
         for module in portal.model.modules.values()
@@ -206,7 +208,7 @@ def safety_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def paper_entries(portal: Portal) -> Iterator[Entry]:
-    """Yields the places of the paper, and the names in each."""
+    """Yields the sections and figures of the paper, and the names that the paper uses."""
     page, model = "concordance.html", portal.model
     for place in model.paper_places:
         yield "Paper", "", place.id, place.title, f"{page}#{paper_anchor(place.id)}"
@@ -245,7 +247,7 @@ def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:
-    """Returns for each role of the hand-written pages the HTML of each name."""
+    """Returns the links that the roles insert: role -> name of an element -> HTML of the link."""
     model, links, names = portal.model, portal.links, portal.names
     methods = {
         f"{module.name}::{method.name}"

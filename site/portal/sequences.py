@@ -39,7 +39,7 @@ ROUND = 2  # decimal digits of a time [ms]
 
 @dataclass(frozen=True)
 class DeclaredSequence:
-    """A sequence that the design declares."""
+    """A sequence diagram that a file of the design declares."""
 
     name: str
     title: str
@@ -66,7 +66,7 @@ class Message:
 
 @dataclass(frozen=True)
 class Loop:
-    """Messages that are repeated immediately."""
+    """A group of messages, and the number of times that it occurs without a message between."""
 
     times: int
     messages: tuple[Message, ...]
@@ -85,7 +85,7 @@ class CycleMessages:
 
 @dataclass
 class Drawn:
-    """A sequence of this build for the page."""
+    """A sequence with its recordings from this build and its diagram."""
 
     declared: DeclaredSequence
     windows: list[Window]
@@ -167,8 +167,8 @@ def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> 
 
 
 def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
-    """Replaces groups of messages that are repeated immediately by loops, the longest repetition
-    first.
+    """Returns the messages, with a loop in place of each group that is repeated immediately. If
+    groups overlap, the group that covers more messages becomes the loop.
     """
     parts: list[Message | Loop] = []
     at = 0
@@ -185,7 +185,9 @@ def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
 
 
 def _repetition(messages: list[Message], at: int) -> tuple[int, int]:
-    """Returns the length and the count of the repeated group that covers most messages here."""
+    """Returns the length of the repeated group that begins at ``at``, and its number of
+    repetitions. Of several groups, the group that covers the most messages is chosen.
+    """
     best, times = 1, 1
     for length in range(1, LONGEST + 1):
         group = messages[at : at + length]

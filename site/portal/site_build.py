@@ -1,5 +1,5 @@
-"""Builds the site. Each core builds a part of the bodies while Sphinx reads the texts; then Sphinx
-writes the pages.
+"""Builds the site. Several processes write the bodies of the generated pages. At the same time,
+Sphinx reads the hand-written pages. Then Sphinx writes all pages.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.schema import Finding, Place
 
-# The pages are divided into more parts than there are cores. Then no core waits long for the
-# others.
+# Number of parts into which the pages are divided. There are more parts than cores, because then
+# all cores finish at nearly the same time.
 PARTS = 8
 
 
@@ -66,7 +66,7 @@ def check_texts() -> list[CheckText]:
     return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
 
 
-# A forked process inherits these data, because they are too large to send.
+# A forked process inherits these data. They are too large to be sent to the process.
 _shared: list[tuple[Portal, Path]] = []
 
 

@@ -57,7 +57,7 @@ class DesignDomain(Domain):
             yield name, name, kind, page.removesuffix(".html"), anchor, 1
 
     def merge_domaindata(self, docnames: Set[str], otherdata: dict[str, Any]) -> None:
-        """Merges nothing, because the domain has no data."""
+        """Does nothing, because the domain stores no data in the environment of Sphinx."""
 
 
 def load(app: Sphinx) -> None:
@@ -69,8 +69,8 @@ def load(app: Sphinx) -> None:
 
 
 def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:
-    """Returns all hand-written pages if a page changed or caused a warning, because the pages refer
-    to each other.
+    """Returns the hand-written pages that Sphinx must read again: all of them if a page changed, or
+    if the last build had a warning. A change of a page can break a link on another page.
     """
     names = [name for name in env.found_docs if name.startswith("docs/")]
     return names if app.config.read_all_docs else []
@@ -85,7 +85,9 @@ def mark(app: Sphinx, _doctree: nodes.document) -> None:
 def link_terms(
     app: Sphinx, name: str, _template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Links the terms on a hand-written page. Generated pages already have these links."""
+    """Adds links from the terms on a hand-written page to the glossary. Generated pages already
+    have these links.
+    """
     if doctree is not None and name.startswith("docs/") and name != GLOSSARY.id:
         glossary = GlossaryLinks(Path(app.srcdir))
         context["body"] = glossary.link(context["body"], depth_prefix(name))

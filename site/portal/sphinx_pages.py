@@ -70,8 +70,8 @@ def copy_docs(docs: Path, target: Path) -> set[str]:
 
 
 def write_members(modules: list[Module], pages: Path) -> set[str]:
-    """Writes the inputs from which Breathe makes the members of each class, as a section of the
-    page of the module.
+    """Writes a source file for each module. From this file, Breathe generates the section of the
+    module's page that lists the members of the class.
     """
     for module in modules:
         write_changed(
@@ -85,7 +85,7 @@ def write_members(modules: list[Module], pages: Path) -> set[str]:
 
 
 def write_included(portal: Portal, target: Path) -> None:
-    """Writes the files that hand-written pages include from other folders, and a drawing."""
+    """Writes the files that hand-written pages include, and the drawing of the packages."""
     root = portal.root
     if PACKAGES in portal.drawn:
         write_changed(target / f"{PACKAGES}.svg", portal.drawn[PACKAGES])
@@ -100,7 +100,7 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
     """Writes the input of Breathe: the classes of the modules, without elements that Breathe does
     not support.
 
-    Breathe reads a class again when its file is newer, so only changed files are replaced.
+    Breathe reads a class again if its file is newer. Therefore only changed files are replaced.
     """
     compounds = []
     for module in modules:
@@ -114,10 +114,10 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
 
 
 class GeneratedPages:
-    """The pages from templates. Sphinx inserts each body into the layout and writes the page.
+    """The pages whose bodies come from templates. Sphinx inserts each body into the layout.
 
-    Sphinx also reads the page of a module, and adds the members that Breathe generates. ``made``
-    returns the pages when the folder ``bodies`` contains their bodies.
+    The page of a module also contains the members of its class, which Breathe generates. ``made()``
+    waits until the folder ``bodies`` contains all bodies. Then ``made()`` returns the pages.
     """
 
     def __init__(
@@ -131,7 +131,9 @@ class GeneratedPages:
         write_changed(self.frame, frame)
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
-        """Returns the pages that Sphinx writes again although their members did not change."""
+        """Returns the pages of modules whose body or layout is newer than the written page. Sphinx
+        writes these pages again.
+        """
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
 

@@ -1,4 +1,4 @@
-"""Tables for hand-written pages, from the files that the commands also read."""
+"""Generates tables for hand-written pages from the files that the commands of ./wr read."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
 
 
 def command_table(root: Path) -> str:
-    """Returns each command of ./wr, with the text of its help."""
+    """Returns the table of the commands of ./wr, each with its help text."""
     usage = (root / COMMANDS).read_text(encoding="utf-8").partition("\nTEXT\n")[0]
     rows = ((f"``./wr {name}``", does) for name, does in COMMAND.findall(usage))
     return comma_separated(("command", "effect"), rows)
 
 
 def package_table(root: Path) -> str:
-    """Returns each package of Debian that the commands need, with the reason."""
+    """Returns the table of the Debian packages that the commands need, each with the reason."""
     rows = PACKAGE.findall((root / DEBIAN).read_text(encoding="utf-8"))
     return comma_separated(("package", "why"), rows)
 
 
 def product_table(root: Path) -> str:
-    """Returns each product with its composition, as a table of a hand-written page."""
+    """Returns the table of the variants of the robot, each with its composition and its parts."""
     rows = (
         (f"``{product.name}``", f":source:`{product.composition}`", product.text)
         for product in listed(root)
@@ -40,7 +40,7 @@ def product_table(root: Path) -> str:
 
 
 def list_table(widths: Iterable[int], heads: Iterable[str], rows: Iterable[tuple[str, ...]]) -> str:
-    """Returns a table in the form of hand-written pages, whose cells may contain roles."""
+    """Returns a table as reStructuredText. Its cells may contain roles such as ``:source:``."""
     lines = [
         ".. list-table::",
         "   :header-rows: 1",

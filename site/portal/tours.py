@@ -1,5 +1,5 @@
-"""Guided tours through the pages. A tour leads the reader from page to page, and proposes an action
-at its end.
+"""Guided tours. A tour leads the reader from page to page. After the last page, it proposes an
+action.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ TOURS = Path("design/tours.toml")
 
 @dataclass
 class Tour:
-    """A tour. Each of its stops has the address of a page and a task for the reader."""
+    """A tour through the pages. Each stop names the address of a page and a task for the reader."""
 
     id: str
     title: str

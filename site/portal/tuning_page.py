@@ -23,7 +23,7 @@ CONTROL = (
 
 @dataclass(frozen=True)
 class Value:
-    """A named number of a module, and the other values to which it was tuned."""
+    """A named constant of a module. ``chosen_for`` lists the values to which it was tuned."""
 
     name: str
     constant: Constant
@@ -35,7 +35,7 @@ def tuning(portal: Portal) -> dict[str, Any]:
 
 
 def robot_values(model: Model) -> list[tuple[Method, Constant]]:
-    """Returns the methods of the module ROBOT that return a number, each with this number."""
+    """Returns each method of SystemConstants that returns a number, and this number."""
     module = model.modules.get(ROBOT)
     methods = module.methods if module else []
     return [
@@ -44,9 +44,7 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
 
 
 def control_values(model: Model) -> dict[str, list[Value]]:
-    """Returns for each module its named constants with a unit, and its constants that were chosen
-    to fit another value.
-    """
+    """Returns for each module its named constants that have a unit or were tuned to a value."""
     values: dict[str, list[Value]] = {}
     for name, constant in model.constants.items():
         chosen_for = [

@@ -1,4 +1,4 @@
-"""The verification of each requirement, for the pages."""
+"""Computes the test coverage and the filter values of the requirements and tests."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement, 
 
 @dataclass
 class Share:
-    """A number of executed lines or branches, and their total."""
+    """The number of executed lines or branches, and the number of all lines or branches."""
 
     part: int
     whole: int
@@ -117,6 +117,6 @@ def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
 
 
 def _numbers_in_order(text: str) -> list[tuple[str, int]]:
-    """Returns a sort key with which FR-2 comes before FR-10."""
+    """Returns a sort key that compares numbers by value: FR-2 comes before FR-10."""
     parts = re.findall(r"(\D*)(\d*)", text)
     return [(words, int(number or 0)) for words, number in parts]

@@ -1,4 +1,4 @@
-"""Updates the files of a folder: keeps unchanged files and removes old files."""
+"""Updates the files of a folder: leaves unchanged files as they are and removes old files."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def write_changed(path: Path, content: str | bytes) -> None:
-    """Writes a file only if its content changes. A file with a newer time would be read again."""
+    """Writes a file only if its content changes. Sphinx reads a file again if its time is newer."""
     data = content.encode() if isinstance(content, str) else content
     if path.is_file() and path.read_bytes() == data:
         return
@@ -16,8 +16,8 @@ def write_changed(path: Path, content: str | bytes) -> None:
 
 
 def remove_others(folder: Path, names: str, kept: Iterable[str]) -> None:
-    """Removes the files that match these names and are not in the list of kept files. The names are
-    relative to the folder.
+    """Removes the files below a folder that match the pattern ``names`` and are not in ``kept``.
+    The paths in ``kept`` are relative to the folder.
     """
     kept_names = set(kept)
     for path in folder.rglob(names):
