@@ -27,9 +27,7 @@ struct WarningStates {
 
   /// @brief Number of successive failed reads after which the warning begins.
   static constexpr std::uint8_t kFailedReads = SystemConstants::instance().waitingCycles() - 1;
-  static_assert(
-      kFailedReads >= 2,
-      "after the first failed read, the robot is in the state Waiting, which does not warn");
+  static_assert(kFailedReads >= 2, "the first failed read sets a waiting state that does not warn");
 
   Waiting waiting;            ///< counts failed reads
   Working working;            ///< follows new orders; it is the first state
