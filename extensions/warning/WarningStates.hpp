@@ -30,7 +30,7 @@ struct WarningStates {
   static_assert(kFailedReads >= 2, "the first failed read sets a waiting state that does not warn");
 
   Waiting waiting;            ///< counts failed reads
-  Working working;            ///< follows new orders; it is the first state
+  Working working;            ///< the first state
   WaitingK waitingK;          ///< warns
   WaitingN waitingN;          ///< the last waiting state
   Reconnecting reconnecting;  ///< searches for another source of orders

@@ -100,7 +100,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
-    """Returns a row for each method in the tree that has a body. The row shows the source lines that
+    """Returns a row for each method in the tree that has a body. The row shows which source lines
     the tests executed on each target.
     """
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
