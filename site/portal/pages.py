@@ -238,7 +238,7 @@ def tests(portal: Portal) -> dict[str, Any]:
 
 
 def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
-    """Returns for each test the modules whose pages show this test first."""
+    """Returns for each test the modules whose pages list this test among the tests to read first."""
     modules: dict[str, list[str]] = {}
     for name in sorted(portal.model.modules):
         for test in portal.own_tests(portal.model.modules[name]):
@@ -277,7 +277,7 @@ class UseRow:
 
 
 def use_rows(portal: Portal) -> list[UseRow]:
-    """Returns the allowed and actual uses, paired."""
+    """Returns each allowed use together with the actual use between the same modules."""
     allowed = {(use.source, use.target): use.why for use in portal.model.allowed_uses}
     actual = {(use.source, use.target): use.places for use in portal.model.uses}
     pairs = {pair for pair in allowed if pair[0] != ANY} | set(actual)
