@@ -80,7 +80,7 @@ def is_underline(line: str) -> bool:
 
 
 class Navigation:
-    """The groups of pages in the side navigation. Each group serves an aim of the reader."""
+    """The groups of pages in the side navigation. Each group serves one aim of a reader."""
 
     def __init__(
         self, model: Model, docs: list[Entry], checks: int, faults: int, questions: int

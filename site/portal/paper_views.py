@@ -1,4 +1,4 @@
-"""Views of the paper: likely changes, secrets, interface inheritances, concordance."""
+"""Pages for views of the paper: likely changes, secrets, interface inheritances, concordance."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ class FamilyMember:
 
 
 def families(portal: Portal) -> list[list[FamilyMember]]:
-    """Returns a family for each base class that does not derive from another module."""
+    """Returns a family for each class that has subclasses and is not derived from a module."""
     modules = portal.model.modules
     roots = [m for m in portal.designs if any(h in modules for h in m.subclasses)]
     return [

@@ -406,9 +406,7 @@ class Portal:
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """Returns the passed tests and all tests on a target that verify a requirement, as in
-        "2/3".
-        """
+        """Returns the numbers of passed tests and of all tests of a requirement on a target."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
@@ -460,7 +458,9 @@ class Portal:
         ]
 
     def in_paper(self, name: str) -> list[PaperElement]:
-        """Returns the names in the paper of this module and its methods, or of this application."""
+        """Returns the names that the paper uses for a module and its methods, or for a use of a
+        pattern.
+        """
         return [
             element
             for element in self.model.paper

@@ -25,7 +25,7 @@ NOT_ENTERED = "main program"
 
 @dataclass(frozen=True)
 class MethodLinks:
-    """Addresses of a method: its place on a page, its source, its requirements."""
+    """The addresses of a method on the pages, and its requirements."""
 
     name: str
     page: str | None

@@ -157,8 +157,8 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 
 def shortened(rows: list[Row]) -> list[Row]:
-    """Returns the rows. If more than MOST_BETWEEN calls between two nodes match no node, a single
-    row replaces them and shows their number.
+    """Returns the rows. If more than MOST_BETWEEN consecutive calls match no node, a single row
+    replaces them and shows their number.
     """
     shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
@@ -170,8 +170,8 @@ def shortened(rows: list[Row]) -> list[Row]:
 
 
 def add_trunks(rows: list[Row]) -> None:
-    """Adds to each row the vertical lines that join a parent of the tree to its children. The line of
-    a parent ends at the last child.
+    """Adds to each row the vertical lines that join the parents of the tree to their children. The
+    line of a parent ends at the last child.
     """
     placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
     for number, (index, depth) in enumerate(placed):

@@ -79,9 +79,7 @@ def sizes(portal: Portal) -> Iterator[Compared]:
 
 
 def cycles(portal: Portal) -> Iterator[Compared]:
-    """Returns the longest time from the clock pulse to the report, in each scenario of the
-    bench.
-    """
+    """Yields for each scenario of the bench the longest time from the clock pulse to the report."""
     safe, paper = portal.model.bench, portal.model.bench_paper
     names = list(safe or {}) or ["any scenario of the bench"]
     for name in names:
