@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 import tomllib
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 from portal.links import ROOT
 
 QUESTIONS = Path("design/questions.toml")
+METRIC = re.compile(r"\{([a-z]+\.[a-z_]+)\}")  # the name of a metric in an answer
 
 
 @dataclass
@@ -48,6 +51,18 @@ def questions_of(root: Path) -> list[Question]:
     path = root / QUESTIONS
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return [Question(**entry) for entry in tomllib.loads(text).get("question", [])]
+
+
+def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:
+    """Returns the question with the values of this build in its answer. An answer names the metric
+    of each value.
+    """
+
+    def value(match: re.Match[str]) -> str:
+        found = metrics[match[1]]
+        return "(not measured in this build)" if found is None else f"{found:,}"
+
+    return replace(question, answer=METRIC.sub(value, question.answer))
 
 
 def by_topic(questions: list[Question]) -> dict[str, list[Question]]:

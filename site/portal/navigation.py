@@ -1,4 +1,4 @@
-"""The side navigation: the same on every page, with counts from the model."""
+"""The side navigation. Every page shows the same navigation, with numbers from the model."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def is_underline(line: str) -> bool:
 
 
 class Navigation:
-    """The groups of pages in the side navigation. Each group serves an aim of the reader."""
+    """The groups of pages in the side navigation. Each group serves one aim of a reader."""
 
     def __init__(
         self, model: Model, docs: list[Entry], checks: int, faults: int, questions: int
@@ -118,7 +118,7 @@ class Navigation:
 
 
 def understand(model: Model) -> list[Entry]:
-    """Returns the pages in the order in which a newcomer reads."""
+    """Returns the pages in the order in which a newcomer should read them."""
     modules = [module for module in model.modules.values() if not module.datatype]
     designs = sum(not module.extension for module in modules)
     types = len(model.modules) - len(modules)

@@ -14,7 +14,7 @@ PACKAGES = "packages"  # id of the diagram
 
 
 def package_diagrams(root: Path) -> list[Diagram]:
-    """Returns the diagram, or nothing for a project without contracts."""
+    """Returns the diagram, or an empty list if the project has no contracts for its layers."""
     if not (root / CONTRACTS).exists():
         return []
     tools = tomllib.loads((root / CONTRACTS).read_text(encoding="utf-8"))["tool"]

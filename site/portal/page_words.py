@@ -62,7 +62,7 @@ class _Reader(HTMLParser):
 
 
 def parts_of(body: str) -> Iterator[Part]:
-    """Returns the parts of a page that have a heading."""
+    """Returns the sections of a page that have a heading."""
     reader = _Reader()
     reader.feed(body)
     reader.close()

@@ -205,7 +205,9 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """Returns the contexts, the highest priority first. Modules without a context come last."""
+    """Returns the interrupts and threads, the highest priority first. Modules that run in none of
+    them come last.
+    """
     contexts = portal.model.contexts.values()
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)
@@ -238,7 +240,7 @@ def tests(portal: Portal) -> dict[str, Any]:
 
 
 def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
-    """Returns for each test the modules whose pages show this test first."""
+    """Returns for each test the modules that list this test among the tests to read first."""
     modules: dict[str, list[str]] = {}
     for name in sorted(portal.model.modules):
         for test in portal.own_tests(portal.model.modules[name]):
@@ -277,7 +279,7 @@ class UseRow:
 
 
 def use_rows(portal: Portal) -> list[UseRow]:
-    """Returns the allowed and actual uses, paired."""
+    """Returns a row for each use that the design allows or that the code contains."""
     allowed = {(use.source, use.target): use.why for use in portal.model.allowed_uses}
     actual = {(use.source, use.target): use.places for use in portal.model.uses}
     pairs = {pair for pair in allowed if pair[0] != ANY} | set(actual)
@@ -309,7 +311,9 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
-    """Returns the name of each logic module. Equal names also contain the name of their folder."""
+    """Returns the name of each logic module. If two logic modules have the same name, the name of
+    the folder is added to both.
+    """
     logic_modules = portal.model.logic_modules
     count = Counter(logic_modules[identifier].name for identifier in identifiers)
 

@@ -1,4 +1,4 @@
-"""Views of the paper: likely changes, secrets, interface inheritances, concordance."""
+"""Pages for views of the paper: likely changes, secrets, interface inheritances, concordance."""
 
 from __future__ import annotations
 
@@ -46,7 +46,9 @@ def change_page(portal: Portal, change: LikelyChange) -> Page:
 
 @dataclass(frozen=True)
 class Compared:
-    """Two products that differ by an extension, and a drive in which the difference is visible."""
+    """Two variants of the robot, without and with an extension, and a scenario that shows the
+    difference.
+    """
 
     extension: str
     before: str
@@ -62,8 +64,8 @@ COMPARED = (
 
 
 def compared(portal: Portal, change: LikelyChange) -> Compared | None:
-    """Returns the products without and with the extension that makes the change, if an extension
-    makes it.
+    """Returns the variants of the robot without and with the extension that makes the change, or
+    None if no extension makes the change.
     """
     by_extension = {f"extensions/{pair.extension}": pair for pair in COMPARED}
     examples = (portal.model.modules[name].logic for name in change.examples)
@@ -126,7 +128,7 @@ class FamilyMember:
 
 
 def families(portal: Portal) -> list[list[FamilyMember]]:
-    """Returns a family for each base class that does not derive from another module."""
+    """Returns a family for each class that has subclasses and is not derived from a module."""
     modules = portal.model.modules
     roots = [m for m in portal.designs if any(h in modules for h in m.subclasses)]
     return [

@@ -13,7 +13,7 @@ from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, Stric
 from markupsafe import Markup
 
 from portal import diagrams, names
-from portal.answers import questions_of
+from portal.answers import questions_of, with_metrics
 from portal.calls import CallGraph
 from portal.glossary_links import GlossaryLinks
 from portal.highlight import Highlighter
@@ -105,12 +105,12 @@ class Portal:
         self.impacts = Impacts(model)
         self.glossary = GlossaryLinks(root)
         self.docs = hand_written(root / "docs")
-        self.questions = questions_of(root)
+        self.metrics = metrics(model, report)
+        self.questions = [with_metrics(one, self.metrics) for one in questions_of(root)]
         self.tours = tours_of(root)
         self.navigation = Navigation(
             model, self.docs, len(self.checks), len(model.faults), len(self.questions)
         )
-        self.metrics = metrics(model, report)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.diagrams = self._diagrams()
         finished = diagrams.draw(self.diagrams, root / "build" / "diagrams")
@@ -406,9 +406,7 @@ class Portal:
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """Returns the passed tests and all tests on a target that verify a requirement, as in
-        "2/3".
-        """
+        """Returns the numbers of passed tests and of all tests of a requirement on a target."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
@@ -460,7 +458,9 @@ class Portal:
         ]
 
     def in_paper(self, name: str) -> list[PaperElement]:
-        """Returns the names in the paper of this module and its methods, or of this application."""
+        """Returns the names that the paper uses for a module and its methods, or for a use of a
+        pattern.
+        """
         return [
             element
             for element in self.model.paper

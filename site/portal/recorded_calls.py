@@ -1,4 +1,4 @@
-"""The recorded calls for pages, with context, method and requirements of each call."""
+"""Prepares the recorded calls for the pages: the context, method and requirements of each call."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NOT_ENTERED = "main program"
 
 @dataclass(frozen=True)
 class MethodLinks:
-    """Addresses of a method: its place on a page, its source, its requirements."""
+    """The addresses of a method on the pages, and its requirements."""
 
     name: str
     page: str | None
@@ -91,7 +91,7 @@ def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> Metho
 
 
 def shown_time(nanoseconds: float) -> str:
-    """Returns a duration in the unit that suits it."""
+    """Returns a duration as text. The unit depends on the length of the duration."""
     if abs(nanoseconds) < 1e3:
         return f"{nanoseconds:.0f} ns"
     if abs(nanoseconds) < 1e6:

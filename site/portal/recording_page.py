@@ -45,8 +45,8 @@ class Change:
 
 
 def read_recording(path: Path) -> list[Values]:
-    """Returns the values of each report. The file is an MCAP or CSV file of the client, or a table
-    of a scenario.
+    """Returns the values of each report in a file. The client writes MCAP and CSV files; the player
+    of scenarios writes a table.
     """
     if path.suffix == MCAP:
         return list(read_mcap(path))
@@ -91,10 +91,10 @@ def _value(cell: str) -> float | str | None:
 
 @dataclass(frozen=True)
 class Series:
-    """A plot: the columns of its measured value and of its set-point.
+    """A plot: the names of the columns with the measured value and with the set-point.
 
-    The set-point is drawn where the column ``quantity`` has the value ``ordered``; an empty name of
-    this column means everywhere.
+    The set-point is drawn only at the times when the column ``quantity`` has the value ``ordered``.
+    If ``quantity`` is empty, the set-point is drawn at all times.
     """
 
     title: str

@@ -157,7 +157,9 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 
 def shortened(rows: list[Row]) -> list[Row]:
-    """Returns the rows. A single row replaces a long group of calls that match no node."""
+    """Returns the rows. If more than MOST_BETWEEN consecutive calls match no node, a single row
+    replaces them and shows their number.
+    """
     shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)
@@ -168,8 +170,8 @@ def shortened(rows: list[Row]) -> list[Row]:
 
 
 def add_trunks(rows: list[Row]) -> None:
-    """Adds the vertical lines of the tree to each row. The line of a parent ends at its last
-    child.
+    """Adds to each row the vertical lines that join the parents of the tree to their children. The
+    line of a parent ends at the last child.
     """
     placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
     for number, (index, depth) in enumerate(placed):

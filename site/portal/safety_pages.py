@@ -1,4 +1,4 @@
-"""The pages of the safety case, and of the cost of the safety extensions."""
+"""The page of the safety case, and the page of the cost of the safety extensions."""
 
 from __future__ import annotations
 
@@ -79,9 +79,7 @@ def sizes(portal: Portal) -> Iterator[Compared]:
 
 
 def cycles(portal: Portal) -> Iterator[Compared]:
-    """Returns the longest time from the clock pulse to the report, in each scenario of the
-    bench.
-    """
+    """Yields for each scenario of the bench the longest time from the clock pulse to the report."""
     safe, paper = portal.model.bench, portal.model.bench_paper
     names = list(safe or {}) or ["any scenario of the bench"]
     for name in names:
@@ -90,7 +88,7 @@ def cycles(portal: Portal) -> Iterator[Compared]:
 
 
 def longest(record: Mapping[str, BenchScenario] | None, name: str) -> float | None:
-    """Returns the maximum of a scenario in a record of the bench, or ``None`` when it was not
+    """Returns the longest time in a scenario of the bench [ms], or ``None`` when it was not
     measured.
     """
     run = record[name].runs.get(TIMING) if record and name in record else None

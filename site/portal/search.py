@@ -208,7 +208,9 @@ def safety_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def paper_entries(portal: Portal) -> Iterator[Entry]:
-    """Yields the sections and the pictures of the paper, and the names that the paper uses."""
+    """Yields the pictures, tables, sections and boxes of the paper, and the names that the paper
+    uses.
+    """
     page, model = "concordance.html", portal.model
     for place in model.paper_places:
         yield "Paper", "", place.id, place.title, f"{page}#{paper_anchor(place.id)}"

@@ -1,4 +1,4 @@
-"""The source pages: a page for each file."""
+"""The source pages. Each page shows a source file."""
 
 from __future__ import annotations
 
