@@ -143,7 +143,6 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
         "flash": whole.flash,
         "ram": whole.ram,
         "own_flash": alone.flash,
-        "own_ram": alone.ram,
     }
 
 

@@ -43,7 +43,6 @@ ROWS = (
     Row("flash", "flash of the image", "bytes"),
     Row("own_flash", "flash without the shared code", "bytes"),
     Row("ram", "RAM of the image without the stack", "bytes"),
-    Row("own_ram", "RAM without the shared data", "bytes"),
     Row("stack", "largest measured stack use", "bytes"),
     Row("functions", "functions", ""),
     Row("complexity_max", "highest cyclomatic complexity of a function", ""),

@@ -35,7 +35,6 @@ def test_what_both_have_is_not_the_own_of_one() -> None:
         "flash": 86,
         "ram": 61,
         "own_flash": 76,
-        "own_ram": 60,
     }
 
 
