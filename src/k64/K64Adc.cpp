@@ -25,18 +25,18 @@ static_assert(kSlowestClock >= kMinClock && kFastest <= kMaxCalibrationClock,
 static_assert(kClock >= kMinClock && kClock <= kMaxClock,
               "the clock is within the limits for a conversion with 12 bits");
 
-// A sample takes 40 clock cycles of the converter: 20 cycles until the sampled voltage is equal to
-// the voltage of the pin, and 20 cycles for the conversion. A result is the mean of four samples.
+// A sample takes 40 clock periods of the converter: 20 until the sampled voltage is equal to the
+// voltage of the pin, and 20 for the conversion. A result is the mean of four samples.
 // It takes 22 us, including some bus clocks. One converter needs at most three results in a tick,
 // which take a small part of the tick.
 constexpr auto kConfiguration =
     adc::CFG1_ADICLK_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
 
 // Greatest number of reads of the status register. If the calibration has not ended after these
-// reads, it has failed. One read takes at least 6 and less than 30 cycles of the core clock, which
-// has the same source as the clock of the converters. If each read takes 6 cycles, there is still
-// enough time for a calibration, which needs 14000 cycles of the converter. If each read takes 30
-// cycles, the reads take less than 45 ms.
+// reads, it has failed. One read takes at least 6 and less than 30 periods of the core clock, which
+// has the same source as the clock of the converters. If each read takes 6 periods, there is still
+// enough time for a calibration, which needs 14000 clock periods of the converter. If each read
+// takes 30 periods, the reads take less than 45 ms.
 constexpr std::uint32_t kMaxPolls = 30'000;
 static_assert(kMaxPolls * 6 > 14'000 * kDivider,
               "a calibration takes less time than the fastest reads");

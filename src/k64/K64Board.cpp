@@ -36,7 +36,7 @@ constexpr auto divideBy(std::uint32_t divider, unsigned lowest) {
 constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) | divideBy(5, 16);
 
 // Greatest number of reads of the status register in one step of startClock(). If the step is not
-// complete after these reads, it has failed. One read takes less than 20 cycles of the core clock.
+// complete after these reads, it has failed. One read takes less than 20 periods of the core clock.
 // Even at the slow clock after reset, nominally 20.9 MHz, all four steps together take much less
 // time than the watchdog time-out.
 constexpr std::uint32_t kMaxClockPolls = 20'000;

@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 TABLE = Path("src/k64/registers.hpp")
-BLOCK = re.compile(r"/// @brief ([^\n]+)\nnamespace (\w+) \{\n(.*?)\n\}  // namespace", re.DOTALL)
+BLOCK = re.compile(
+    r"/// @brief ([^\n]+(?:\n/// [^\n]+)*)\nnamespace (\w+) \{\n(.*?)\n\}  // namespace", re.DOTALL
+)
 REGISTER = re.compile(r"Register<std::uint(\d+)_t, (0x[0-9A-F]+)(?:, Access::(\w+))?> (\w+);")
 BIT = re.compile(r"auto (\w+) = (\w+)\.bit\((\d+)\);")
 DISTANCE = re.compile(r"k(?:Port|Port4|Converter)Distance = (0x[0-9A-F]+);")
@@ -48,4 +50,6 @@ def _block(brief: str, block: str, body: str) -> RegisterBlock:
         for bits, address, access, register in REGISTER.findall(body)
     ]
     distance = DISTANCE.search(body)
-    return RegisterBlock(block, brief, registers, int(distance[1], 16) if distance else 0)
+    return RegisterBlock(
+        block, brief.replace("\n///", ""), registers, int(distance[1], 16) if distance else 0
+    )

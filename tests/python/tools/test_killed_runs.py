@@ -105,7 +105,7 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
             whole /= 2  # The computer was slower when the whole run was measured.
         else:
             ended += 1
-        assert program.returncode in (0, INTERRUPTED, -number)
+        assert program.returncode in (0, INTERRUPTED, -number), before + errors
         assert "Traceback" not in errors
         if program.returncode == INTERRUPTED:
             assert programs_of(tmp_path) == []
