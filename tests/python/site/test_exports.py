@@ -46,6 +46,7 @@ def test_the_page_of_exports_leads_to_each_file(name: str) -> None:
     assert (SITE / name).stat().st_size > 100
 
 
+@pytest.mark.runs_tools
 def test_the_requirements_fit_the_schema_of_reqif() -> None:
     path = SITE / "requirements.reqif"
     words = [sys.executable, "-m", "reqif.cli.main", "validate", "--use-reqif-schema", str(path)]
