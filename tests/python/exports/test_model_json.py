@@ -35,7 +35,7 @@ def test_what_does_not_fit_is_refused(change: str) -> None:
 
 def test_classes_are_described_in_words() -> None:
     definitions = model_schema()["$defs"]
-    assert definitions["Place"]["description"].startswith("A line of a file")
+    assert definitions["Place"]["description"].startswith("A source line of a file")
     assert definitions["TreeNode"]["properties"]["children"]["items"] == {
         "$ref": "#/$defs/TreeNode"
     }

@@ -1,0 +1,27 @@
+"""The values of this build in the answers."""
+
+from __future__ import annotations
+
+import pytest
+
+from portal.answers import Question, with_metrics
+
+
+def answer(text: str, **metrics: float | None) -> str:
+    values = {name.replace("__", "."): value for name, value in metrics.items()}
+    return with_metrics(Question("How?", text, "Verify", ["tests.html"]), values).answer
+
+
+def test_an_answer_shows_the_value_of_a_metric() -> None:
+    assert answer("{coverage.line} % of the lines", coverage__line=99.9) == "99.9 % of the lines"
+    assert answer("{tests.passed} tests passed", tests__passed=1268) == "1,268 tests passed"
+
+
+def test_a_missing_value_is_shown_as_missing() -> None:
+    shown = answer("{coverage.line} % of the lines", coverage__line=None)
+    assert shown == "(not measured in this build) % of the lines"
+
+
+def test_an_answer_cannot_name_an_unknown_metric() -> None:
+    with pytest.raises(KeyError, match="coverage.lines"):
+        answer("{coverage.lines} % of the lines", coverage__line=99.9)
