@@ -23,5 +23,5 @@ def test_a_missing_value_is_shown_as_missing() -> None:
 
 
 def test_an_answer_cannot_name_an_unknown_metric() -> None:
-    with pytest.raises(KeyError, match="coverage.lines"):
+    with pytest.raises(KeyError, match=r"coverage\.lines"):
         answer("{coverage.lines} % of the lines", coverage__line=99.9)
