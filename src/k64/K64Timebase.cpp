@@ -26,7 +26,7 @@ void K64Timebase::start() {
         return time.microseconds * K64Board::kTicksPerMicrosecond == std::uint64_t{15} << 32U &&
                time.ticks == 0;
       }(),
-      "the parts of a microsecond that remain after each period are added up");
+      "after 15 periods, the fractions of a microsecond have become whole microseconds");
   K64Pit::switchOn();
   pit::TCTRL.at(kChannel).write({0});
   pit::LDVAL.at(kChannel).write({kFirst});

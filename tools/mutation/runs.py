@@ -99,8 +99,8 @@ def _pattern(test: str) -> str:
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """Returns the first test of the suite that began last, if this test has no result. A fault can
-    end the process in the set-up of a suite.
+    """Returns a test without a result from the suite whose name was printed last. A fault can end
+    the process in the set-up of a suite, before a test begins.
     """
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")

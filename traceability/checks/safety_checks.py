@@ -1,5 +1,5 @@
-"""hazard-*: the safety case is complete. If an entry A must name an entry B and B must name A, both
-links exist."""
+"""hazard-*: the safety case is complete. If two entries must name each other, such as a hazard and
+a goal, neither of the two links is missing."""
 
 from __future__ import annotations
 

@@ -103,8 +103,8 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 
 def line_priorities(facts: Facts) -> dict[int, str]:
-    """Returns the constant of the priority of each interrupt line. The calls that enable the lines
-    contain it.
+    """Returns for each interrupt line the name of the constant that sets its priority. The call
+    that enables the line contains this name.
     """
     priorities = _enabling(facts)
     # A loop enables lines that no constant names. They have the constant of the nearest lower line.

@@ -147,7 +147,7 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
 }
 
 /// @brief The Welcome contains the cause of the reset and the kind, number and address of the
-/// fault. All Welcomes after one start have the same content.
+/// fault. They are the same in all Welcomes after one start.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -747,6 +747,18 @@ TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
   expectCounted(&LinkCounts::sequenceGaps, 0, [&] { send(kKeepAlive); });
   --sequence;
   expectCounted(&LinkCounts::sequenceGaps, 1, [&] { send(kKeepAlive); });
+}
+
+/// @brief A late frame is a gap. The frame after it follows the newest frame, and is not a gap.
+/// @verifies FR-49
+TEST_F(PcConnectionTest, FR49_ALateFrameDoesNotChangeTheNewestNumber) {
+  handshake();
+  send(kKeepAlive);
+  const std::uint8_t next = sequence;
+  sequence = static_cast<std::uint8_t>(next - 3);
+  expectCounted(&LinkCounts::sequenceGaps, 1, [&] { send(kKeepAlive); });
+  sequence = next;
+  expectCounted(&LinkCounts::sequenceGaps, 0, [&] { send(kKeepAlive); });
 }
 
 /// @brief Sequence number 0 after 255 is not a gap.

@@ -8,6 +8,9 @@ import pytest
 from tools.lint import check_imports
 from tools.steps import FailureError
 
+# The tests read the sources of all packages.
+pytestmark = pytest.mark.runs_tools
+
 ROOT = Path(__file__).parents[3]
 WRONG = [
     ("traceability/model/trees.py", "from portal import names"),

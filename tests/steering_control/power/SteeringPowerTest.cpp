@@ -76,7 +76,8 @@ TEST_F(SteeringPowerTest, FR113_AMotorThatIsOffStaysOff) {
   EXPECT_FALSE(device.ready());
 }
 
-/// @brief A motor that is switched on again settles again, and its turn is 0.
+/// @brief A motor that is switched on again settles again. Its rate is then 0, although it turned
+/// before it was switched off.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_AMotorThatWasOffSettlesAgain) {
   motor.settle();

@@ -176,8 +176,8 @@ PROGRAM countsTicks() {
   reported(0) = reported(0) + 1;
 }
 
-// The time until the interrupt varies. The interrupt therefore occurs at every instruction of a
-// loop.
+// The time until the interrupt varies. In the course of the run, the interrupt therefore occurs at
+// different instructions of a loop.
 PROGRAM countsTicksBetweenConditions() {
   reported(2) = reported(2) + 1;
   wordAt(0xE000E014) = 80 + reported(2) % 29;
