@@ -5,7 +5,7 @@ portal.sphinx_pages adds the paths, the first page and the navigation.
 
 project = "Weeding robot"
 copyright = ""  # noqa: A001 - the name that Sphinx reads
-extensions = ["breathe", "portal.sphinx_extension"]
+extensions = ["breathe", "myst_parser", "portal.sphinx_extension"]
 exclude_patterns = ["_static", "_doxygen", "_bodies"]
 highlight_language = "none"
 breathe_default_project = "firmware"
