@@ -578,7 +578,7 @@ inline tick_steering() {
   d_step {
     steering_controller_states_if_order_to_follow = follow && !abandoned;
     steering_controller_states_if_order_older_than_300_ms = abandoned;
-    steering_controller_states_if_order_to_hold_given_after_the_fault = release;
+    steering_controller_states_if_order_to_acknowledge_given_after_the_fault = release;
     steering_controller_states_step(steering_controller_states_on_tick);
     if
     :: steering_controller_states_did == steering_controller_states_does_enable ->
@@ -599,7 +599,7 @@ inline tick_steering() {
     steering_controller_states_if_no_turn_wanted_and_at_rest = false;
     steering_controller_states_if_order_to_follow = false;
     steering_controller_states_if_order_older_than_300_ms = false;
-    steering_controller_states_if_order_to_hold_given_after_the_fault = false
+    steering_controller_states_if_order_to_acknowledge_given_after_the_fault = false
   }
 }
 
