@@ -44,8 +44,8 @@ class MainController {
     Watchdog& watchdog;            ///< is refreshed after each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
-    std::span<Mode* const> modes;  ///< all reading modes: in every cycle, each mode is served and
-                                   ///< is asked if its source orders a stop
+    std::span<Mode* const> modes;  ///< all reading modes; in every cycle, the controller serves
+                                   ///< each mode and checks whether its source orders a stop
   };
 
   /// @brief Binds the controller to its parts.
@@ -78,7 +78,7 @@ class MainController {
   /// @isr{no}
   void read();
 
-  /// @brief Sends orders to the control systems. The present operation state decides which orders.
+  /// @brief Sends orders to the control systems. The present operation state selects these orders.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}
