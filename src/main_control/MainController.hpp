@@ -17,7 +17,7 @@
 
 namespace wr {
 
-/// @brief Runs the control cycle: read, control, write.
+/// @brief Main controller, which runs the control cycle: read, control, write.
 ///
 /// @function Runs one cycle for each clock pulse. In each cycle, serves every source of orders, and
 /// lets the present operation state read one order, control the robot and send the report.
@@ -64,8 +64,8 @@ class MainController {
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
   /// @errors Before start() the pulse has no effect. A pulse that comes before the previous cycle
-  /// has ended counts as an overrun. After such a cycle only one more cycle runs, even if several
-  /// pulses came.
+  /// has ended counts as an overrun. When the late cycle has ended, only one more cycle runs, even
+  /// if several pulses came during the late cycle.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
