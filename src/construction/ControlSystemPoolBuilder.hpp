@@ -25,7 +25,7 @@ namespace wr {
 ///
 /// @patternapp{pool-construction, Builder, Building a control system pool}
 /// @why The pool contains several control systems and receives the orders of the main controller
-/// for them. The main controller does not depend on the steps that fill the pool.
+/// for these systems. The main controller does not depend on the steps that fill the pool.
 /// @changes New control systems may have to be added to the pool. Adding them does not change the
 /// main controller.
 class ControlSystemPoolBuilder {

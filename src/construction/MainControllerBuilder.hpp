@@ -109,7 +109,7 @@ class MainControllerBuilder {
   void buildConnection();
 
   /// @brief Builds the modules of the remote control: the pins, the interrupt handlers of the pins,
-  /// and the reader of its orders. Enables the interrupts of the pins.
+  /// and the reader of the orders. Enables the interrupts of the pins.
   /// @pre The platform provides the devices of the remote control.
   /// @errors If the platform does not provide the devices, the program ends with the assertion
   /// PartMissing. If this step is called twice, the program ends with PartBuiltTwice.

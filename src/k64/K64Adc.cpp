@@ -10,9 +10,9 @@ namespace wr {
 
 namespace {
 
-// The clock of the converters is the bus clock divided by 8. Their other clock sources are not the
-// same in all microcontrollers of the family. The calibration needs a slow clock, so it runs before
-// the PLL is started.
+// The clock of the converters is the bus clock divided by 8. The other clock sources of the
+// converters are not the same in all microcontrollers of the family. The calibration needs a slow
+// clock. Therefore it runs before the PLL is started.
 constexpr std::uint32_t kDivider = 8;
 constexpr std::uint32_t kMinClock = 1'000'000;                                         // [Hz]
 constexpr std::uint32_t kMaxCalibrationClock = 4'000'000;                              // [Hz]
@@ -27,8 +27,8 @@ static_assert(kClock >= kMinClock && kClock <= kMaxClock,
 
 // A sample takes 40 clock periods of the converter: 20 until the sampled voltage is equal to the
 // voltage of the pin, and 20 for the conversion. A result is the mean of four samples.
-// It takes 22 us, including some bus clocks. One converter needs at most three results in a tick,
-// which take a small part of the tick.
+// A result takes 22 us, including some bus clocks. One converter computes at most three results in
+// a tick. They take a small part of the tick.
 constexpr auto kConfiguration =
     adc::CFG1_ADICLK_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
 

@@ -280,8 +280,8 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   return (status & scb::CFSR_USAGE).any() ? FaultKind::UsageFault : FaultKind::HardFault;
 }
 
-// The generator needs 256 bus clocks for a word. Each read of SR takes more than 4 clocks, so that
-// kMostLooks reads are enough.
+// The generator needs 256 bus clocks for a word. Each read of SR takes more than 4 clock periods of
+// the core. Therefore kMostLooks reads take much longer than the generator needs.
 std::optional<std::uint32_t> K64Board::randomWord() {
   constexpr std::uint32_t kMostLooks = 2'000;
   rng::CR.write(rng::CR_GO | rng::CR_HA | rng::CR_INTM);

@@ -28,8 +28,8 @@ class K64Board {
   /// @brief Number of timer ticks in a microsecond.
   static constexpr std::uint32_t kTicksPerMicrosecond = kBusClock / 1'000'000;
 
-  /// @brief Sets all outputs to their safe levels. Uses no variable in RAM, so that it works before
-  /// RAM is initialised and after any fault.
+  /// @brief Sets all outputs to their safe levels. Uses no variable in RAM, and therefore works
+  /// before RAM is initialised and after any fault.
   /// @isr{yes}
   /// @satisfies FR-71
   static void makeOutputsSafe();
@@ -41,8 +41,8 @@ class K64Board {
   /// @satisfies FR-141
   static void connectLateOutputs();
 
-  /// @brief Connects all pins that are not outputs to their functions. Uses no variable in RAM, so
-  /// that it works before RAM is initialised.
+  /// @brief Connects all pins that are not outputs to their functions. Uses no variable in RAM, and
+  /// therefore works before RAM is initialised.
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
   /// @satisfies FR-144

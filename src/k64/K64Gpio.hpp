@@ -21,7 +21,7 @@ class K64Gpio final : public DigitalOutput {
   constexpr K64Gpio(const Pin& pin, Level on) : port_(pin.port), number_(pin.number), on_(on) {}
 
   /// @brief Sets an output pin to its safe level and makes it an output. Uses no variable in RAM,
-  /// so that it works before RAM is initialised.
+  /// and therefore works before RAM is initialised.
   /// @param pin an output of the pin table
   /// @pre The clock gate of the port is open.
   /// @isr{yes}

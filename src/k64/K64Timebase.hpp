@@ -79,7 +79,7 @@ class K64Timebase final : public Timebase {
     std::uint64_t microseconds = 0;
     std::uint32_t ticks = 0;  ///< ticks after the last whole microsecond
 
-    /// @brief Returns the time that is a number of ticks later.
+    /// @brief Returns this time plus a number of ticks of the counter.
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
       constexpr std::uint32_t kWhole = K64Board::kTicksPerMicrosecond;
       const std::uint32_t left = ticks + later % kWhole;

@@ -82,8 +82,8 @@ void K64Uart::receive() {
     // receives nothing until these flags are cleared. Therefore the byte is read here even if it
     // was already read before.
     if ((status & uart::S1_FE).any()) {
-      // After a wrong stop bit the receiver waits. Therefore the byte with this stop bit is the
-      // last byte in the FIFO.
+      // After a wrong stop bit the receiver receives nothing until the flag is cleared. Therefore
+      // the byte with this stop bit is the last byte in the FIFO.
       untilBroken = uart::RCFIFO.at(offset()).read().value;
     }
     // counts: received

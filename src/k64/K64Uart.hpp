@@ -44,8 +44,8 @@ class K64Uart final : public SerialPort {
   /// @satisfies FR-171
   void start();
 
-  /// @brief Stores the bytes that the hardware has received, and gives the hardware the next bytes
-  /// to send. The handler of the port's interrupts calls this function.
+  /// @brief Stores the bytes that the hardware has received, and passes the next bytes to the
+  /// transmitter. The handler of the port's interrupts calls this function.
   /// @isr{yes}
   /// @satisfies FR-171
   void serve();

@@ -9,7 +9,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // cycles of the 1 kHz clock
+constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // clock periods of 1 ms
 static_assert(kTicks > 4 && kTicks <= 0xFFFF,
               "the time-out fits into the lower of its two registers");
 

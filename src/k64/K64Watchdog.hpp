@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief The watchdog of the K64.
 /// @function Resets the microcontroller when no control cycle completes in time. The watchdog uses
-/// the low-power oscillator, so that the watchdog works even if all other clocks have failed.
+/// the low-power oscillator. Therefore the watchdog works even if all other clocks have failed.
 /// @secret The register accesses that configure and refresh the watchdog, and the rules for their
 /// timing.
 /// @hides{K64Watchdog::kTimeOut}
@@ -22,7 +22,7 @@ class K64Watchdog final : public Watchdog {
   constexpr K64Watchdog() = default;
 
   /// @brief Configures the watchdog and locks this configuration until the next reset. Uses no
-  /// variable in RAM, so that it works before RAM is initialised.
+  /// variable in RAM, and therefore works before RAM is initialised.
   /// @pre The function is called only once, within 256 bus clocks after the reset. No interrupt
   /// occurs during the call.
   /// @isr{no}

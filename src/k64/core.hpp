@@ -13,7 +13,7 @@ using Priority = std::uint8_t;
 inline constexpr Priority kPulsePriority = 1;
 
 /// @brief Priority of the interrupt that records the times of the Hall edges. It is higher than
-/// kInterruptPriority, so that the interrupts with that priority do not delay this interrupt.
+/// kInterruptPriority. Thus the interrupts of the other devices do not delay this interrupt.
 inline constexpr Priority kEdgePriority = 2;
 
 /// @brief Priority of the interrupts of all devices other than the remote control and the Hall

@@ -17,7 +17,7 @@
 
 namespace wr {
 
-/// @brief Runs the control cycle: read, control, write.
+/// @brief Main controller, which runs the control cycle: read, control, write.
 ///
 /// @function Runs one cycle for each clock pulse. In each cycle, serves every source of orders, and
 /// lets the present operation state read one order, control the robot and send the report.
@@ -44,8 +44,8 @@ class MainController {
     Watchdog& watchdog;            ///< is refreshed after each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
-    std::span<Mode* const> modes;  ///< all reading modes: in every cycle, each mode is served and
-                                   ///< is asked if its source orders a stop
+    std::span<Mode* const> modes;  ///< all reading modes; in every cycle, the controller serves
+                                   ///< each mode and checks whether its source orders a stop
   };
 
   /// @brief Binds the controller to its parts.
@@ -64,8 +64,8 @@ class MainController {
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
   /// @errors Before start() the pulse has no effect. A pulse that comes before the previous cycle
-  /// has ended counts as an overrun. After such a cycle only one more cycle runs, even if several
-  /// pulses came.
+  /// has ended counts as an overrun. When the late cycle has ended, only one more cycle runs, even
+  /// if several pulses came during the late cycle.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
@@ -78,7 +78,7 @@ class MainController {
   /// @isr{no}
   void read();
 
-  /// @brief Sends orders to the control systems. The present operation state decides which orders.
+  /// @brief Sends orders to the control systems. The present operation state selects these orders.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}

@@ -12,7 +12,7 @@ namespace wr {
 /// @brief Result of the decoding of received bytes.
 /// @datatype
 enum class Decoded : std::uint8_t {
-  Nothing,        ///< the bytes do not end a frame
+  Nothing,        ///< no frame ended; a zero byte without a frame before it is ignored
   Whole,          ///< the bytes end a frame without an error
   Damaged,        ///< a frame with bad COBS, a bad CRC or a body of fewer than 5 bytes
   TooLong,        ///< a frame with a body of more than 205 bytes

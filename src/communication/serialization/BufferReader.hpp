@@ -68,8 +68,8 @@ class BufferReader final : public Reader {
 
   std::int32_t readI32(Field field) override;
 
-  /// @brief Ends the reading of the order. The values of both signals that the order used cannot be
-  /// read again.
+  /// @brief Ends the reading of the order. The two signal values of this order cannot be read
+  /// again.
   /// @return false when a signal had no value, or when the caller read a field that the order does
   /// not have
   /// @isr{no}

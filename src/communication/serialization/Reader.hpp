@@ -24,8 +24,8 @@ class Reader {
 
   /// @brief Returns whether a stop that this source ordered is still latched. A stop has no time
   /// limit, and the end of a connection does not release the stop.
-  /// @return true from the stop order until the source sends an order without a stop in which all
-  /// wheel values are 0
+  /// @return true from the stop order until the source sends an order that contains no stop, and in
+  /// which all wheel values are 0
   /// @isr{no}
   [[nodiscard]] virtual bool stopOrdered() const = 0;
 

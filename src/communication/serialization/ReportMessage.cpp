@@ -211,7 +211,7 @@ void readCounts(Reader& reader, LinkCounts& counts) {
   }
 }
 
-// Returns one bit for each wheel: 1 if the mark of this wheel is set.
+// Returns one bit for each wheel: 1 if the member `mark` of this wheel is true.
 std::uint8_t wheelBits(const Measurements& measurements, bool WheelMeasurements::*mark) {
   std::uint32_t bits = 0;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

@@ -12,7 +12,7 @@ namespace wr {
 class ReportMessage final : public Serializable {
  public:
   /// @brief Stores a reference to the data of the report.
-  /// @param data values of the report, which must exist as long as the report
+  /// @param data values of the report; they must exist as long as this object
   explicit ReportMessage(ReportData& data);
 
   [[nodiscard]] bool readFrom(Reader& reader) override;

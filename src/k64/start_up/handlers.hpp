@@ -45,8 +45,8 @@ void tickTimerInterrupt();
 /// @brief Serves the Hall sensors, because at least one of them has an edge.
 void hallSensorInterrupt();
 
-/// @brief Starts a control cycle, because a period of the cycle timer has passed. Each variant of
-/// the robot defines this handler.
+/// @brief Starts a control cycle, because a period of the cycle timer has passed. Each product
+/// defines this handler.
 void cycleTimerInterrupt();
 
 /// @brief Serves the signals of the remote control, because at least one of them has an edge. If a

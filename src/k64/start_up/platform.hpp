@@ -72,7 +72,7 @@ struct RcEdges {
 };
 
 /// @brief Records the time of the edges of the remote control. The handler of the interrupt of
-/// these edges calls this function first. Then it serves the signals that have an edge.
+/// these edges calls this function first. Then the handler serves the signals that have an edge.
 /// @return the signals that have an edge
 /// @isr{yes}
 RcEdges enterRcInterrupt();

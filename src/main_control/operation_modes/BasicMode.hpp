@@ -10,7 +10,7 @@ namespace wr {
 /// @function Reads one order from a Reader and saves the set-points of the order. Each other mode
 /// wraps a basic mode and adds the behaviour that only its source needs.
 ///
-/// @secret The object that passes the set-points of every source: one OrderMessage.
+/// @secret The object into which an order of any source is read: an OrderMessage.
 ///
 /// @role{mode-extensions, Concrete Component}
 class BasicMode final : public Mode {
