@@ -139,13 +139,13 @@
     const found = facts.scenarios.find((each) => each.name === name);
     scenario = found || { name: "", title: "free drive", says: "", text: FREE, product: "" };
     clearRun();
-    note(found ? found.says : "Move the set-point. A product with safety functions follows after neutral orders for 1.5 s.");
+    note(found ? found.says : "Move the set-point. A product with safety functions follows it only after neutral orders for 1.5 s.");
     const option = productField.selectedOptions[0];
     one("[data-image]").textContent =
       `image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} B, ` +
       ("flashed" in option.dataset
-        ? "as it is flashed: calls that the compiler has inlined cannot be seen"
-        : "the same sources with other options of the compiler: each call can be seen");
+        ? "the firmware image that is flashed: calls that the compiler has inlined cannot be seen"
+        : "a firmware image of the same sources, with other options of the compiler: each call can be seen");
     resetHands();
     send("start", {
       folder: new URL(live.dataset.folder, location.href).href,
@@ -214,7 +214,7 @@
     note(
       actions.length
         ? "The link is in the address bar. It repeats the scenario to this time, without your actions."
-        : "The link is in the address bar. It leads to this instant of the run.",
+        : "The link is in the address bar. It opens the run at this time.",
     );
   }
 
@@ -485,7 +485,7 @@
     showTimeLine();
     sayState(data);
     if (data.stopsAt) note(`${data.stopsAt} was seen at ${seconds(data.numbers.time_ms)} s: the run is paused.`);
-    if (data.finding) note(`The virtual board stopped with a finding: ${data.finding}`);
+    if (data.finding) note(`The virtual board found an error and stopped: ${data.finding}`);
     else if (data.failures) note(data.failures.split("\n")[0]);
     else if (data.state === "ended") note("The scenario has ended. All its expectations are met.");
   }

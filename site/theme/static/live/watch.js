@@ -211,7 +211,7 @@
     button.disabled = false;
     button.textContent = "Again";
     if (!data.scenario) {
-      say("No scenario of this page makes these calls in an image with visible calls. See the tests below.");
+      say("No scenario on this page makes these calls in a firmware image whose calls can be seen. See the tests below.");
       return;
     }
     const time = String(Math.round(data.at));
@@ -219,7 +219,7 @@
     const list = element("ol", { class: "lv-happened" });
     say(
       `◉ seen at ${(data.at / 1000).toFixed(3)} s, cycle ${data.cycle}, in the scenario “${data.title}” `,
-      `with the image of ${data.product}. `,
+      `with the firmware image of ${data.product}. `,
       link,
     );
     result.append(list);
