@@ -1,2 +1,2 @@
-"""The model: it combines the results of the readers, and derives trees, states and coverage from
-them."""
+"""Builds the model: combines the facts that the readers found, and computes invocation trees, state
+machines, coverage and proofs from them."""

@@ -1,4 +1,4 @@
-"""Finds for each connection of the high-level diagram the calls in the code that implement it."""
+"""Finds the calls in the code that implement each connection of the architecture diagram."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Connection
 
-POST = "ControlThread::post"  # A thread executes the body of this call later.
-BODIES = "field ControlThread::body_"
+POST = "ControlThread::post"  # requests that a thread executes its command later
+BODIES = "field ControlThread::body_"  # data member that refers to the command of a thread
 
 
 def connections_of(model: Model, facts: Facts) -> list[Connection]:
@@ -35,8 +35,9 @@ def is_outside(connection: Connection) -> bool:
 
 
 def pipe_between(model: Model, connection: Connection) -> list[str]:
-    """Returns the method that writes a pipe in the first module, and the method that reads it in
-    the second module."""
+    """Returns two methods: a method of the source module that writes a pipe, and a method of the
+    target module that reads the same pipe. Returns an empty list without such a pipe.
+    """
     for pipe in model.pipes:
         writers = [writer for writer in pipe.writers if writer.startswith(f"{connection.source}::")]
         readers = [reader for reader in pipe.readers if reader.startswith(f"{connection.target}::")]
@@ -46,9 +47,9 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
-    """Returns the shortest path of calls from the source module of a connection to its target
-    module. A call of ``ControlThread::post`` is followed to the command that the thread executes
-    later.
+    """Returns the shortest chain of calls from the source module of a connection to its target
+    module, as a list of methods. Returns an empty list without such a chain. A call of
+    ``ControlThread::post`` is followed to the command that the thread executes later.
     """
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
@@ -68,8 +69,9 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 
 
 def called(facts: Facts, method: str) -> list[str]:
-    """Returns the methods that a method calls. If the method calls ``ControlThread::post``, the
-    ``execute`` methods of the commands that its module passed to the thread are included.
+    """Returns the methods that ``method`` calls. If ``method`` calls ``ControlThread::post``, the
+    result also contains the ``execute`` method of each thread command that is declared in the same
+    module as ``method``.
     """
     methods = [
         target

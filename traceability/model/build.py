@@ -72,7 +72,8 @@ DRIVERS = f"{SRC}/k64/"
 
 
 class Built(NamedTuple):
-    """The model for pages and exports, and the facts of the sources for the checks."""
+    """The model, from which pages and exports are made, and the facts about the sources. The checks
+    read both."""
 
     model: Model
     facts: Facts
@@ -164,7 +165,7 @@ def _assemble(
 
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
-    """Returns the last record of each command that does not run in each build."""
+    """Returns the last record of each test that takes too long to run in each build."""
     records = {
         "mutation": last_mutation(root, sources),
         "drift": last_seeded(root),
@@ -208,8 +209,8 @@ def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
 
 
 def _places(facts: Facts) -> list[Place]:
-    """Returns the places of classes and functions. Both are needed because a folder may contain no
-    class."""
+    """Returns the places in the sources where a class or a function is defined. The functions are
+    needed for the folders that contain no class."""
     classes = [fact.place for fact in facts.syntax.classes]
     return classes + [body.place for body in facts.syntax.bodies]
 
@@ -282,8 +283,8 @@ def _modules(facts: Facts) -> dict[str, Module]:
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
-    """Returns true if all constructors of the class are protected. Only subclasses can be
-    constructed then.
+    """Returns true if the class has constructors and all of them are protected. Then only objects
+    of its subclasses can be constructed.
     """
     made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
     return bool(made) and set(made) == {"protected"}
@@ -318,8 +319,10 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """Returns the body of this overload if the class contains it. Otherwise, returns the first
-    body."""
+    """Returns the function body of a method. ``bodies`` contains the bodies of all overloads of the
+    method. The body that begins on the source line of the declaration belongs to this overload.
+    Without such a body, returns the first body in ``bodies``. Returns None if ``bodies`` is empty.
+    """
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
@@ -327,7 +330,9 @@ def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
 
 
 def _specified(method: Method, modules: dict[str, Module]) -> Method:
-    """Returns the method with its own specification, or else with the inherited specification."""
+    """Returns the method with its specification. If the method has no comment, the specification
+    comes from the nearest method with a comment that it overrides.
+    """
     upper = None if method.documented else method.overrides
     while upper is not None:
         owner = modules.get(upper.rsplit("::", 1)[0])
@@ -357,7 +362,8 @@ def _specified(method: Method, modules: dict[str, Module]) -> Method:
 
 def _with_calls(model: Model, facts: Facts) -> Model:
     functions: dict[str, Function] = {}
-    made: dict[tuple[str, str, int], list[Call]] = {}  # method and place of its body
+    # (method, file of its function body, first source line of this body) -> calls in the body
+    made: dict[tuple[str, str, int], list[Call]] = {}
     callers: dict[str, dict[str, None]] = {}
     for body in facts.syntax.bodies:
         calls = [
@@ -366,7 +372,8 @@ def _with_calls(model: Model, facts: Facts) -> Model:
         ]
         folder = model.logic_modules.get(logic_of(body.place.file))
         if not body.owner and folder is not None and not folder.modules:
-            # Each product has a composition; the first composition builds the robot itself.
+            # The compositions of several products contain functions with the same name. Only the
+            # first function is stored, because the first composition builds the robot itself.
             functions.setdefault(body.id, Function(body.id, body.place, calls))
         made[body.id, body.place.file, body.place.line] = calls
         for target in {target for call in calls for target in call.targets} - {body.id}:
@@ -392,7 +399,9 @@ def _with_calls(model: Model, facts: Facts) -> Model:
 
 
 def _constants(facts: Facts) -> dict[str, Constant]:
-    """Returns the constants by their names. A name with several different numbers is left out."""
+    """Returns the constants by their names. A name is left out if the code defines constants of
+    this name with different numbers or units.
+    """
     by_name: dict[str, list[Constant]] = {}
     for fact in facts.syntax.values:
         if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
@@ -405,12 +414,13 @@ def _constants(facts: Facts) -> dict[str, Constant]:
     }
 
 
-Named = dict[str, dict[str, None]]  # module -> other modules, in order
+Named = dict[str, dict[str, None]]  # module -> other modules, in the order of their first use
 
 
 def _users(model: Model, facts: Facts) -> tuple[Named, Named]:
-    """Returns two maps: the modules that each module names, and the modules that name each
-    module."""
+    """Returns two maps. The first map contains for each module the modules that it names. The
+    second map contains for each module the modules that name it.
+    """
     uses: Named = {}
     used_by: Named = {}
     for named in facts.syntax.names:
@@ -493,14 +503,16 @@ def _requirement(part: Comment, sections: dict[str, str]) -> Requirement:
 
 
 def logic_of(file: str) -> str:
-    """Returns the id of the logic module of a file. The id is the folder of the file, without
-    ``src/``."""
+    """Returns the id of the logic module that contains a file. The id is the path of the folder of
+    this file, without ``src/`` at its beginning.
+    """
     return str(Path(file).parent).removeprefix(f"{SRC}/")
 
 
 def _uses(model: Model, facts: Facts) -> list[Use]:
+    # (folder that uses, folder that is used) -> the places of the #include directives
     use_places: dict[tuple[str, str], list[Place]] = {}
-    # If there is no include, this is the place of a call or name.
+    # the same pairs of folders -> the place of a call or of a name, for pairs without an #include
     others: dict[tuple[str, str], Place] = {}
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
@@ -526,8 +538,8 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
 
 
 def _declared_in(call: CallFact, facts: Facts) -> str:
-    """Returns the file of a function outside classes. A declaration next to the call does not
-    count.
+    """Returns the file that declares a called function outside classes. If a ``.cpp`` file only
+    declares the function to call it, returns the file that defines the function.
     """
     written = {body.place.file for body in facts.bodies.get(call.target, [])}
     if call.declared.endswith(".cpp") and written and call.declared not in written:
@@ -550,7 +562,9 @@ def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> M
 
 
 def _covered(module: Module, coverage: Coverage) -> Module:
-    """Returns the module, completed with the source lines of its files that tests executed."""
+    """Returns the module with the coverage of its header and of its ``.cpp`` file: the numbers of
+    source lines and branches, and the numbers of source lines and branches that tests executed.
+    """
     whole, covered = coverage.whole, coverage.all
     files = [
         file for file in (module.header, module.source) if file is not None and file in whole.lines
@@ -573,7 +587,9 @@ def _covered(module: Module, coverage: Coverage) -> Module:
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
-    """Returns the lines of the drivers. Only the virtual K64 runs them."""
+    """Returns for each source line of the K64 drivers true if the tests on the virtual K64 executed
+    it. Returns None if these tests did not run with the present sources.
+    """
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None
     covered = coverage.all

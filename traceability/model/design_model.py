@@ -1,7 +1,8 @@
-"""The model: the source of all checks, pages, charts and exports.
+"""The model. All checks, pages, charts and exports read it.
 
-Each run builds it once (``traceability.model.build``) from the comments, the syntax tree, the
-declarations in ``design/``, test results, traces, coverage and sizes.
+Each run of a command builds the model once (``traceability.model.build``). It contains facts from
+the comments, the syntax tree, the declarations in ``design/``, the test results, the recorded
+calls, the coverage and the sizes of the modules.
 """
 
 from __future__ import annotations
@@ -67,24 +68,29 @@ class Model:
     commit: str
     version: str
     sources_hash: str
-    # target with tests -> hash of the sources of its last run
+    # target on which tests run -> ``sources_hash`` if its last test results belong to the present
+    # sources, "other sources" if they belong to other sources, None without test results
     results_hashes: Mapping[str, str | None]
     logic_modules: Mapping[str, LogicModule] = field(default_factory=dict)
     modules: Mapping[str, Module] = field(default_factory=dict)
     functions: Mapping[str, Function] = field(default_factory=dict)
-    # name that texts use -> constant
+    # name by which the texts refer to a constant -> the constant
     constants: Mapping[str, Constant] = field(default_factory=dict)
     tuned: Sequence[Tuned] = field(default_factory=list)
     patterns: Mapping[str, PatternApplication] = field(default_factory=dict)
     requirements: Mapping[str, Requirement] = field(default_factory=dict)
     tests: Mapping[str, Test] = field(default_factory=dict)
     justified: Sequence[Justified] = field(default_factory=list)
-    mutation: Mutation | None = None  # result for the present sources
+    # result of the mutation test; None if it did not run with the present sources
+    mutation: Mutation | None = None
     machines: Mapping[str, StateMachine] = field(default_factory=dict)
     contexts: Mapping[str, ExecutionContext] = field(default_factory=dict)
-    prices: Mapping[str, PatternPrice] = field(default_factory=dict)  # application -> cost
-    times: TimeProof | None = None  # for the image, if the present sources built it
-    stack: StackProof | None = None  # for the image, if the present sources built it
+    # pattern application -> its cost in the firmware image
+    prices: Mapping[str, PatternPrice] = field(default_factory=dict)
+    # The two proofs for the firmware image. They are None if the image was not built from the
+    # present sources.
+    times: TimeProof | None = None
+    stack: StackProof | None = None
     pipes: Sequence[SharedPipe] = field(default_factory=list)
     shared: Sequence[SharedMember] = field(default_factory=list)
     uses: Sequence[Use] = field(default_factory=list)
@@ -98,52 +104,61 @@ class Model:
     paper: Sequence[PaperElement] = field(default_factory=list)
     statements: Sequence[PaperStatement] = field(default_factory=list)
     paper_places: Sequence[PaperPlace] = field(default_factory=list)
-    changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # application -> change
-    ports: Mapping[str, Port] = field(default_factory=dict)  # ports to other devices, by folder
+    # pattern application -> the likely change for which the pattern prepares the code
+    changes: Mapping[str, LikelyChange] = field(default_factory=dict)
+    # folder below ports/ -> the port of the firmware to another device
+    ports: Mapping[str, Port] = field(default_factory=dict)
     comparison: Comparison | None = None  # the last comparison of two commits
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
     beliefs: Sequence[BoardBelief] = field(default_factory=list)
     belief_sources: Mapping[str, BeliefSource] = field(default_factory=dict)
-    driver_faults: Sequence[DriverFault] | None = None  # results for the present sources
-    # File of the drivers -> line -> whether the tests executed it on the virtual K64.
+    # faults that were seeded in the drivers; None if they were not tried with the present sources
+    driver_faults: Sequence[DriverFault] | None = None
+    # file of a driver -> number of a source line -> true if a test on the virtual K64 executed it
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[LineGap] = field(default_factory=list)
-    # suspicions of texts without a requirement
+    # suspicions about texts that belong to no requirement
     suspicions: Sequence[Suspicion] = field(default_factory=list)
-    # requirements that have a review but no longer exist
+    # ids for which a review exists, but no requirement
     reviews_of_nothing: Sequence[str] = field(default_factory=list)
-    # The elements that the design demands. Some elements may be missing in the code.
+    # The modules and pattern applications that the design demands. The code may lack some of them.
     designed_modules: Sequence[str] = field(default_factory=list)
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: Proofs = field(default_factory=Proofs)
-    # Records of other steps. They are ``None`` when the sources have changed since.
+    # The next three fields are records of other steps. A record is None if the sources have changed
+    # after the step wrote it.
     bench: Mapping[str, BenchScenario] | None = None
-    bench_paper: Mapping[str, BenchScenario] | None = (
-        None  # runs of the robot without safety functions
-    )
+    # runs of the product that has no safety functions
+    bench_paper: Mapping[str, BenchScenario] | None = None
     products: Mapping[str, ProductImage] | None = None
-    # faults that are inserted to test the checks
-    faults: Sequence[Fault] = field(default_factory=list)
-    outcomes: Sequence[Outcome] | None = None  # results of the inserted faults
-    last: Mapping[str, LastRecord] = field(default_factory=dict)  # name of a test -> record
-    campaigns: Mapping[str, Published] = field(default_factory=dict)  # the published records
+    faults: Sequence[Fault] = field(default_factory=list)  # seeded faults, which test the checks
+    # results of the seeded faults; None if they do not belong to the present state of the project
+    outcomes: Sequence[Outcome] | None = None
+    # name of a test that takes too long to run in each build -> its last result
+    last: Mapping[str, LastRecord] = field(default_factory=dict)
+    # kind of a test campaign -> its last published result
+    campaigns: Mapping[str, Published] = field(default_factory=dict)
     build: BuildEvidence | None = None
-    measured: Mapping[str, Any] = field(default_factory=dict)  # metrics that other steps measured
-    files: Sequence[str] = field(default_factory=list)  # sources for which the site has a page
+    # key of a metric -> value that another step measured
+    measured: Mapping[str, Any] = field(default_factory=dict)
+    files: Sequence[str] = field(default_factory=list)  # source files that have a page in the site
 
     def stale_on(self, binding: str) -> bool:
-        """Returns whether the results of a target are missing or are older than the sources."""
+        """Returns true if a target has no test results, or if its test results do not belong to the
+        present sources.
+        """
         return self.results_hashes.get(binding) != self.sources_hash
 
     @property
     def results_stale(self) -> bool:
-        """Returns whether the results of any target are missing or are older than the sources."""
+        """Returns true if ``stale_on`` is true for at least one target."""
         return any(self.stale_on(binding) for binding in self.results_hashes)
 
     def mutants_of(self, requirement: str) -> list[Mutant]:
-        """Returns the mutants in the methods of a requirement's tree, if the tests of the
-        requirement were tried on them."""
+        """Returns the mutants on which the tests of a requirement were tried. These mutants are in
+        the methods of the requirement's invocation tree.
+        """
         tried = self.mutation.tried if self.mutation else []
         return [mutant for mutant in tried if requirement in mutant.own]

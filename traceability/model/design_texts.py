@@ -1,4 +1,6 @@
-"""Sentences of the design and facts of pages. No check can compare them with the code."""
+"""Finds the texts that no check can compare with the code: sentences in the design files, and facts
+in the pages. After a change of such a text, a person must review it.
+"""
 
 from __future__ import annotations
 
@@ -11,20 +13,22 @@ from typing import Any
 
 from traceability.schema import Place
 
-# A goal or hazard belongs to the texts of the requirements that serve it.
+# A safety goal or a hazard is left out here, because it is reviewed with its requirements.
 OF_REQUIREMENTS = ("design/safety_case.toml goal.", "design/safety_case.toml hazard.")
 LABELS = ("id", "name", "pattern", "place", "ask", "register", "object", "kind", "method")
 LISTS = ("names", "methods", "members", "modules", "classes", "paths")
 PAGES = (("docs", "*.rst"), ("", "README.md"))
 TITLE = re.compile(r"^(?:#+ (.+)|(.+)\n[=\-~]{3,})$", re.MULTILINE)
-# A number, a pin, a name in a role of Sphinx, or a word in backticks.
+# A fact is a number, a pin, a name in a Sphinx role (such as :module:), or words in backticks.
 FACT = re.compile(r"(?<![\w.])-?\d[\w.]*|\bPT[A-E]\d+|:\w+:`[^`]+`|``[^`]+``|(?<!`)`[^`]+`(?!`)")
-WORDS = 3  # A text with fewer words is a name. Other checks compare names with the code.
+# A text with at most this number of words is a name. Other checks compare names with the code.
+WORDS = 3
 
 
 def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Returns the name, the place and the text of each sentence in the files of the design and of
-    the changes."""
+    """Returns each text with sentences in the TOML files below ``design`` and ``changes``. Each
+    result consists of a name, the place of the text in its file, and the text.
+    """
     files = [*(root / "design").glob("*.toml"), *(root / "changes").glob("*/change.toml")]
     for path in sorted(files):
         file = str(path.relative_to(root))
@@ -39,9 +43,11 @@ def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
 
 
 def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, str]]:
-    """Yields the texts below a table. Each text has the names of the tables that contain it.
+    """Returns the texts with sentences in a TOML table and in the tables inside it. Each text has a
+    path: the names of the tables that contain the text, and its key.
 
-    The numbers of an entry belong to its texts, because the texts state the reason for the numbers.
+    The numbers in a table are appended to each text of this table, because the text states the
+    reason for these numbers. Thus a change of a number also requires a review.
     """
     numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
     for key, value in table.items():
@@ -63,8 +69,10 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
 
 
 def _label(item: Mapping[str, Any]) -> str:
-    """Returns the name of an entry. The name is the id of the entry, or the first of the names that
-    the entry lists."""
+    """Returns the label of an entry: the text of the first key in ``LABELS`` that the entry has.
+    Without such a key, the label is the first element of a list whose key is in ``LISTS``. If there
+    is no such list, the label is empty.
+    """
     names = [item[key] for key in LABELS if isinstance(item.get(key), str)]
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
     names += [str(listed[0]) for listed in lists if listed]
@@ -80,16 +88,16 @@ def _is_prose(text: str) -> bool:
 
 
 def _line_of(text: str, source: str) -> int:
-    """Returns the line of the file in which the text begins."""
+    """Returns the number of the line of the file on which the text begins."""
     first = text.split("\n", maxsplit=1)[0].replace('"', '\\"')
     return source.count("\n", 0, max(source.find(first), 0)) + 1
 
 
 def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Returns the name, the place and the facts of each section of a page. Facts are numbers, pins
-    and names, in their order.
+    """Returns each section of a page that contains facts. Each result consists of a name, the place
+    of the section, and its facts (numbers, pins and names) in their order in the section.
 
-    Other words of a section may change freely.
+    A change of other words in the section does not change this result, and needs no review.
     """
     for folder, names in PAGES:
         for path in sorted((root / folder).glob(names)):

@@ -1,7 +1,7 @@
 """The data dictionary: the parts of each value type, and the fields of the messages.
 
-A writer of a part assigns the part or names it in an initialiser list. A reader uses the name of
-the part elsewhere.
+A module writes a part if it assigns a value to the part, or if it names the part in an initialiser
+list. If a module uses the name of the part in another way, it reads the part.
 """
 
 from __future__ import annotations
@@ -44,7 +44,9 @@ def with_dictionary(model: Model, facts: Facts) -> Model:
 
 
 def parts_of(name: str, facts: Facts) -> list[FieldFact]:
-    """Returns the public members of a class, or the values of an enumeration."""
+    """Returns the parts of a type. The parts of a class are its public data members. The parts of
+    an enumeration are its values.
+    """
     fact = facts.classes.get(name)
     return (
         [field for field in fact.fields if field.access == "public"] + fact.values if fact else []
@@ -60,16 +62,18 @@ def unit_text(kind: str, model: Model) -> str:
 
 
 def module_of(body: BodyFact, model: Model) -> str:
-    """Returns the module of a function body. A function outside classes belongs to the module of
-    its file.
+    """Returns the name of the module to which a function body belongs. A function outside classes
+    belongs to the module that has the same name as its file. The result is empty if no module has
+    this name.
     """
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
-    """Returns the modules that write each ``Type::part``, and the modules that read each
-    ``Type::part``."""
+    """Returns for each part (``Type::part``) two sets of modules. The modules in the first set
+    write the part. The modules in the second set read the part.
+    """
     users: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:
         name = module_of(body, model)
@@ -87,8 +91,9 @@ def message_fields(model: Model, facts: Facts) -> list[MessageField]:
     """Returns the fields of the messages, in the order in which they are declared."""
     parts = parts_of(FIELDS, facts)
     widths: dict[str, str] = {}
-    users: dict[tuple[str, str], dict[str, None]] = {}  # field, "write" or "read" -> modules
-    tables: dict[str, list[str]] = {}  # member that contains names of fields -> these names
+    # (name of a message field, "write") -> modules that write the field; in the same way for "read"
+    users: dict[tuple[str, str], dict[str, None]] = {}
+    tables: dict[str, list[str]] = {}  # data member -> names of message fields that it contains
     for flow in facts.syntax.flows:
         tables.setdefault(flow.into, []).extend(flow.sources)
     for body in facts.syntax.bodies:

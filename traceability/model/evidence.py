@@ -1,5 +1,6 @@
-"""Evidence of requirements that no call fulfils. A tool measures the metrics of this evidence in
-each run."""
+"""Evidence for requirements that are not fulfilled by calls of methods, for example for a limit on
+the flash memory. An evidence compares a metric with a bound.
+"""
 
 from __future__ import annotations
 
@@ -17,8 +18,9 @@ CHECKS = "checks."
 
 
 def read_evidence(text: str, place: Place) -> Evidence:
-    """Reads an evidence such as ``coverage.line at least 98 %``: its metric, relation, bound and
-    unit."""
+    """Reads an evidence such as ``coverage.line at least 98 %``. Its parts are the metric, the
+    relation, the bound and the unit. The relation is empty if the text cannot be read.
+    """
     match = WRITTEN.fullmatch(text)
     if match is None:
         return Evidence(text, "", 0, "", place)
@@ -28,8 +30,8 @@ def read_evidence(text: str, place: Place) -> Evidence:
 def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
 ) -> dict[str, float | None]:
-    """Returns the value of the metric of each evidence in this run. The value is ``None`` if it was
-    not measured.
+    """Returns the values of all metrics that an evidence names. A value is ``None`` if this run did
+    not measure the metric.
     """
     counts = Counter(finding.check for finding in findings)
     values: dict[str, float | None] = {}
@@ -45,8 +47,10 @@ def measured_values(
 
 
 def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
-    """Returns a metric by its key. A key such as ``bench.scenarios.max_ms`` returns the maximum of
-    all scenarios."""
+    """Returns the value of the metric with the key ``name``. For a key such as
+    ``bench.scenarios.max_ms``, the value is the maximum over all scenarios. The value is None if
+    this run did not measure the metric.
+    """
     value = figures.get(name)
     if value is None:
         above, _, part = name.rpartition(".")
@@ -59,8 +63,9 @@ def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
 
 
 def reasons(evidence: Evidence, value: float | None) -> list[str]:
-    """Returns the reason why the evidence does not verify its requirement. The reason is empty when
-    the evidence verifies it."""
+    """Returns a list with the reason why the evidence does not verify its requirement. The list is
+    empty if the evidence verifies its requirement.
+    """
     if not evidence.relation:
         return [f"its evidence cannot be read: {evidence.figure}"]
     if value is None:

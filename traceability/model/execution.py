@@ -1,9 +1,10 @@
-"""The execution contexts, the methods that each context executes, and the members that two contexts
-share.
+"""The execution contexts, the methods that each context may execute, and the data members that two
+contexts share.
 
-A context is a handler that the hardware calls, or the command that a thread executes. The syntax
-tree shows the methods of a context. A call of an abstraction reaches the objects that the builders
-passed.
+An execution context is code that the hardware starts: an interrupt handler, the command of a
+thread, or the program after a reset. To find the methods of a context, this module follows all
+calls in the syntax tree. A call of a virtual method is followed to the classes of those objects
+that the builders passed to the caller.
 """
 
 from __future__ import annotations
@@ -20,16 +21,18 @@ READS = ("read", "newest")
 START = "start"
 THREAD = "thread"
 INTERRUPT = "interrupt"
-DISPATCH = "Command::execute"  # operation that the handler of a thread executes
-ENABLE = "K64Thread::enable"  # line and priority
+DISPATCH = "Command::execute"  # operation that the handler of a thread calls
+ENABLE = "K64Thread::enable"  # Its arguments are an interrupt line and the priority of this line.
 
 
 @dataclass
 class Code:
-    """The facts about the contexts in the code, for the checks."""
+    """Facts from the code about the interrupt handlers and the execution contexts."""
 
-    lines: dict[str, list[int]] = field(default_factory=dict)  # handler -> interrupt lines
-    reached: dict[str, dict[str, str]] = field(default_factory=dict)  # context -> method -> caller
+    # handler -> numbers of its interrupt lines
+    lines: dict[str, list[int]] = field(default_factory=dict)
+    # context -> method that the context may execute -> first caller of this method that was found
+    reached: dict[str, dict[str, str]] = field(default_factory=dict)
 
 
 def with_execution(model: Model, facts: Facts) -> Model:
@@ -60,8 +63,10 @@ def with_execution(model: Model, facts: Facts) -> Model:
 
 
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
-    """Returns the methods of modules with which a context begins. Builders are left out,
-    because they only pass a module on."""
+    """Returns the first methods of modules that a context executes. For a thread, this is the
+    method of its command. For another context, these are the methods that its handlers call.
+    Methods of builders are left out, because a builder only passes on a reference to a module.
+    """
     if context.body:
         return [context.body]
     begin = [m for m, caller in reached.items() if caller in context.handlers]
@@ -70,8 +75,9 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 
 
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
-    """Returns the interrupt lines of each handler, from the table of vectors. A constant may name
-    the first line of a table. The other lines follow it.
+    """Returns for each interrupt handler the numbers of its interrupt lines, from the vector table.
+    A constant in the code contains the interrupt line of the first handler in a list of handlers.
+    Each further handler in this list has the next interrupt line.
     """
     lines: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
@@ -81,7 +87,9 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 
 
 def _vectors(facts: Facts) -> dict[str, list[str]]:
-    """Returns the handlers of the line that a constant names and of the lines after it."""
+    """Returns for each constant with the number of an interrupt line a list of handlers. The first
+    handler has this interrupt line. Each further handler has the next interrupt line.
+    """
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
@@ -93,7 +101,9 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Returns the handlers of those interrupt lines that the firmware never enables by a call."""
+    """Returns the interrupt lines that have a handler, but that no call in the firmware enables.
+    Each line has the name of its handler.
+    """
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]
@@ -103,11 +113,12 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 
 def line_priorities(facts: Facts) -> dict[int, str]:
-    """Returns for each interrupt line the name of the constant that sets its priority. The call
-    that enables the line contains this name.
+    """Returns for each interrupt line the name of the constant that contains its priority. This
+    constant is an argument of the call that enables the interrupt line.
     """
     priorities = _enabling(facts)
-    # A loop enables lines that no constant names. They have the constant of the nearest lower line.
+    # A loop in the firmware enables interrupt lines that no constant names. Such a line has the
+    # same priority as the nearest interrupt line with a lower number and a known priority.
     for lines in handler_lines(facts).values():
         for line in lines:
             below = [first for first in priorities if first <= line]
@@ -117,7 +128,9 @@ def line_priorities(facts: Facts) -> dict[int, str]:
 
 
 def _enabling(facts: Facts) -> dict[int, str]:
-    """Returns the constant of the priority of each interrupt line that a call names."""
+    """Returns the priorities of those interrupt lines that a call of ``K64Thread::enable`` names by
+    a constant: number of the interrupt line -> name of the constant with its priority.
+    """
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
@@ -139,8 +152,8 @@ def _enabling(facts: Facts) -> dict[int, str]:
 
 
 def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
-    """Returns each pipe of the robot with the methods that write and read it, and with the contexts
-    of these methods.
+    """Returns all pipes of the robot. A pipe has the methods that write it and the methods that
+    read it. Each of these methods has the execution contexts that may execute the method.
     """
     members = {
         member.name
@@ -172,8 +185,9 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
-    """Returns the method itself. For a function outside classes, returns the methods that pass the
-    pipe to it.
+    """Returns the methods to which the use of a pipe in the function ``user`` belongs. If ``user``
+    is a method of a module, the result is this method. If ``user`` is a function outside classes,
+    the result contains the functions in the same file that pass the pipe to ``user``.
     """
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
@@ -192,7 +206,7 @@ def contexts_of(method: str, code: Code) -> list[str]:
 
 
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
-    """Returns the place that declares an object, and the type of the object."""
+    """Returns the place of the declaration of a variable or data member, and its type."""
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")
@@ -206,10 +220,11 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
 
 
 def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
-    """Returns the members that one context changes and another context uses.
+    """Returns the data members that one context changes and that another context reads or changes.
 
-    Values inside a member count as the member. References are left out, because only the start sets
-    them.
+    A data member of a value type such as Velocity is left out. The result contains the data member
+    of the module that stores this value. References are left out, because only the context
+    "start" sets them.
     """
     fields = {
         f"{fact.name}::{member.name}": member
@@ -271,7 +286,7 @@ def shared_member(
 
 
 def way_to(method: str, reached: dict[str, str]) -> list[str]:
-    """Returns the calls that lead from the handler to a method."""
+    """Returns a chain of methods from a handler to ``method``. Each of them calls the next one."""
     way = [method]
     while reached.get(way[0]):
         way.insert(0, reached[way[0]])

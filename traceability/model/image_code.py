@@ -1,4 +1,4 @@
-"""The machine code of the firmware image. It is read once, and all proofs use the result."""
+"""Reads the machine code of the firmware image. The result is read once and used in all proofs."""
 
 from __future__ import annotations
 
@@ -17,11 +17,14 @@ PRODUCT = "weeding_robot"
 
 @dataclass(frozen=True)
 class Program:
-    """The instructions of a firmware image, each with its source line."""
+    """The instructions of a firmware image, and the source lines of each instruction."""
 
     codes: Mapping[str, Code]
+    # address of an instruction -> its source line; if the code of this line was inlined, also the
+    # source lines of the calls
     places: Mapping[int, list[Place]]
-    shared: Mapping[str, str]  # other name of a function -> the name that has the code
+    # The compiler can merge equal functions. name of such a function -> its key in ``codes``
+    shared: Mapping[str, str]
 
 
 def read_program(elf: Path) -> Program:
@@ -44,7 +47,8 @@ def read_program(elf: Path) -> Program:
 
 @dataclass(frozen=True)
 class ImageCode:
-    """The functions of a firmware image: the reports of the compiler and the instructions."""
+    """The functions of a firmware image. ``graph`` contains their calls and their stack frames.
+    ``program`` contains their instructions."""
 
     elf: Path
     graph: dict[str, Function]

@@ -1,8 +1,9 @@
-"""The possible effects of a change: modules by their distance, and the items to review again.
+"""Computes the possible effects of a change: the affected modules with their distance from the
+change, and the requirements, patterns, tests and safety goals to review again.
 
-A change of a module may affect the modules that name it, call it or derive from it. Through these
-modules it may affect further modules. A change of a subclass does not affect modules that name only
-the abstraction.
+A change of a module may affect the modules that name it, call it or derive from it. In the same
+way, each affected module may affect further modules. A change of a subclass does not affect a
+module that names only the abstract base class.
 """
 
 from __future__ import annotations
@@ -18,8 +19,9 @@ from traceability.schema import Requirement
 
 @dataclass
 class Reached:
-    """An affected element, with the number of uses between the change and the element, and with the
-    reason."""
+    """An affected element and the reason why it is affected. The distance of a changed module is 0.
+    A module that depends directly on an affected module has a distance that is greater by 1.
+    """
 
     id: str
     distance: int
@@ -29,15 +31,16 @@ class Reached:
 @dataclass
 class Impact:
     subject: str
-    kind: str  # "module", "requirement", "file"
+    kind: str  # kind of the subject: "module", "requirement", "file" or "commits"
     says: str
     modules: list[Reached] = field(default_factory=list)
     requirements: list[Reached] = field(default_factory=list)
     patterns: list[Reached] = field(default_factory=list)
     tests: list[Reached] = field(default_factory=list)
     goals: list[Reached] = field(default_factory=list)  # safety goals
-    python_tests: list[Reached] = field(default_factory=list)  # files that contain tests
-    unfollowed: list[str] = field(default_factory=list)  # changed files whose effect is not known
+    python_tests: list[Reached] = field(default_factory=list)  # files with tests of the tools
+    # changed files for which the model contains no affected element
+    unfollowed: list[str] = field(default_factory=list)
 
     def is_empty(self) -> bool:
         return not (self.modules or self.requirements or self.tests)
@@ -51,7 +54,8 @@ class UnknownSubjectError(Exception):
 
 
 class Impacts:
-    """Computes impacts in a model. The edges between modules are collected once."""
+    """A calculator for the effects of changes. The constructor collects the dependencies between
+    the modules once for all changes."""
 
     def __init__(self, model: Model) -> None:
         self.model = model
@@ -64,8 +68,8 @@ class Impacts:
         }
 
     def _next(self, name: str) -> dict[str, str]:
-        """Returns the modules that a change of the given module may affect directly. Each of these
-        modules has the reason.
+        """Returns the modules that a change of the module ``name`` may affect directly. Each of
+        them has the reason why it may be affected.
         """
         module = self.model.modules[name]
         reasons: dict[str, str] = {}
@@ -89,8 +93,9 @@ class Impacts:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:
-        """Returns whether a module calls this method itself. A call of its abstraction does not
-        count."""
+        """Returns true if the module ``owner`` calls exactly this method. A call of the abstract
+        method that this method overrides does not count.
+        """
         calls = (call for method in self.model.modules[owner].methods for call in method.calls)
         return any(call.target == method for call in calls)
 
@@ -153,8 +158,8 @@ class Impacts:
         return self._from(impact, start)
 
     def of_files(self, subject: str, paths: Sequence[str]) -> Impact:
-        """Returns the effects of a change of several files. Files without an effect in the model
-        are in ``unfollowed``.
+        """Returns the effects of a change of several files. ``unfollowed`` lists the files for
+        which the model contains no affected element.
         """
         joined = Impact(subject, "commits" if ".." in subject else "file", "")
         parts = [self._of_file(path) for path in paths if path in self.model.files]
@@ -196,7 +201,7 @@ class Impacts:
         return list(requirements.values())
 
     def _goals(self, impact: Impact) -> list[Reached]:
-        """Returns the safety goals that the requirements serve."""
+        """Returns the safety goals that the affected requirements serve."""
         goals: dict[str, Reached] = {}
         for item in impact.requirements:
             requirement = self.model.requirements.get(item.id)
@@ -213,7 +218,8 @@ class Impacts:
         return list(patterns.values())
 
     def _tests(self, impact: Impact) -> list[Reached]:
-        """Returns the tests of the requirements, and the tests that execute a changed module."""
+        """Returns the tests of the affected requirements, and the tests that execute a changed
+        module."""
         tests = {test.id: test for test in impact.tests}
         for requirement in impact.requirements:
             found_requirement = self.model.requirements.get(requirement.id)
@@ -226,6 +232,7 @@ class Impacts:
 
 
 def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """Records an affected element. If the element is already recorded, the first reason remains,
-    because it has the shortest distance."""
+    """Records an affected element. If ``reached`` already contains the element, does nothing,
+    because the first record of an element has its shortest distance.
+    """
     reached.setdefault(name, Reached(name, distance, why))

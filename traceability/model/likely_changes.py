@@ -1,9 +1,9 @@
-"""The likely changes that each application of a pattern absorbs, and the modules that these changes
-do not affect.
+"""Finds for each pattern application the work of its likely change, and the modules that this
+change does not edit.
 
-``design/changes.toml`` declares the additions of a change for each pattern. The code shows the
-modules that the change edits, and the requirements and tests that it affects. A new class must be
-registered only at the places that name the existing classes.
+``design/changes.toml`` contains for each pattern the steps of its likely change and the role of the
+new class. The modules to edit, the affected requirements and the affected tests are found in the
+code. A new class must be named only in the modules that name the existing classes with its role.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def _change(
 
 
 def _bound(application: PatternApplication, roles: list[str]) -> list[str]:
-    """Returns the modules of the design that have a given role."""
+    """Returns the modules that have one of the roles in a pattern application."""
     modules = [binding.module for binding in application.roles if binding.role in roles]
     return list(dict.fromkeys(modules))
 
@@ -65,7 +65,10 @@ def _designed(model: Model) -> list[str]:
 
 
 def _naming(model: Model, present: list[str]) -> list[str]:
-    """Returns the other modules that name an existing part. They must also name the new part."""
+    """Returns the modules that name a module in ``present``. A likely change must edit them,
+    because they must also name the new class. Modules in ``present`` and their base classes are
+    left out.
+    """
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
     modules = {
         user
@@ -78,8 +81,8 @@ def _naming(model: Model, present: list[str]) -> list[str]:
 
 
 def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
-    """Returns the requirements that the modules serve. A method of the modules satisfies the
-    requirement, or is in its tree."""
+    """Returns the requirements that a method of the modules satisfies, and the requirements with a
+    method of the modules in their invocation trees."""
     return [
         requirement.id
         for requirement in model.requirements.values()

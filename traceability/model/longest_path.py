@@ -1,8 +1,9 @@
 """The maximum cost of a path through a function, computed as a linear program (HiGHS).
 
-The program has a variable for each edge between two blocks. The variable is the number of times
-that a path uses the edge. This method is the implicit path enumeration of Li and Malik. The
-variable may be a fraction, which can only increase the bound.
+A block is a sequence of instructions of which either all or none are executed. The linear program
+has a variable for each transition from a block to another block. The variable is the number of
+times that a path uses the transition. This method is the implicit path enumeration of Li and Malik.
+The solver also permits fractions for these numbers. The computed maximum can then only be too high.
 """
 
 from __future__ import annotations
@@ -20,27 +21,29 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class FlowFact:
-    """The upper limit of a weighted sum of the executions of blocks."""
+    """An upper limit of a weighted sum. The sum adds numbers of executions, each multiplied by
+    its factor."""
 
-    factors: Mapping[int | str, int]  # block, or callee with a separate count -> factor
-    most: int
+    # address of a block, or name of a counter in ``Problem.apart`` -> factor
+    factors: Mapping[int | str, int]
+    most: int  # the upper limit
 
 
 @dataclass
 class Problem:
-    """The paths of a function as a linear program with a variable for each edge between blocks."""
+    """The linear program for the longest path through a function."""
 
     code: Code
-    cost: Mapping[int, int]  # cost of each block
-    rounds: Iterable[tuple[Loop, Bound]]
-    counted: Sequence[tuple[int, int]]  # block -> the greatest number of its executions
+    cost: Mapping[int, int]  # address of a block -> cost of one execution
+    rounds: Iterable[tuple[Loop, Bound]]  # loops with their maximum numbers of iterations
+    counted: Sequence[tuple[int, int]]  # (address of a block, maximum number of its executions)
     facts: Iterable[FlowFact] = field(default_factory=list)
-    # callee with a separate count -> its cost
+    # name of a counter of executions outside the blocks -> cost of one execution
     apart: Mapping[str, int] = field(default_factory=dict)
 
     def solve(self) -> int | None:
-        """Returns the greatest cost of a path. Returns nothing when the cost has no bound, or when
-        no path has an end.
+        """Returns the maximum cost of a path through the function. Returns None if the cost has no
+        upper bound, or if no path reaches an end of the function.
         """
         import highspy  # The import takes longer than many commands of ./wr.
 
@@ -96,10 +99,11 @@ class Problem:
         return round(solver.getObjectiveValue() + 0.4999)
 
     def _ends_with_condition(self, loop: Loop) -> bool:
-        """Returns whether each iteration ends with the condition of the loop. An iteration
-        may also leave the loop early.
+        """Returns true if the condition of the loop is at the end of each iteration, as in a
+        do-while loop. The loop may have further exits in the middle of an iteration.
 
-        A block that is never executed, such as the end of an assertion, is not an exit of the loop.
+        A jump out of the loop to a block that is never executed does not count as an exit. An
+        example of such a block is the failure branch of an assertion.
         """
         never = {start for start, most in self.counted if most == 0}
 

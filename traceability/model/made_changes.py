@@ -1,5 +1,6 @@
-"""The likely changes that a folder of changes/ or an extension makes, with the results of their
-tests."""
+"""Finds the likely changes that were really made, and the results of their tests. A folder below
+``changes`` or an extension makes such a change.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ def made(
     record: KitRecord | None,
     examples: Mapping[str, list[str]],
 ) -> dict[str, MadeChange]:
-    """Returns the change that was made for each application."""
+    """Returns the likely changes that were made, by the id of the pattern application."""
     return {
         name: _made(model, kit, record, kit.classes or examples.get(name, []))
         for name, kit in kits.items()
@@ -52,7 +53,9 @@ def _made(model: Model, kit: Kit, record: KitRecord | None, classes: list[str]) 
 
 
 def _files_of(model: Model, kit: Kit, classes: list[str]) -> list[str]:
-    """Returns the headers of the classes of an extension, and their sources."""
+    """Returns the files that an extension adds for the change: the headers of the classes, their
+    ``.cpp`` files, and the file of the main program, if the extension has one.
+    """
     headers = [model.modules[name].place.file for name in classes if name in model.modules]
     sources = [name.replace(".hpp", ".cpp") for name in headers]
     composition = [file for file in model.files if file.startswith(f"{kit.extension}/k64/main")]
@@ -78,8 +81,8 @@ def proven(change: MadeChange | None) -> bool:
 
 
 def unproven(change: MadeChange) -> str:
-    """Returns the reason why a change is not proven. The reason is empty when all tests of the
-    change passed in this build and each target has at least one test.
+    """Returns the reason why the tests do not prove that a change works. The reason is empty if all
+    tests of the change passed with the present sources, and each target ran at least one of them.
     """
     results = {test.result for test in change.tests}
     missing = sorted({HOST, VIRTUAL_K64} - {test.target for test in change.tests})

@@ -1,4 +1,4 @@
-"""The metrics of a run. A metric that this run did not measure is null."""
+"""Computes the metrics of a run. A metric that this run did not measure is null in its file."""
 
 from __future__ import annotations
 
@@ -61,8 +61,9 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 
 def sizes(root: Path) -> dict[str, int]:
-    """Returns the number of lines of the Python tools, of their tests, and of the tables of the
-    design."""
+    """Returns three numbers of lines: in the Python files of the tools, in the Python tests, and in
+    the TOML files of the design.
+    """
     parts = {
         "tools.python_lines": (("traceability", "site", "tools"), ".py"),
         "tools.python_test_lines": (("tests/python",), ".py"),
@@ -75,15 +76,18 @@ def sizes(root: Path) -> dict[str, int]:
 
 
 def changes(model: Model) -> dict[str, Any]:
-    """Returns the number of likely changes that were made, if their tests ran with the present
-    sources."""
+    """Returns the number of made changes for which all tests passed. Returns no metric if a test of
+    a made change did not run with the present sources.
+    """
     made = [change.made for change in model.changes.values()]
     ran = all(test.result for change in made if change for test in change.tests)
     return {"changes.proven": sum(map(proven, made))} if ran else {}
 
 
 def coverage(root: Path) -> dict[str, Any]:
-    """Returns the coverage of the last run of the tests on this machine, if gcovr counted it."""
+    """Returns the coverage of the last test run on the host. Returns no metric if gcovr did not
+    count the coverage of this run.
+    """
     totals = read_totals(root)
     if totals is None:
         return {}
@@ -91,8 +95,9 @@ def coverage(root: Path) -> dict[str, Any]:
 
 
 def drift(model: Model) -> dict[str, Any]:
-    """Returns the numbers of the seeded faults, if the faults were seeded in the present state of
-    the project."""
+    """Returns the number of seeded faults, and the number of seeded faults that a check found.
+    Returns no metric if the faults were seeded in another state of the project.
+    """
     if model.outcomes is None:
         return {}
     return {
@@ -102,7 +107,9 @@ def drift(model: Model) -> dict[str, Any]:
 
 
 def image(root: Path) -> dict[str, Any]:
-    """Returns the bytes of the image, if the present sources built the image."""
+    """Returns the flash and RAM sizes of the firmware image in bytes. Returns no metric if the
+    firmware image was not built from the present sources.
+    """
     record = read_image(root)
     if record is None:
         return {}
@@ -110,8 +117,9 @@ def image(root: Path) -> dict[str, Any]:
 
 
 def forbidden(model: Model) -> dict[str, Any]:
-    """Counts the forbidden features of the images, and the modules that do not belong to their
-    product."""
+    """Counts the forbidden parts in the firmware images of all products. Also counts the modules in
+    each firmware image that do not belong to the product of this image.
+    """
     products = model.products
     if products is None:
         return {}
@@ -194,7 +202,9 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
 
 
 def recorded_metric(proofs: Proofs) -> dict[str, Any]:
-    """Returns the metric of proofs that this build took from the record of an earlier run."""
+    """Returns the number of proofs for which this build used the record of an earlier run. The
+    metric also contains the command, the commit and the date of the earlier run.
+    """
     if not proofs.recorded:
         return {}
     first = proofs.recorded[0]
@@ -203,8 +213,9 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
 
 
 def _proven_times(model: Model) -> dict[str, Any]:
-    """Returns the bounds with noise, the bounds of the paths, and the ratios of the bounds to the
-    longest runs.
+    """Returns three kinds of metrics: the upper bound of the time of a cycle with noise at all
+    inputs, the upper bounds of the times of the paths, and the ratios of the bounds of a cycle to
+    the longest measured times.
     """
     proof = model.times if model.times and model.times.proven else None
     drives = model.campaigns.get(LOADS)
@@ -232,13 +243,17 @@ def _proven_times(model: Model) -> dict[str, Any]:
 
 
 def _is_executed(requirement: Requirement) -> bool:
-    """Returns whether a run contains the whole tree. A tree of one node has no call to record."""
+    """Returns true if a recorded test contains all calls of the requirement's invocation tree. The
+    result is false for a tree with only one node, because such a tree has no call to record.
+    """
     tree = requirement.tree
     return bool(requirement.runs and tree is not None and tree.children)
 
 
 def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
-    """Counts goals and fault scenarios by the verdict of this run, and the cost of safety."""
+    """Counts the safety goals and the fault scenarios, and how many of them this run verified. Also
+    returns the number of existing lines that were edited for safety functions.
+    """
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())
     return {
@@ -251,8 +266,8 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
 
 
 def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
-    """Returns the number of requirements for each method of verification, and the number of
-    requirements that a person has reviewed.
+    """Returns the number of requirements for each method of verification, the number of partly
+    verified requirements, and the number of requirements that a person has reviewed.
     """
     listed = list(requirements)
     counts = Counter(item.method for item in listed)
@@ -264,6 +279,8 @@ def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
 
 
 def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
-    """Returns the share of executed lines in per cent, with one decimal place."""
+    """Returns the percentage of source lines that tests executed, with one decimal place. Returns
+    None if there is no source line.
+    """
     hits = [hit for lines in (files or {}).values() for hit in lines.values()]
     return round(100 * sum(hits) / len(hits), 1) if hits else None
