@@ -1,1 +1,1 @@
-"""The model of the design: readers, model, checks and exports."""
+"""Reads the design from the source files, builds its model, checks the model, and exports it."""

@@ -20,8 +20,9 @@ BINDINGS = (HOST, VIRTUAL_K64)
 
 @dataclass(frozen=True)
 class Place:
-    """A source line of a file. The path is relative to the root of the project. ``end`` is the last
-    line of a longer place."""
+    """A place in a file: a source line, or the source lines from ``line`` to ``end``. ``file`` is
+    the path relative to the root of the project. ``end`` is None for a single source line, or if it
+    is unknown."""
 
     file: str
     line: int
@@ -172,7 +173,7 @@ class Module:
     methods: Sequence[Method] = field(default_factory=list)
     # members of a value type; empty for a module
     parts: Sequence[DataPart] = field(default_factory=list)
-    # modules that its header or its source file names
+    # modules whose names are in the header or the source file of this module
     uses: Sequence[str] = field(default_factory=list)
     used_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
@@ -194,8 +195,8 @@ class Module:
 
     @property
     def extension(self) -> bool:
-        """Returns whether the module belongs to an extension. The checks that compare the number of
-        modules with the paper ignore these modules."""
+        """Returns whether the module belongs to an extension. Some checks compare the number of
+        modules with the paper. These checks ignore the modules of extensions."""
         return is_extension(self.logic)
 
 
@@ -224,8 +225,8 @@ class LogicModule:
 
 @dataclass(frozen=True)
 class Clause:
-    """A rule about the structure of a pattern. ``holds`` is true if the code of one pattern
-    application fulfils the rule."""
+    """A rule about the structure of a pattern, with the result of its check. ``holds`` is true if
+    the code of one use of the pattern fulfils the rule."""
 
     id: str
     says: str
@@ -247,8 +248,7 @@ class PatternApplication:
 
 @dataclass(frozen=True)
 class PatternPrice:
-    """The cost of a pattern application in the firmware image. It is the cost of its virtual
-    calls."""
+    """The cost of one use of a pattern in the firmware image: the cost of the virtual calls."""
 
     # mean number of instructions that the virtual calls cost in a control cycle
     instructions: float
@@ -281,7 +281,7 @@ class TreeNode:
     often: str = ""
     often_in_code: str | None = None
     too_early: str = (
-        # If the code makes this call before the call of the previous node, the label of the
+        # The label of the previous node, if the code makes this call before the call of the
         # previous node. Otherwise "".
         ""
     )
@@ -318,8 +318,8 @@ class TreeRun:
 
 @dataclass(frozen=True)
 class FoldedCall:
-    """A call from one module to another module in a recording. Equal calls that follow each other
-    are combined."""
+    """A call from one module to another module in a recording. Calls with the same chain of calling
+    modules are combined, and ``count`` is their number."""
 
     depth: int
     module: str
@@ -460,8 +460,8 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text that differs from its baseline, although a link of a requirement depends on it.
-    ``KINDS`` in model/reviews.py lists the kinds of texts."""
+    """A text that has changed since its baseline and on which a requirement depends. ``KINDS`` in
+    model/reviews.py lists the kinds of texts."""
 
     kind: str
     name: str
@@ -484,8 +484,8 @@ SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
 
 @dataclass(frozen=True)
 class Requirement:
-    """A requirement. ``partly`` describes the part of the requirement that no test shows. It is
-    empty if there is no such part."""
+    """A requirement. ``partly`` describes the part of the requirement that no test verifies. If
+    there is no such part, ``partly`` is empty."""
 
     id: str
     text: str
@@ -531,8 +531,8 @@ class Requirement:
 
 @dataclass(frozen=True)
 class SafeState:
-    """A safe state of the robot. ``safe`` and ``not_safe`` describe the situations in which the
-    state is safe and in which it is not."""
+    """A safe state of the robot. ``safe`` describes the situations in which this state harms
+    nobody. ``not_safe`` describes the situations in which it can harm somebody."""
 
     id: str
     says: str
@@ -543,8 +543,8 @@ class SafeState:
 
 @dataclass(frozen=True)
 class Assumption:
-    """A demand on the hardware or on people. It is necessary for safety, but the firmware cannot
-    fulfil it."""
+    """An assumption of use: a demand on the hardware or on people. It is necessary for safety, but
+    the firmware cannot ensure it."""
 
     id: str
     title: str
@@ -557,8 +557,8 @@ class Assumption:
 
 @dataclass(frozen=True)
 class Hazard:
-    """A situation that can hurt somebody. ``level`` is the required performance level (AgPLr). It
-    is empty if it cannot be computed."""
+    """A situation that can hurt somebody. ``level`` is the required performance level (AgPLr). If
+    this level cannot be computed, ``level`` is empty."""
 
     id: str
     title: str
@@ -601,7 +601,7 @@ class SafetyGoal:
 @dataclass(frozen=True)
 class FaultScenario:
     """A scenario in which a part of the robot or a person fails. ``goals`` are the safety goals
-    that must prevent harm. ``tests`` are the tests that play the scenario."""
+    that must prevent harm. ``tests`` are the tests that execute the scenario."""
 
     name: str
     title: str
@@ -614,8 +614,9 @@ class FaultScenario:
 
 @dataclass(frozen=True)
 class Correction:
-    """Files that were edited to correct defects, and not for a safety function. ``for_safety`` is
-    the number of edited lines in these files that nevertheless belong to a safety function."""
+    """Files that were edited to correct defects, and not to add a safety function. Nevertheless,
+    some edited source lines in these files can belong to a safety function. ``for_safety`` is their
+    number."""
 
     paths: Sequence[str]
     why: str
@@ -632,8 +633,8 @@ class TouchedFile:
     added: int
     removed: int
     corrections: str = (
-        # The reason why the edits do not belong to a safety function. It is empty if they belong to
-        # a safety function.
+        # The reason why the edits do not belong to a safety function. If they belong to one, this
+        # text is empty.
         ""
     )
 
@@ -644,8 +645,8 @@ class TouchedFile:
 
 @dataclass(frozen=True)
 class SafetyCost:
-    """The cost of the safety functions: the files and lines that git counts. Without git, the model
-    has ``None`` instead."""
+    """The cost of the safety functions: the numbers of files and source lines that git counts. If
+    there is no git, the model has ``None`` instead of this object."""
 
     base: str
     commit: str
@@ -695,8 +696,8 @@ class RequirementNumbers:
 
 @dataclass(frozen=True)
 class NumbersWithout:
-    """Numbers in requirements, for example ``FR-1 100 us``, for which the code has no constant.
-    ``why`` is the reason."""
+    """Numbers in requirements for which the code has no constant, for example ``FR-1 100 us``.
+    ``why`` states why there is no constant."""
 
     numbers: Sequence[str]
     why: str
@@ -907,15 +908,15 @@ class Proofs:
 
     @property
     def recorded(self) -> list[ProofResult]:
-        """Returns the results that an earlier run with the same models recorded, and that this
-        build did not compute again."""
+        """Returns the results that this build did not compute. An earlier run with the same models
+        recorded them."""
         return [result for result in (self.results or {}).values() if result.recorded_on]
 
 
 @dataclass(frozen=True)
 class ExecutionContext:
-    """An execution context: code that the hardware starts. It is an interrupt, the thread of a
-    control system, or the program after a reset ("start")."""
+    """An execution context: code that the hardware starts. There are three kinds: an interrupt
+    handler, the thread of a control system, and the program after a reset ("start")."""
 
     id: str
     kind: str  # "interrupt", "thread", "start"
@@ -957,8 +958,8 @@ class StackContext:
 
 @dataclass(frozen=True)
 class TimeBound:
-    """The longest processor time that one execution of an interrupt, or of a thread with all its
-    handlers, can need."""
+    """The longest processor time that a context can need. For an interrupt, this is the time of one
+    execution. For a thread, it is the time of all its handlers in a control cycle."""
 
     context: str
     name: str
@@ -1124,7 +1125,8 @@ class Apart:
 
 @dataclass(frozen=True)
 class Cycle:
-    """Logic modules whose uses may form a cycle, and the pattern that makes the cycle necessary."""
+    """Logic modules that may use each other in a cycle, and the pattern that makes the cycle
+    necessary."""
 
     within: str
     modules: Sequence[str]
@@ -1183,7 +1185,7 @@ class KitTest:
 
 @dataclass(frozen=True)
 class Port:
-    """A port: the firmware with another device or on another microcontroller."""
+    """A port: a variant of the firmware for another device or for another microcontroller."""
 
     title: str
     says: str
@@ -1240,8 +1242,8 @@ class MadeChange:
 
 @dataclass(frozen=True)
 class LikelyChange:
-    """The work that a likely change needs. The application of a pattern limits this work to few
-    modules."""
+    """The work that a likely change needs. Because of the use of a pattern, only a few modules must
+    be edited."""
 
     application: str
     pattern: str
@@ -1261,7 +1263,7 @@ class LikelyChange:
 
 @dataclass(frozen=True)
 class ArchitectureGroup:
-    """Modules that the high-level diagram draws in one box; ``module`` represents all of them."""
+    """Modules that are one box in the high-level diagram. ``module`` represents all of them."""
 
     name: str
     module: str
@@ -1311,7 +1313,8 @@ class BeliefSource:
 
 @dataclass(frozen=True)
 class BoardBelief:
-    """A belief: the meaning of a register value, as the virtual board implements it."""
+    """A belief: the assumed meaning of a register value. The virtual board implements this
+    meaning."""
 
     register: str  # block::NAME
     value: str
@@ -1342,8 +1345,8 @@ class DriverFault:
 
 @dataclass(frozen=True)
 class Finding:
-    """A finding of a check. ``text`` describes the fault. If ``fix`` is empty, the fix of the check
-    applies."""
+    """A finding of a check. ``text`` describes the problem. If ``fix`` is empty, the general fix of
+    the check is shown instead."""
 
     place: Place
     check: str
@@ -1408,8 +1411,9 @@ class LoopScenario:
 
 @dataclass(frozen=True)
 class ProductImage:
-    """The firmware image of a product. ``modules`` are the modules in the image. ``forbidden`` are
-    parts in the image that the product must not contain."""
+    """The firmware image of a product. ``modules`` are the modules in the firmware image.
+    ``forbidden`` are the parts that the firmware image contains although the product must not
+    contain them."""
 
     flash: int
     ram: int

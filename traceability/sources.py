@@ -1,5 +1,4 @@
-"""Hashes of files. With these hashes, a tool detects that an input of a build, a test or a page has
-changed."""
+"""Hashes of files. If a hash has changed, an input of a build, a test or a page has changed."""
 
 from __future__ import annotations
 
@@ -8,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 # The folders with the code of the firmware: the basic robot (src), and the extensions that some
-# products add.
+# variants of the robot (products) add.
 SRC, EXTENSIONS = "src", "extensions"
 DESIGN = (SRC, EXTENSIONS)
 # The table of the protocol's frames, and the Python module that reads it. The build of the

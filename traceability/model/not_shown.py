@@ -1,4 +1,5 @@
-"""The limits of a build's evidence. With them, no page claims more than was done."""
+"""The limits of the evidence of a build. The pages list these limits, because a reader could
+otherwise assume more evidence than there is."""
 
 from __future__ import annotations
 
@@ -45,7 +46,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
 
 
 def by_method(model: Model, report: Report) -> str:
-    """Returns the number of verified requirements for each method of verification, in words."""
+    """Returns a text with the number of verified requirements for each method of verification."""
     words = {"test": "by tests", "analysis": "by analysis", "measurement": "by measurement"}
     states = report.requirements
     counts = {
@@ -136,9 +137,8 @@ def _times(model: Model) -> Iterator[tuple[str, str]]:
 
 
 def _share(model: Model, name: str, paper: Paper) -> float:
-    """Returns the ratio of the measured time to its target. It is the greater of the ratios of the
-    average and of the longest time.
-    """
+    """Returns the greater of two ratios: the average time to its target, and the longest time to
+    its target. Returns 0 if the scenario was not measured."""
     measured = (model.bench or {}).get(name)
     if measured is None:
         return 0

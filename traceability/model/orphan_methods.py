@@ -9,15 +9,17 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
-JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # The checks compare these entries with the code.
+# Kinds of justifications that are compared with the code by the checks, and not by this module.
+JUSTIFIED_BY_CHECKS = ("uncalled", "loop")
 
 
 def serving_methods(model: Model) -> set[str]:
-    """Returns the methods that serve a requirement. They have a tag, are in a tree, or are related
-    to such a method.
+    """Returns the methods that serve a requirement. A method serves a requirement if it has a
+    ``@satisfies`` tag, or if an invocation tree contains it.
 
-    An operation of an abstraction serves the requirements of the methods that override it. A
-    constructor serves the requirements of its module.
+    If a method serves a requirement, the method that it overrides and all other methods that
+    override the same method also serve a requirement. If a method of a class serves a requirement,
+    the constructors of the class also serve a requirement.
     """
     methods = {item.id: item for module in model.modules.values() for item in module.methods}
     served = {item.id for item in methods.values() if item.satisfies}
@@ -38,7 +40,7 @@ def serving_methods(model: Model) -> set[str]:
 
 
 def methods_without(model: Model) -> list[tuple[Module, Method]]:
-    """Returns public methods of design modules that serve no requirement."""
+    """Returns each public method of a design module if the method serves no requirement."""
     serving = serving_methods(model)
     return [
         (module, method)
@@ -54,7 +56,8 @@ def tests_without(model: Model) -> list[Test]:
 
 
 def justify(model: Model, declared: Iterable[Justified]) -> Model:
-    """Adds to each entry the methods, tests and lines that need its justification."""
+    """Records in each justification the names of the methods and tests that need it. Records in
+    each gap of unexecuted source lines the reason from its justification."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     reasons: dict[str, str] = {}

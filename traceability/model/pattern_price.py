@@ -16,18 +16,19 @@ from traceability.schema import PatternPrice, Place
 
 SCENARIO = "steps_and_steering"
 MEASURED = Path("build/bench") / f"{PRODUCT}-{SCENARIO}-{MANUAL}.json"
-# A virtual call has these additional instructions: load the table, load its entry, and branch.
+# A virtual call has three instructions: load the address of the virtual table, load the address of
+# the method from this table, and branch.
 OF_A_CALL = 3
 BYTES_OF_A_CALL = 6  # bytes of these instructions in their short forms
 
-Site = tuple[int, set[str]]  # address of the call -> the classes that the call can reach
+Site = tuple[int, set[str]]  # address of a call, and the classes whose methods it can execute
 
 
 def prices(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> dict[str, PatternPrice]:
-    """Returns the cost of each application. The result is empty if the bench has not run with the
-    present sources."""
+    """Returns the cost of each use of a pattern. Returns no costs if there is no firmware image or
+    no measurement of the present sources."""
     measured = read_json(root / MEASURED)
     if image is None or model.bench is None or not isinstance(measured, dict):
         return {}
@@ -48,7 +49,8 @@ def prices(
 
 
 def sites(program: Program, prover: Prover) -> Iterator[Site]:
-    """Yields the virtual calls, with the classes of the methods that they can reach."""
+    """Yields each virtual call: its address in the firmware image, and the classes whose methods it
+    can execute."""
     for symbol, code in program.codes.items():
         function = prover.graph.get(symbol)
         for block in code.blocks.values():

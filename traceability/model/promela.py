@@ -1,8 +1,9 @@
 """The state machines of the design in Promela, the language of the model checker Spin.
 
-Each machine of ``design/fsm`` becomes a variable for its state, and a step. At an event, the step
-executes the first transition whose guard is true. The guards are inputs:
-``design/proofs/robot.pml`` sets the guards, calls the steps and reads the actions.
+Each machine of ``design/fsm`` becomes a variable and an inline function. The variable contains the
+present state. The function is called the step of the machine. It receives an event and executes the
+first transition whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets the
+guards, calls the steps and reads the actions.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ HEAD = """\
 // Generated from design/fsm. Event 0 sets the initial state.
 #define machine_reset 0
 """
-# the lines before and after the variables
+# the comments in robot.pml before and after the observing variables
 OBSERVED, OBSERVED_END = (
     "// ---- observed",
     "// ---- environment",
@@ -30,7 +31,8 @@ SIGNS = {"<": " below ", ">": " above ", "=": " is "}
 
 
 def slug(text: str) -> str:
-    """Returns a text in a form that can be a part of a name."""
+    """Converts a text into a part of a Promela name. For example, ``a < b`` becomes
+    ``a_below_b``."""
     for sign, word in SIGNS.items():
         text = text.replace(sign, word)
     return re.sub(r"\W+", "_", text).strip("_")
@@ -41,7 +43,8 @@ def name_of(machine: StateMachine) -> str:
 
 
 def guards_of(machine: StateMachine) -> list[str]:
-    """Returns the variables of the guards. They are the inputs of the process."""
+    """Returns the names of the variables for the guards of a machine. The composition sets these
+    variables."""
     guards = dict.fromkeys(step.guard for step in machine.transitions if step.guard)
     return [f"{name_of(machine)}_if_{slug(guard)}" for guard in guards]
 
@@ -49,23 +52,23 @@ def guards_of(machine: StateMachine) -> list[str]:
 def whole(
     machines: Mapping[str, StateMachine], composition: str, proof: ProofProperty | None = None
 ) -> str:
-    """Returns the model that Spin reads: the machines, the composition and one property. An
-    observing variable that the property does not need is not in the state space.
-    """
+    """Returns the model that Spin reads: the machines, the composition and the property ``proof``.
+    Spin does not store the observing variables that this property does not need."""
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
     text = without(composition, proof.formula) if proof else composition
     return "\n".join([HEAD, *map(step_of, machines.values()), text, claim])
 
 
 def observed(composition: str) -> dict[str, set[str]]:
-    """Returns each observed name with the variables that determine its value."""
+    """Returns for each observing variable the names in the expression that sets it."""
     body = composition.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}
 
 
 def without(composition: str, formula: str) -> str:
-    """Hides the observing variables that a formula does not need."""
+    """Returns the composition. Each observing variable that the formula does not need has the
+    keyword ``hidden``, which keeps it out of the state space."""
     head, mark, rest = composition.partition(OBSERVED)
     block, end, rest = rest.partition(OBSERVED_END)
     needed = set(WORD.findall(formula))
@@ -82,7 +85,8 @@ def without(composition: str, formula: str) -> str:
 
 
 def step_of(machine: StateMachine) -> str:
-    """Returns the step of a machine, with the names that the composition uses."""
+    """Returns the Promela text of a machine: the names that the composition uses, the variables,
+    and the step."""
     name = name_of(machine)
     actions = dict.fromkeys(step.action for step in machine.transitions if step.action)
     lines = [f"// {machine.title}, from {machine.place.file}"]
@@ -117,9 +121,8 @@ def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
-    """Returns the transitions of a state at an event. Their guards are evaluated from top to
-    bottom.
-    """
+    """Returns the Promela text of the transitions from one state at one event. The text tests the
+    guards in the order of the transitions. The first true guard selects the transition."""
     name, first = name_of(machine), steps[0]
     effects = [f"{name} = {name}_{first.target}"]
     if first.action:
@@ -140,7 +143,8 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 
 
 def proofs_of(root: Path, declared: Declared) -> Proofs:
-    """Returns the properties, with their results and with the model that the proof is valid for."""
+    """Returns the declared properties, the results of their proofs, the text of the proved model,
+    and the counterexamples in a form for readers."""
     path = root / COMPOSITION
     if not path.exists():
         return Proofs()

@@ -1,4 +1,5 @@
-"""The report: the results of this run. No step writes them into the model."""
+"""The report: the findings, the verdicts and the measured values of a run. The model does not
+contain them."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from traceability.schema import Clause, Finding
 
 @dataclass(frozen=True)
 class Verdict:
-    """The state of a requirement or of a safety goal, with the reason why it is not verified.
+    """The state of a requirement or of a safety goal, and the reasons if it is not verified.
 
     The state of a requirement is "verified", "partly", "suspect", "failed", "stale" or
     "unverified". The state of a goal is "verified", "open" or "failed".
@@ -22,14 +23,15 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Report:
-    """The findings, verdicts and measured values of a run, each by the id or name of its
-    subject."""
+    """The findings, verdicts and measured values of a run. The keys of each mapping are the ids or
+    names of the items that the values describe."""
 
     findings: Sequence[Finding] = ()
     requirements: Mapping[str, Verdict] = field(default_factory=dict)
     goals: Mapping[str, Verdict] = field(default_factory=dict)
     # Fault scenario -> "verified", "failed", "stale" or "unverified".
     scenarios: Mapping[str, str] = field(default_factory=dict)
-    clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)  # application -> clauses
-    # key: the metric of an evidence
+    # id of a use of a pattern -> clauses of this use
+    clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)
+    # metric that is evidence for a requirement -> measured value
     measured: Mapping[str, float | None] = field(default_factory=dict)

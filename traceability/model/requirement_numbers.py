@@ -1,5 +1,5 @@
-"""The numbers with a unit in requirements, and the constants of the code that have these
-numbers."""
+"""Finds the numbers with a unit in requirements, and compares these numbers with the constants of
+the code."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from traceability.reading.ast_facts import ConstantFact
 
 _ELEVEN = "two three four five six seven eight nine ten eleven twelve"
 WORDS = {word: number for number, word in enumerate(_ELEVEN.split(" "), 2)}
-# Unit -> its quantity, and its factor to the unit in which quantities are compared.
+# Unit -> the kind of its quantity, and the factor that converts a value to the smallest unit of
+# this kind.
 UNITS = {
     "us": ("time", Fraction(1)),
     "ms": ("time", Fraction(1000)),
@@ -49,11 +50,12 @@ _STATED = re.compile(
 @dataclass(frozen=True)
 class Quantity:
     kind: str  # "" for a plain number
-    amount: Fraction
+    amount: Fraction  # in the smallest unit of this kind
 
 
 def stated_numbers(text: str) -> dict[str, Quantity]:
-    """Returns each number with a unit in a text, such as ``200 ms``."""
+    """Returns the quantity of each number with a unit in a text. The key is the number with its
+    unit, such as ``200 ms``."""
     quantities: dict[str, Quantity] = {}
     for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
         unit = match["unit"] or match["later"]
@@ -70,8 +72,8 @@ def quantity_of(constant: ConstantFact) -> Quantity:
 
 
 def is_same(stated: Quantity, constant: Quantity) -> bool:
-    """Returns whether two quantities are equal. A constant without a unit has the unit of the
-    text."""
+    """Returns whether a quantity in a text equals a constant. A constant without a unit may have
+    any unit of the same kind as the quantity."""
     if constant.kind:
         return stated == constant
     scales = {scale for kind, scale in UNITS.values() if kind == stated.kind}

@@ -1,7 +1,8 @@
-"""Upper bounds of the response times of each interrupt, of the control cycle, and of the paths from
-an input to its effect.
+"""Upper bounds of three kinds of times: the response time of each interrupt, the response time of
+the control cycle, and the time from an input to its effect.
 
-A response time includes each interrupt as often as the interrupt can occur before the response.
+Each bound includes the interrupts that can occur before the response, each interrupt as often as it
+can occur.
 """
 
 from __future__ import annotations
@@ -27,22 +28,24 @@ from traceability.schema import VIRTUAL_K64, ExecutionContext, PathBound, TimeBo
 from traceability.schema import Place as SourcePlace
 
 DECLARED_IN = Path("design/times.toml")
-# cycles that the hardware needs for an interrupt, including the change to the next interrupt
+# Processor cycles that the hardware needs for an interrupt: entry, exit, and the change to the
+# interrupt that follows.
 ENTRY_AND_EXIT = 12 + 10 + 6
-# following one
-RETRY = 12  # cycles of a loop with LDREX and STREX, which an interrupt can repeat
+# Processor cycles of an additional iteration of a loop with LDREX and STREX. An interrupt during
+# the loop causes this iteration.
+RETRY = 12
 CYCLE_TIMER, TICK_TIMER = "cycle-timer", "tick-timer"
 MOST_ROUNDS = 100
-CLOCK = 120_000  # cycles in a tick of 1 ms
+CLOCK = 120_000  # processor cycles in a tick of 1 ms
 NANOSECONDS = 1_000_000  # nanoseconds in a millisecond
 
 
 def prove_times(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> TimeProof | None:
-    """Returns the upper bounds of the times in the firmware image of the robot. Returns None if the
-    image was not built from the present sources.
-    """
+    """Returns the upper bounds of the response times in the firmware image of the robot. Returns
+    None if no firmware image was built from the present sources, or if ``design/times.toml`` is
+    missing."""
     if image is None or not (root / DECLARED_IN).exists():
         return None
     declared = tomllib.loads((root / DECLARED_IN).read_text(encoding="utf-8"))
@@ -76,14 +79,16 @@ def prove_times(
 
 
 def in_order(places: Iterable[tuple[str, Place]]) -> list[tuple[str, SourcePlace]]:
-    """Returns functions and places, sorted by name, file and line."""
+    """Returns pairs of a function and a place, sorted by the name of the function, the file and the
+    line number."""
     return [(name, SourcePlace(*place)) for name, place in sorted(places)]
 
 
 def declared_times(
     root: Path, model: Model, facts: Facts, image: ImageCode, declared: Mapping[str, Any]
 ) -> Times:
-    """Returns the bounds of the functions of an image, with the declared facts about it."""
+    """Returns the object that computes the execution times in a firmware image. It uses the facts
+    that ``design/times.toml`` declares."""
     prover = Prover(image.graph, facts, model, read_declared(root))
     values = {name: constant.number for name, constant in model.constants.items()} | declared[
         "values"
@@ -111,7 +116,8 @@ def declared_times(
 def _flows(
     declared: Iterable[Mapping[str, Any]], bounds: Bounds
 ) -> tuple[dict[str, list[Inequality]], list[str]]:
-    """Returns the facts about each method, and the methods for which a fact cannot be read."""
+    """Returns the declared inequalities of each method, and the methods with an inequality that
+    cannot be read."""
     flows: dict[str, list[Inequality]] = {}
     wrong = []
     for entry in declared:
@@ -130,10 +136,13 @@ def _of_context(
     arrivals: Mapping[str, Mapping[str, Any]],
     activations: Iterable[Iterable[str]],
 ) -> TimeBound | None:
-    """Returns the bound of a context. For a thread, this is the sum over its handlers, because all
-    of them run in a cycle. For an interrupt, it is the longest handler.
+    """Returns the bound of the execution time of a context. Returns None if the firmware image
+    contains no handler of the context, or if the handler ends the firmware.
 
-    Each activation of a cycle names the methods that it does not call.
+    The bound of an interrupt is the bound of its longest handler. A control cycle executes all
+    handlers of a thread, and can activate a thread several times. The bound of a thread is
+    therefore the sum over all its handlers and activations. Each element of ``activations`` lists
+    the methods that the context does not call in this activation.
     """
     arrival = arrivals.get(context.id)
     if arrival and not arrival["entries"]:
@@ -160,8 +169,11 @@ def _of_context(
 
 
 def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
-    """Returns the contexts. Each interrupt has its response time, from its request to the end of
-    its handler. The time includes all work of the same and of higher priorities in between.
+    """Computes the response time of each interrupt. Returns all contexts, the interrupts with their
+    response times.
+
+    A response time lasts from the request of the interrupt to the end of its handler. It includes
+    all work of the same and of higher priorities that the processor does in this time.
     """
     all_bounds = list(contexts)
     waits = _waits(all_bounds, noise=False)
@@ -184,7 +196,8 @@ def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
 
 
 def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, float]:
-    """Returns for each interrupt the longest time that it may wait for its handler [cycle]."""
+    """Returns for each interrupt the longest time [cycle] from a request to the end of its
+    handler."""
     waits: dict[str, float] = {bound.context: 0 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):
         now = {
@@ -213,7 +226,7 @@ def _response(
     own = bound.cycles + sum(other.cycles for other in above if other.entries is None)
     interrupts = [other for other in above if other.entries is not None]
     if noise and bound.context == TICK_TIMER:
-        # Until the handler of the tick runs, no input gets more edges than this.
+        # Before the handler of the tick runs, each noisy input causes at most ``noise`` interrupts.
         limited = [other for other in interrupts if other.noise is not None]
         own += sum((other.noise or 0) * (other.cycles + RETRY) for other in limited)
         interrupts = [other for other in interrupts if other.noise is None]
@@ -241,8 +254,8 @@ def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noi
     """Returns how often an interrupt can occur within ``cycles``. Requests that already wait when
     this period begins are included.
 
-    With noise, an input can have new edges after each tick within this period. The handler of the
-    first edge may be late.
+    With noise, an input can cause ``bound.noise`` interrupts after each tick. The computation adds
+    one tick and the longest response time of the tick to the period.
     """
     assert bound.entries is not None
     if noise and bound.noise is not None:
@@ -258,9 +271,8 @@ def _paths(
     cycle_ms: float,
     bounds: Bounds,
 ) -> list[PathBound]:
-    """Returns the paths from an input to its effect. Each path has the sum of its parts and the
-    time of its recording.
-    """
+    """Returns the declared paths from an input to its effect. Each path contains the bound of each
+    of its parts, and the time that a recording shows for the path."""
     recordings = read_recordings(root) or {}
     chains = {chain.name: chain for chain in declared_chains(root)}
     responses = {bound.context: bound.response_ms for bound in contexts}
@@ -278,8 +290,10 @@ def _paths(
 
 
 def _seen_of(chain: Chain, recording: Any) -> float | None:
-    """Returns the time of a chain in a recording [ms]. If the chain begins with a frame, the time
-    begins at the last byte of the frame.
+    """Returns the time [ms] from the first to the last event of a chain in a recording. Returns
+    None if the recording does not contain the chain.
+
+    If the first event is a byte of a frame, the time begins at the last byte of this frame.
     """
     steps = follow(chain, recording)
     if steps is None:
@@ -294,9 +308,9 @@ def _seen_of(chain: Chain, recording: Any) -> float | None:
 
 
 def _seen(root: Path, model: Model) -> float | None:
-    """Returns the longest time to the report in the runs of the bench and in tests of the image
-    [ms].
-    """
+    """Returns the longest measured time [ms] from the clock pulse to the report of a control cycle.
+    The measurements are the runs of the bench and the tests of the firmware image. Returns None if
+    there are no measurements."""
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
     times = [run.report_ms.maximum for run in runs]
     if not model.stale_on(VIRTUAL_K64):

@@ -1,8 +1,9 @@
-"""The changes of the texts of a requirement since its baseline, and its reviews.
+"""The changes of the texts of each requirement since the baseline, and the reviews of each
+requirement.
 
-The baseline contains a hash of each text on which the verdict of a requirement depends. A different
-hash shows a change. A review is the judgement of a person who wrote none of these texts. Git stores
-the texts themselves.
+The baseline contains a hash of each text on which the verdict of a requirement depends. If the hash
+of the present text is different, the text has changed. The texts themselves are in git. A review is
+the judgement of a person who wrote none of these texts.
 """
 
 from __future__ import annotations
@@ -47,12 +48,13 @@ BASELINE = Path("requirements/baseline.toml")
 REVIEWS = Path("requirements/reviews.toml")
 BASELINE_HEADING = """\
 # The texts on which the verdict of each requirement depends, and the hash of each text.
-# It shows change, and is not a review. Written by ./wr review --baseline.
+# The hashes show which texts have changed. They are not a review.
+# Written by ./wr review --baseline.
 """
 REVIEWS_HEADING = """\
 # Reviews by persons other than the authors of the texts. Written by ./wr review ID.
 """
-# The names of the kinds of texts, as messages use them.
+# Kind of a text -> name of the text in messages.
 NAMES_OF_TEXTS = {
     "requirement": "its text",
     "tree": "its tree",
@@ -71,7 +73,7 @@ NAMES_OF_TEXTS = {
 KINDS = tuple(NAMES_OF_TEXTS)
 DESIGN = "design"  # used instead of an id for texts that belong to no requirement
 OF_DESIGN = ("reason", "facts", "function")
-LINKS = "links"  # requirement -> its texts
+LINKS = "links"  # the table of the baseline with the texts of each requirement
 NEEDS: Keys = {
     "requirement": str,
     "reviewer": str,
@@ -85,11 +87,12 @@ NEEDS: Keys = {
 DATE = r"\d{4}-[01]\d-[0-3]\d"
 QUESTIONS = {
     "text": "Is the requirement clear and complete, and does it contradict no other requirement?",
-    "reasons": "Are its rationale, source, safety goals and hazards right?",
+    "reasons": "Are the rationale, source, safety goals and hazards of the requirement right?",
     "methods": "Do the specifications and the bodies of its methods do what the requirement "
     "demands?",
     "tree": "Does the tree show the important calls in the right order?",
-    "tests": "Would the tests fail if the requirement were not met, on each side of each limit?",
+    "tests": "If the requirement were not met, would the tests fail? Do they test both sides of "
+    "each limit?",
     "oracles": (
         "Are fixtures, expected values and scenarios right, according to a source outside the code?"
     ),
@@ -100,8 +103,8 @@ LEAST_REMARK = 20  # characters
 
 @dataclass(frozen=True)
 class LinkText:
-    """A text on which a link of a requirement depends. The last line of its place is set if it is
-    known."""
+    """A text on which the verdict of a requirement depends. If the last source line of the text is
+    known, ``place.end`` is its number."""
 
     kind: str  # see NAMES_OF_TEXTS
     name: str
@@ -118,7 +121,7 @@ class LinkText:
 
 
 class LinkTexts:
-    """Finds the texts of requirements. Each file is read once."""
+    """The finder of the texts on which the verdicts depend. It reads each file once."""
 
     def __init__(self, model: Model, facts: Facts) -> None:
         self.model = model
@@ -126,7 +129,7 @@ class LinkTexts:
         self.support = SupportFiles(facts.root)
 
     def of(self, requirement: Requirement) -> list[LinkText]:
-        """Returns all present texts of a requirement."""
+        """Returns all texts on which the verdict of a requirement now depends."""
         return [
             *self._own(requirement),
             *(text for name in requirement.goals for text in self._goal(name)),
@@ -138,7 +141,9 @@ class LinkTexts:
         ]
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
-        """Returns the reasons, and the functions and specifications that are not in ``covered``."""
+        """Returns the texts that belong to no requirement. They are the reasons and the facts of
+        the design documents, and all functions, constants and specifications that are not in
+        ``covered``."""
         texts: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"
@@ -153,7 +158,9 @@ class LinkTexts:
         ]
 
     def _uncovered(self, covered: set[str]) -> Iterator[tuple[Place, int, str]]:
-        """Yields the place, the last line, the name and the text of each body and specification."""
+        """Yields each function body, each specification, and the constants of each file, if they
+        are not in ``covered``. Each result consists of the place, the number of the last source
+        line (0 if it is unknown), and a text that begins with a line for the name."""
         for body in self.facts.syntax.bodies:
             own = body.place.file.startswith(tuple(f"{top}/" for top in SOURCES))
             if own and f"body {body.id}" not in covered:
@@ -205,8 +212,8 @@ class LinkTexts:
         return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the bodies and constants of the methods that satisfy a requirement or are in its
-        tree."""
+        """Yields the bodies of the methods that satisfy a requirement or are in its invocation
+        tree. Also yields the constants of the files that contain these bodies."""
         files: set[str] = set()
         for name in sorted(self._methods(requirement)):
             bodies = self.facts.bodies.get(name, [])
@@ -220,14 +227,14 @@ class LinkTexts:
                 yield LinkText("constants", file, Place(file, 1), text)
 
     def _justifications(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the reasons why tests do not execute some lines of the methods of a
+        """Yields the justifications of the source lines that no test executes, in the methods of a
         requirement."""
         for item in self.facts.declared.justified:
             if item.kind == "line" and set(item.names) & self._methods(requirement):
                 yield LinkText("justification", item.names[0], item.place, item.why)
 
     def _methods(self, requirement: Requirement) -> set[str]:
-        """Returns the methods that satisfy a requirement or have a node in its tree."""
+        """Returns the methods that satisfy a requirement or are in its invocation tree."""
         nodes = nodes_of(requirement.tree) if requirement.tree else []
         accepted_names = {method for node in nodes for method in accepted(node, self.facts)}
         return accepted_names.union(requirement.satisfied_by)
@@ -268,8 +275,8 @@ class LinkTexts:
 
 
 def _effect(machine: StateMachine, step: Transition) -> str:
-    """Returns the guard and the action of a transition, with their conditions and calls in the
-    code."""
+    """Returns a text with the guard and the action of a transition. For the guard, the text lists
+    the conditions in the code. For the action, it lists the calls in the code."""
     conditions = machine.guards.get(step.guard or step.event, ())
     called = machine.actions.get(step.action, ())
     return f"{step.guard} = {', '.join(conditions)} / {step.action} = {', '.join(called)}"
@@ -297,8 +304,8 @@ def read_baseline(root: Path, entries: Entries | None = None) -> Baseline:
 
 
 def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterable[str]) -> None:
-    """Replaces the texts of some requirements in the baseline. The texts of the other requirements
-    remain."""
+    """Writes the texts and hashes of the requirements in ``texts`` to the baseline. The other
+    requirements in ``ids`` keep their lists of texts."""
     before = read_baseline(root)
     links = {name: before.links[name] for name in (*ids, DESIGN) if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
@@ -322,13 +329,14 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
 
 
 def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
-    """Returns the complete reviews."""
+    """Returns the reviews that have all keys. Records a problem for each review with a missing key
+    or with a date in another form."""
     entries = entries or Entries(root)
     reviews = []
     for entry, place in entries.tables(root / REVIEWS, "review", NEEDS):
         if not re.fullmatch(DATE, entry["date"]):
             text = "the date of the review must have the form 2026-01-31"
-            entries.problems.append(Problem(place, text, "review it again"))
+            entries.problems.append(Problem(place, text, "review the requirement again"))
         reviews.append(Review(**entry, place=place))
     return reviews
 
@@ -350,9 +358,9 @@ def _order(name: str) -> tuple[str, int]:
 
 
 def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterator[str]:
-    """Yields the reasons why a record is not a valid review of these texts."""
+    """Yields the reasons why a review is not valid for these texts."""
     if len(review.reviewer.split()) < 2 or "@" not in review.email:
-        yield "a review needs the first and last name of a person, and an address"
+        yield "a review needs the first and last name of a person, and an e-mail address"
     if len(review.remark.strip()) < LEAST_REMARK:
         yield f"a review needs a remark of at least {LEAST_REMARK} characters"
     for question in QUESTIONS:
@@ -367,7 +375,8 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
 
 
 def authors(root: Path, place: Place) -> set[str]:
-    """Returns the names and addresses, in lower case, that git records as authors of the lines."""
+    """Returns the authors of the source lines of a place, according to git. The result contains
+    their names and e-mail addresses in lower case."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
     command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -402,7 +411,8 @@ def with_reviews(model: Model, facts: Facts) -> Model:
 
 
 def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
-    """Returns a record, with the result whether it is a valid review."""
+    """Returns the review with two results: whether it is about the present texts, and the reasons
+    why it is not valid."""
     current = review.state == state_of(texts)
     return replace(review, current=current, objections=list(objections(root, review, texts)))
 
@@ -410,7 +420,7 @@ def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
 def suspicions(
     requirement: Requirement, baseline: Baseline, texts: list[LinkText], model: Model
 ) -> Iterator[Suspicion]:
-    """Yields the texts that differ from the baseline."""
+    """Yields the texts of a requirement that were changed, added or removed since the baseline."""
     linked = baseline.links.get(requirement.id)
     if linked is None:
         yield Suspicion("requirement", requirement.id, requirement.place, "has no baseline")
@@ -423,9 +433,8 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """Returns the earlier place of a text, and the reason why the requirement no longer depends on
-    the text.
-    """
+    """Returns the reason why a requirement no longer depends on a text, and the place to report.
+    The place is the method or the test if it still exists, and otherwise the requirement."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:
@@ -435,7 +444,7 @@ def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tu
             name
         ].place, f"has lost its @verifies {requirement.id} since the baseline"
     if kind == "body" and methods:
-        return methods[0].place, "is no longer in its tree, and has no @satisfies"
+        return methods[0].place, "is no longer in the requirement's tree, and has no @satisfies"
     return requirement.place, "was removed since the baseline"
 
 
@@ -450,10 +459,10 @@ def _changed(
 
 
 def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> Iterator[Suspicion]:
-    """Yields the texts without a requirement that differ from the baseline.
+    """Yields the texts that belong to no requirement and differ from the baseline.
 
-    If a text now belongs to a requirement, or belonged to one before, the check of the requirement
-    reports it.
+    Two kinds of texts are left out, because the comparison of a requirement reports them: the texts
+    that belong to a requirement now, and the texts that belonged to a requirement in the baseline.
     """
     linked = set(baseline.links[DESIGN])
     if not linked and texts:
@@ -471,7 +480,7 @@ def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> 
 
 
 def _is_in(keys: Container[str], name: str) -> bool:
-    """Returns whether the keys contain the body, the specification or the constants of this
-    name."""
+    """Returns true if ``keys`` contains the body or the specification of a function, or the
+    constants of a file. ``name`` has the form ``function in file``."""
     code, _, file = name.rpartition(" in ")
     return any(key in keys for key in (f"body {code}", f"method {code}", f"constants {file}"))

@@ -1,4 +1,5 @@
-"""The safety case of the model, and the verdicts of its goals in this run."""
+"""The safety case with the tests of its scenarios, and the verdicts of its safety goals in this
+run."""
 
 from __future__ import annotations
 
@@ -24,9 +25,13 @@ from traceability.schema import (
 
 
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
-    """Returns the case with the tests that play its scenarios, and with the counts of git. A
-    parameterised test that names the folder may play each scenario in the folder. Its results show
-    the scenarios that it played."""
+    """Returns the safety case with the tests that execute its scenarios, and with the cost of the
+    safety functions.
+
+    A parameterised test may execute each scenario if its file names the folder of the scenarios.
+    The recordings of the test show which scenarios it executed. If it has no recordings, it counts
+    as a test of all scenarios.
+    """
     case = facts.declared.safety
     if not case.goals:
         return case
@@ -49,15 +54,15 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
 
 def _playing(path: Path) -> str:
-    """Returns the text of a file of tests that may play scenarios. The text is empty for another
-    file."""
+    """Returns the text of a test file if the text contains the word scenario. Otherwise returns an
+    empty text."""
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return text if "scenario" in text.lower() else ""
 
 
 def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
-    """Returns whether the body of a test names a scenario, or whether an instance of the test has
-    its name."""
+    """Returns true in two cases: the code of a test contains the name of a scenario as a string, or
+    an instance of the test has the name of the scenario."""
     named = re.search(rf'"(?:[\w/.]*/)?{re.escape(scenario)}(?:\.scenario)?"', body)
     return named is not None or any(run.endswith(f".{case}_{scenario}") for run in runs)
 
@@ -104,9 +109,8 @@ def scenario_state(model: Model, scenario: FaultScenario) -> str:
 
 
 def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str | None:
-    """Returns the result of the test instance that plays a scenario. If no instance plays it,
-    returns the result of the whole test.
-    """
+    """Returns the result of the test instance that executes a scenario. If no instance executes the
+    scenario, returns the result of the whole test."""
     end = f".{test.name}_{scenario.name}"
     own = [result for name, result in run.instances.items() if name.endswith(end)]
     return next(iter(own), run.result)

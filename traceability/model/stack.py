@@ -1,9 +1,11 @@
-"""The largest stack use of the image, computed from all calls of functions that a context may
-execute.
+"""The largest stack use of the firmware image. It is computed from all calls that an execution
+context may make.
 
-The reports of the compiler contain the frames and the calls. An indirect call reaches the methods
-of the objects that the builders passed, according to the model. A chain of decorators passes once
-through each Concrete Decorator of its application. No other method occurs twice in a chain.
+The reports of the compiler contain the stack frames and the calls. For an indirect call, the model
+shows the objects that the builders passed. The call can then reach the methods of these objects.
+
+A chain of calls through decorators contains each Concrete Decorator of the pattern at most once. No
+other method occurs twice in a chain of calls.
 """
 
 from __future__ import annotations
@@ -37,11 +39,11 @@ FRAME_WITH_FLOATS = 104 + 4
 @dataclass
 class Declared:
     faults: list[str] = field(default_factory=list)
-    # function -> pattern of the symbols that it calls
+    # Function with a call through a pointer -> pattern of the symbols that it may call, with ``*``.
     calls: dict[str, str] = field(default_factory=dict)
-    # Class of a chain of objects -> number of its objects.
+    # Class -> number of its objects in a chain. In a chain, each object wraps the next object.
     entries: dict[str, int] = field(default_factory=dict)
-    # Class of a chain with a known order -> the classes of the objects that its object wraps.
+    # Class in a chain with a fixed order -> the classes of all objects after its own object.
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 
@@ -66,9 +68,8 @@ def read_declared(root: Path) -> Declared:
 
 
 def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> StackProof | None:
-    """Returns the proof for the firmware image of the robot. Returns None if the image was not
-    built from the present sources.
-    """
+    """Returns the proof of the stack size for the firmware image of the robot. Returns None if no
+    firmware image was built from the present sources."""
     if image is None or not model.contexts:
         return None
     frame = FRAME_WITH_FLOATS if uses_floats(image.elf) else FRAME
@@ -79,7 +80,8 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Returns the greatest number of nested calls of each method of a chain of objects."""
+    """Returns for each method of the classes in chains of objects how many calls of this method can
+    be nested. The chains are the decorators and the declared chains."""
     entries = {
         method.id: most
         for name, most in declared.entries.items()
@@ -188,7 +190,9 @@ class Prover:
         return cache[key]
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
-        """Returns whether the chain contains no further object whose method could be called."""
+        """Returns true if a further nested call of a method is impossible. One reason is that each
+        object with this method in the chain is already executing it. The other reason is that an
+        object further inside the chain is already executing a method."""
         method = short_name(self.graph[symbol].name)
         if method not in self.most:
             return False

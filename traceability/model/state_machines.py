@@ -1,8 +1,9 @@
-"""The state machines, with the changes that the code can make and the changes that the tests make.
+"""The state machines, with the changes of state that the code can make and the changes of state
+that the tests made.
 
-``design/fsm`` declares a machine. Its states are the Concrete States of an application of the State
-pattern. This module finds the changes in the bodies of the states and in the recorded calls of the
-tests.
+The files in ``design/fsm`` declare the machines. The states of a machine are the Concrete States in
+a use of the State pattern. This module finds the changes of state in the methods of the state
+classes and in the recorded calls of the tests.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ class Change:
     operation: str
     target: str  # "" when the code does not show the new state
     place: Place
-    # methods of the state that are called between its operation and the change
+    # the methods through which the operation reaches the change, in the order of the calls
     path: tuple[str, ...]
     sometimes: bool
     asked: list[str] = field(default_factory=list)  # operands of the conditions before the change
@@ -35,16 +36,16 @@ class Change:
 
 @dataclass
 class MachineCode:
-    """The facts about a machine in the syntax tree."""
+    """The facts about a state machine that are read from the code."""
 
-    # Context -> its method that changes the state
+    # Context -> method of the Context that changes the state
     holders: dict[str, str] = field(default_factory=dict)
     # Operations that the Context may call on a state.
     operations: list[str] = field(default_factory=list)
     runs: dict[str, dict[str, str]] = field(default_factory=dict)  # state -> operation -> method
     changes: list[Change] = field(default_factory=list)
     initial: set[str] = field(default_factory=set)
-    composition: str = ""  # class that contains all states
+    composition: str = ""  # class with an object of each state
 
     def of(self, source: str, operation: str) -> list[Change]:
         return [c for c in self.changes if (c.source, c.operation) == (source, operation)]
@@ -81,9 +82,8 @@ def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
 
 
 def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
-    """Returns the Contexts with a member that refers to the State, and the method that assigns this
-    member.
-    """
+    """Returns for each Context the method that changes the present state. This method assigns a
+    member that refers to a State. A Context without such a method is left out."""
     holders: dict[str, str] = {}
     for context in contexts:
         fields = {
@@ -99,12 +99,13 @@ def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
 
 
 def _operations(base: str, facts: Facts) -> list[str]:
-    """Returns the operations of the State that its subclasses may override."""
+    """Returns the virtual operations of the State class."""
     return [m.name for m in facts.classes[base].methods if m.virtual and "~" not in m.name]
 
 
 def _composition(machine: StateMachine, facts: Facts) -> str:
-    """Returns the class of the robot that contains all states by value."""
+    """Returns the class in ``src`` that has an object of each state as a member. Returns an empty
+    text if there is no such class."""
     for fact in facts.classes.values():
         kinds = {kind for member in fact.fields if not member.refers for kind in member.classes}
         if set(machine.states.values()) <= kinds and fact.place.file.startswith("src/"):
@@ -113,7 +114,7 @@ def _composition(machine: StateMachine, facts: Facts) -> str:
 
 
 class _Changes:
-    """Finds the changes that the operations of a state make."""
+    """The search in the code for the changes of state that the operations of a state can make."""
 
     def __init__(
         self,
@@ -130,7 +131,7 @@ class _Changes:
         self.states = machine.states
         self.family = {base, *facts.subclasses.get(base, [])}
         methods = set(code.holders.values())
-        # In a template, the called operation has no known class.
+        # If a call is in a template, the class of the called method is not known.
         self.changers = methods | {
             f"{ANY_CLASS}::{method.rpartition('::')[2]}" for method in methods
         }
@@ -147,8 +148,12 @@ class _Changes:
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
-        """Yields the changes. Each change has its target, its place, its path, whether it is
-        conditional, and its conditions.
+        """Yields the changes of state that a method makes itself or through other methods of the
+        state.
+
+        Each result consists of the new state, the place of the change, the called methods on the
+        path to the change, a truth value, and the operands of the conditions before the change. The
+        truth value is true if the change is conditional.
         """
         for body in self.references.own_bodies(method):
             for call in body.calls:
@@ -166,7 +171,9 @@ class _Changes:
                         yield target, place, way, rarely or call.sometimes, call.asked + conditions
 
     def _is_own(self, call: CallFact, file: str) -> bool:
-        """Returns whether the callee is a final method of the state, or a function in its file."""
+        """Returns true if a call executes a method of the state object itself, and this method
+        cannot be overridden. Also returns true if the call executes a function outside classes in
+        the same file."""
         beside = self.references.own_bodies(call.target)
         if beside and all(not body.owner and body.place.file == file for body in beside):
             return True
@@ -183,7 +190,8 @@ class _Changes:
         return sorted(methods) or [""]
 
     def initial(self) -> set[str]:
-        """Returns the states that the composition passes to an object that is not a state."""
+        """Returns the initial states. These are the states that the composition passes to an object
+        of another class than a state."""
         members = {
             f"field {self.code.composition}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.composition)]
@@ -207,7 +215,8 @@ class _Changes:
 
 @dataclass(frozen=True)
 class Seen:
-    """A change in a recorded test, or a call that made no change."""
+    """A recorded call of an operation of a state. If the call did not change the state, ``target``
+    is the same state as ``source``."""
 
     source: str
     operation: str
@@ -216,32 +225,34 @@ class Seen:
 
 
 class Watcher:
-    """Finds the states of a Context in the recorded calls of a test.
+    """The search for the states of a Context in the recorded calls of a test.
 
-    Only calls below a method of the Context count, because they are calls of the present state.
-    After a change, the new state is known as soon as the next call fits only one state.
+    Only the calls inside a method of the Context are examined, because the Context calls only the
+    present state. After a change, all states are possible. Each further call excludes the states
+    that do not have the called method, until one state is left.
     """
 
     def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
         self.code = code
-        self.runners: dict[str, set[str]] = {}  # method -> states with this operation
+        self.runners: dict[str, set[str]] = {}  # method -> states that have this method
         for state, methods in code.runs.items():
             for operation in operations & set(methods):
                 self.runners.setdefault(methods[operation], set()).add(state)
         every = {f"{name}::{operation}" for name in family for operation in operations}
-        self.foreign = every - set(self.runners)  # calls of states of other machines
+        self.foreign = every - set(self.runners)  # methods of the states of other machines
         self.helpers = {method for change in code.changes for method in change.path}
         self.changers = set(code.holders.values())
         self.constructors = {f"{name}::{name}" for name in code.holders}
 
     def known(self) -> list[object]:
-        """Returns the inputs on which the result depends. They are the key of the cache."""
+        """Returns the inputs that determine the result of the search. The result is cached under
+        these inputs."""
         runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
         others = (self.foreign, self.helpers, self.changers, self.constructors)
         return [runners, self.code.runs, self.code.holders, *(sorted(item) for item in others)]
 
     def turns(self, method: str) -> bool:
-        """Returns whether a call of the method may change the state."""
+        """Returns whether the present state may be a different state after a call of the method."""
         return method in self.changers | self.constructors | self.foreign
 
     def concerns(self, method: str) -> bool:
@@ -249,8 +260,8 @@ class Watcher:
         return concerned or method.rpartition("::")[0] in self.code.holders
 
     def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
-        """Returns the changes in the calls. Each call is a pair of a method and a truth value,
-        which is true for an entry and false for an exit."""
+        """Returns the changes of state that the recorded calls show. ``calls`` has a pair for each
+        entry and each exit of a method. The second value of the pair is true for an entry."""
         run = _Run(self)
         for method, entered in calls:
             if entered:
@@ -261,14 +272,14 @@ class Watcher:
 
 
 class _Run:
-    """The state of the search at a position of a recording."""
+    """The progress of the search in one recording."""
 
     def __init__(self, watcher: Watcher) -> None:
         self.watcher = watcher
         self.found: list[Seen] = []
         self.stack: list[str] = []
-        self.running: int | None = None  # depth of the state's operation that runs now
-        self.changed: tuple[str, ...] | None = None  # the methods on the path to the change
+        self.running: int | None = None  # index in ``stack`` of the present state's operation
+        self.changed: tuple[str, ...] | None = None  # methods on the path to the change
         self._forget()
 
     def _forget(self) -> None:
@@ -296,9 +307,8 @@ class _Run:
             self.changed = tuple(method for method in between if method in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """Records that an operation of the present state begins. The operation shows which state is
-        the present state.
-        """
+        """Records that an operation of the present state begins. The operation excludes all states
+        that do not have it."""
         states = self.watcher.runners[method]
         if not self.present & states:
             self._forget()
@@ -325,8 +335,8 @@ class _Run:
 def machines_of(
     model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path
 ) -> dict[str, StateMachine]:
-    """Returns each transition with its places in the code, and with the passing tests that show
-    it."""
+    """Returns the state machines. Each transition contains its places in the code, and the passing
+    tests that executed it."""
     machines: dict[str, StateMachine] = {}
     for name, machine in facts.declared.machines.items():
         code = read_machine(machine, facts)
@@ -337,8 +347,11 @@ def machines_of(
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
-    """Returns the changes in the code that a transition declares. The first row declares the first
-    change.
+    """Returns the changes in the code that belong to a transition.
+
+    Several transitions may have the same source, event and target. If the code has as many such
+    changes, the first transition gets the first change, the second transition gets the second
+    change, and so on. Otherwise, each of these transitions gets all these changes.
     """
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
@@ -354,7 +367,7 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
 
 
 def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[Seen]]:
-    """Returns the changes that each recording shows."""
+    """Returns for each recording the changes of state that it shows."""
     names = {a: m for a, m in traces.symbols.items() if watcher.concerns(m)}
     runners = traces.addresses(watcher.runners.keys())
     turning = {a for a, m in names.items() if watcher.turns(m)}
@@ -377,7 +390,8 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
 
 
 def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]]:
-    """Returns each passing test with the changes that its recordings show."""
+    """Returns a pair of a test and a change for each change that the recordings of a passing test
+    show."""
     return [
         (test.id, change)
         for test in model.tests.values()
@@ -394,7 +408,9 @@ def _family(machine: StateMachine, facts: Facts) -> set[str]:
 
 
 def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]]) -> StateMachine:
-    """Returns the machine with its changes in the code and the tests that make its transitions."""
+    """Returns the machine. Each transition contains its places in the code and the tests that
+    executed it. The changes of state without a transition are in ``undeclared``, with the tests
+    that made them."""
     changes = [matching(machine, step, code) for step in machine.transitions]
     tests: list[dict[str, None]] = [{} for _ in changes]
     undeclared: dict[str, list[str]] = {}

@@ -1,5 +1,5 @@
-"""The tests. Each test has its requirements, its result on each target, and the modules that it
-executed."""
+"""The tests. Each test has the requirements that it verifies, its result on each target, and the
+modules that it executed."""
 
 from __future__ import annotations
 
@@ -24,9 +24,8 @@ BOARD_TESTS = "tests/sim/emulator/"
 
 
 def with_tests(model: Model, facts: Facts) -> Model:
-    """Returns each test with its results. If a target has tests, it must have results of the
-    present sources.
-    """
+    """Returns the model with all tests and their results. For each target that has tests, the model
+    also contains the hash of the sources to which the results belong."""
     results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
     cases = written_tests(facts.root)
     tested = {binding for file in cases for binding in bindings_of(file)}
@@ -81,7 +80,7 @@ def _result_of(result: Result | None, model: Model, binding: str) -> BindingResu
 
 
 def written_tests(root: Path) -> dict[str, list[Case]]:
-    """Returns the tests of each file that is built for a target."""
+    """Returns the tests in each test file that is built for at least one target."""
     files = {str(path.relative_to(root)): path for path in files_below(root, ("tests",), (".cpp",))}
     return {
         file: list(read_tests(path.read_text(encoding="utf-8")))
@@ -91,9 +90,8 @@ def written_tests(root: Path) -> dict[str, list[Case]]:
 
 
 def with_board_findings(model: Model, facts: Facts) -> Model:
-    """Returns the findings with their tests. A test of the virtual board belongs to a finding if
-    the text of the test contains the id.
-    """
+    """Returns the model with the declared findings of the virtual board. A test belongs to a
+    finding if the code of the test contains the id of the finding."""
     making: dict[str, list[str]] = {}
     lines: dict[str, list[str]] = {}
     tests = [test for test in model.tests.values() if test.place.file.startswith(BOARD_TESTS)]

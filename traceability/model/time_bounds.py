@@ -1,4 +1,4 @@
-"""Upper bounds of the execution times of the functions of the image.
+"""Upper bounds of the execution times of the functions of the firmware image.
 
 The bound of a function is the cost of the longest path through its instructions. The cost includes
 the bounds of the functions that it calls.
@@ -21,8 +21,8 @@ from traceability.reading.loop_bounds import Bound, Bounds, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
 from traceability.schema import Place as SourcePlace
 
-# Functions that never return. A path that calls such a function ends the firmware, and does not
-# count in a bound.
+# Functions that never return. A call of these functions ends the firmware. The bounds include no
+# path with such a call.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
 UNALIGNED = 2  # additional cycles of an unaligned access
@@ -30,9 +30,8 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A limit for the number of calls of a method below another method. The facts about the other
-    method contain the limit.
-    """
+    """A limit for the calls of ``method`` that one call of ``within`` causes. The declared facts
+    about ``within`` limit ``counter``, which is the number of these calls."""
 
     method: str
     within: str
@@ -41,8 +40,11 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A maximum for the iterations of a method's loop in all calls below another method. The
-    maximum is a number, or a counter of the facts about the other method.
+    """A limit for the iterations of the loop in ``method``. It applies to the sum of the iterations
+    in all calls that one call of ``within`` causes.
+
+    The limit is the number ``rounds``. If ``counter`` is not empty, the declared facts about
+    ``within`` limit this counter instead.
     """
 
     method: str
@@ -55,7 +57,8 @@ class Spread:
 class DeclaredFacts:
     """The declared facts about the paths through the code."""
 
-    once: Sequence[str] = ()  # methods that a function calls once for each object
+    # methods that a loop over several objects calls at most once for each object
+    once: Sequence[str] = ()
     limited: Sequence[Limit] = ()
     spread: Sequence[Spread] = ()
     # method or handler -> facts about it
@@ -63,7 +66,8 @@ class DeclaredFacts:
 
 
 class Times:
-    """The bound of each function, including the functions that it calls [cycle]."""
+    """The computation of the bound of each function [cycle]. A bound includes the functions that
+    the function calls."""
 
     def __init__(
         self, program: Program, bounds: Bounds, prover: Prover, facts: DeclaredFacts
@@ -73,21 +77,23 @@ class Times:
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
-        # methods with facts that are on the present path of calls
+        # methods on the present path of calls that are the ``within`` of a ``Spread``
         self.inside: frozenset[str] = frozenset()
-        self.without: frozenset[str] = frozenset()  # methods that this activation does not call
+        self.without: frozenset[str] = frozenset()  # not called in this activation
         self.flows = facts.flows
-        self.rounds: int | None = None  # iterations of the loops of a method in ``spread``
+        # assumed number of iterations of the loops of a method in ``spread``
+        self.rounds: int | None = None
         self.known: dict[tuple[object, ...], int] = {}
-        # The cost of the longest path of a function. The key contains the costs of its blocks and
-        # of its counted calls.
+        # The cached costs of the longest paths. The key contains the function, the costs of its
+        # blocks, and the costs of its counted calls.
         self.paths: dict[tuple[object, ...], int] = {}
         self.copies: dict[tuple[str, int], int] = {}  # function and bytes -> cycles
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
 
     def use_body(self, body: str, without: Iterable[str] = ()) -> None:
-        """Sets the command that the next thread executes, and the methods that it does not call."""
+        """Sets the command that the next thread executes, and the methods that the thread does not
+        call."""
         self.prover.body = body
         self.without = frozenset(without)
         self.known.clear()
@@ -102,7 +108,8 @@ class Times:
         self.inside |= {within for within, _ in self.spread if within == method}
         key = (symbol, tuple(sorted(entered.items())), self.inside)
         if key not in self.known:
-            self.known[key] = 0  # The proof of the stack reports a cycle of calls.
+            # The value if the function calls itself. The proof of the stack reports such a cycle.
+            self.known[key] = 0
             code = self.codes[symbol]
             single: dict[str, int] = {}  # callee -> cycles, for callees that are called once
             cost = {}
@@ -124,10 +131,12 @@ class Times:
         return self.known[key]
 
     def _round(self, spread: Spread) -> tuple[int, int]:
-        """Returns A and B. A call with N iterations needs at most A + N * B cycles. The maximum
-        cost of a call is a concave function of its number of iterations, because it is the optimum
-        of a linear program. The line through its values at one and at two iterations is therefore
-        an upper bound."""
+        """Returns two numbers A and B. A call with N iterations needs at most A + N * B cycles.
+
+        The maximum cost of a call is a concave function of its number of iterations, because this
+        cost is the optimum of a linear program. The straight line through the costs of one and of
+        two iterations is therefore an upper bound.
+        """
         costs = []
         for rounds in (1, 2):
             self.rounds = rounds
@@ -141,7 +150,7 @@ class Times:
         return 2 * costs[0] - costs[1], costs[1] - costs[0]
 
     def _each(self, method: str) -> int:
-        """Returns the cycles of one call of a method with a limited number of calls."""
+        """Returns the bound of one call of a method whose number of calls is limited."""
         rest = {name: one for name, one in self.limited.items() if name != method}
         self.limited, kept = rest, self.limited
         found = max((self.of(one) for one in self.prover.symbols.get(method, [])), default=0)
@@ -149,7 +158,7 @@ class Times:
         return found
 
     def copy(self, symbol: str, count: int) -> int:
-        """Returns the bound of a function that copies or fills a number of bytes."""
+        """Returns the bound of ``memcpy``, ``memmove`` or ``memset`` for a number of bytes."""
         if (symbol, count) not in self.copies:
             self.copies[symbol, count] = self._copy(symbol, count)
         return self.copies[symbol, count]
@@ -172,9 +181,8 @@ class Times:
         return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
-        """Returns the symbol that contains the code of a symbol. A veneer jumps to another symbol,
-        and equal functions share a symbol.
-        """
+        """Returns the symbol at which the code of a function is. A veneer only jumps to another
+        symbol, and functions with equal code share a symbol."""
         veneer = VENEER.match(symbol)
         name = veneer["name"] if veneer else symbol
         return self.shared.get(name, name)
@@ -213,8 +221,8 @@ class Times:
         return self.prover.targets(function, SourcePlace(*place))
 
     def _never(self, code: Code, block: Block) -> bool:
-        """Returns whether a block only calls a method that the compiler has also inlined at this
-        place.
+        """Returns true if a block is never executed, because the compiler has also inlined the
+        called method at the same place.
 
         The compiled code compares the target of the call with the expected method. If no other
         method is possible, the call after the comparison is never executed.
@@ -236,9 +244,9 @@ class Times:
         return False
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
-        """Returns whether a function contains the inlined code of another function at a call. The
-        comparison uses the place of the call and the places of the enclosing inlined functions.
-        """
+        """Returns true if a function contains the inlined code of another function at a call.
+        ``way`` contains the place of the call, and then the places of the calls that were inlined
+        around it."""
         other = self.codes.get(self._home(target))
         if other is None or other is code:
             return False
@@ -256,7 +264,7 @@ class Times:
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
         if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # The facts about the limiting method count this call.
+            return 0  # The bound of ``Limit.within`` includes this call.
         if home not in self.codes or self.prover.is_full(home, entered):
             return 0
         if home in self.prover.graph:
@@ -265,7 +273,7 @@ class Times:
                 return 0
             for within in self.inside:
                 if (within, name) in self.spread:
-                    # The other method counts the iterations up to their limit.
+                    # The bound of ``Spread.within`` includes the iterations.
                     return self._round(self.spread[within, name])[0]
         return self.of(home, entered)
 
@@ -315,9 +323,8 @@ class Times:
         return longest or 0
 
     def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
-        """Returns the declared facts about the marked lines of a function. They are converted to
-        facts about its blocks.
-        """
+        """Converts the declared facts about the marked source lines of a function to facts about
+        the blocks of the function."""
         marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
         for name, copies in self._marked(code).items():
             marked.setdefault(name, []).extend([*copy] for copy in copies)
@@ -327,9 +334,12 @@ class Times:
     def _facts_of(
         self, code: Code, one: Inequality, marked: Mapping[str, Sequence[Sequence[int | str]]]
     ) -> Iterator[FlowFact]:
-        """Returns the facts about the blocks. A counter on the left side counts one block of each
-        copy of its line, because no block is executed more often than the line. A counter on the
-        right side counts all blocks.
+        """Converts a declared fact to facts about blocks. A marked source line can have several
+        copies in the compiled code, and each copy consists of blocks.
+
+        A counter on the left side becomes the sum of one block of each copy, because no block is
+        executed more often than its source line. The result contains a fact for each choice of
+        these blocks. A counter on the right side becomes the sum of all blocks.
         """
         most = one.most - one.factors.get(ENTRIES, 0)
         right: dict[int | str, int] = {}
@@ -339,7 +349,7 @@ class Times:
             if factor > 0:
                 left += [[(start, factor) for start in copy] for copy in copies]
             elif name != ENTRIES:
-                if not copies:  # The fact is useless if its line is not in the code.
+                if not copies:  # The marked source line is not in the compiled code.
                     self.unbound.add(
                         (code.symbol, self._place(next(iter(code.blocks))) or ("?", 0))
                     )
@@ -352,10 +362,12 @@ class Times:
             yield FlowFact(factors, most)
 
     def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
-        """Returns for each counter the blocks of each copy of its line. Each inlined call has its
-        own copy.
+        """Returns for each counter the copies of its source line in the compiled code. Each copy is
+        a list of blocks. Each inlined call of a function has its own copies of the function's
+        source lines.
 
-        If the line consists of inlined calls only, the blocks of these calls are returned.
+        If a source line consists only of inlined calls, its copy contains the blocks of these
+        calls.
         """
         found: dict[str, dict[tuple[Place, ...], dict[int, list[int]]]] = {}
         for start, block in code.blocks.items():
@@ -371,14 +383,14 @@ class Times:
         }
 
     def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
-        """Returns the bound of a loop. It is the bound of the innermost line with a bound, or a
-        bound that is valid for all iterations.
-        """
+        """Returns the bound of a loop. If a call was inlined around the loop, and the source line
+        of the call has a bound ``in all``, this is the bound. Otherwise, it is the bound at the
+        source line of the loop."""
         if self.rounds is not None and any(method == name for _, name in self.spread):
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):
-            # The loop repeats only after an interrupt. The bound of the interrupt includes the
+            # The loop repeats only after an interrupt. The time of the interrupt includes the
             # repetition.
             return Bound(1, False)
         ways = [

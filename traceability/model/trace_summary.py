@@ -1,21 +1,20 @@
-"""A summary of recorded calls at the level of modules. Only calls from one module into another
-module remain.
-"""
+"""A summary of the recorded calls. It contains only the calls from one module to another module."""
 
 from __future__ import annotations
 
 from traceability.reading.traces import Row
 from traceability.schema import FoldedCall, TreeNode
 
-# calling module and called module -> requirements that declare the call
+# calling module and called module -> requirements whose invocation trees contain such a call
 Edges = dict[tuple[str, str], list[str]]
-# the method of each call, and the requirements that declare it
+# the called methods, and the requirements whose invocation trees contain a call between the modules
 Folded = tuple[list[str], list[str]]
 
 
 def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
-    """Returns the rows at which the runs of a tree begin. These rows are its root and the bodies of
-    its threads."""
+    """Returns the numbers of the rows at which a part of an invocation tree begins in a recording.
+    A part begins at the root of the tree, and at each method that a thread executes after a
+    post."""
     return [
         placed[id(node)]
         for node in nodes
@@ -24,12 +23,13 @@ def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
 
 
 def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
-    """Returns the calls within some rows. Calls of interrupts in between are left out."""
+    """Returns the calls between modules that are made inside the calls at the rows ``firsts``.
+    Calls by interrupts that occur meanwhile are left out."""
     paths: dict[tuple[str, ...], Folded] = {}
     end = 0
     for first in firsts:
         if first < end and rows[first].activation == rows[firsts[0]].activation:
-            continue  # The row is within the rows of a previous call.
+            continue  # This call is inside an earlier call in ``firsts``.
         end = max(end, rows[first].end)
         _fold_one(rows, first, edges, paths)
     numbers = {path: number for number, path in enumerate(paths)}

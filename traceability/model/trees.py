@@ -1,5 +1,5 @@
-"""The trees of invocations, with the edges that are possible in the code and the runs that executed
-them."""
+"""The invocation trees. Each tree contains the calls that the code can make, and the recordings of
+tests that made all calls of the tree."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache:
     tree_runs = cached_result(
         cache / "trees.pickle", parts, lambda: [search.find() for search in searches]
     )
-    furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # -> target -> nodes
+    furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # tree -> target -> nodes
     by_tree: dict[str, dict[str, TreeRun]] = {name: {} for name in trees}
     for search, (run, nodes) in zip(searches, tree_runs, strict=True):
         furthest[search.requirement][search.run.binding] = nodes
@@ -82,7 +82,8 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """Returns the tree. Each node states the targets on which a recording contains the node."""
+    """Returns the tree. Each node contains, for each target, whether a recording on this target
+    contains the call of the node."""
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:
@@ -96,9 +97,8 @@ def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """Returns the methods whose calls match the node. They are its own method, or the overriding
-    methods if its own method has no body.
-    """
+    """Returns the methods whose calls match a node. If the method of the node has a body, only this
+    method matches. Otherwise, the methods that override it match."""
     if node.resolved is None:
         return set()
     if node.resolved in facts.bodies:
@@ -107,7 +107,8 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """Returns the methods that exist on a target. Methods of the K64 do not exist on the host."""
+    """Returns the methods whose calls match a node on a target. On the host, the methods of the K64
+    drivers are left out, because they do not exist there."""
     return {
         method
         for method in accepted(node, facts)
@@ -124,9 +125,8 @@ def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _below(node: TreeNode, facts: Facts) -> TreeNode:
-    """Returns the node with the calls of its children in the code: whether they are possible, how
-    many there are, and their order.
-    """
+    """Returns the node. Each child contains three results about the code of the node: whether this
+    code can call the child, how often it calls the child, and whether this call comes too early."""
     bodies = _bodies_of(node, facts)
     targets = {
         target
@@ -165,7 +165,8 @@ def _calls_of(body: BodyFact, callees: set[str], facts: Facts) -> list[CallFact]
 
 
 def _often(calls: list[list[CallFact]]) -> str:
-    """Returns the number of calls in each body. The values are those of ``TreeNode.often``."""
+    """Returns how often the code makes a call, as in ``TreeNode.often``: an empty text, ? or *.
+    ``calls`` contains the calls in each function body."""
     sure = [sum(not call.sometimes for call in own) for own in calls]
     if max(sure) > 1 or any(call.repeated for own in calls for call in own):
         return "*"
@@ -173,10 +174,11 @@ def _often(calls: list[list[CallFact]]) -> str:
 
 
 def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
-    """Returns the previous node if the body makes all calls of this node before the calls of the
-    previous node.
+    """Returns the label of the previous node if a function body makes all calls of this node before
+    the first call of the previous node. Otherwise returns an empty text.
 
-    A loop over objects of different classes may alternate between their methods.
+    Calls in a loop to another module are accepted, because a loop over objects of different classes
+    may alternate between their methods.
     """
     for body in bodies:
         first, second = (
@@ -194,7 +196,8 @@ def _last(calls: list[CallFact]) -> int:
 
 
 def _is_activated(callees: set[str], facts: Facts) -> bool:
-    """Returns whether a thread executes a body. The body is a command, or a command calls it."""
+    """Returns true if a thread executes one of the methods ``callees``. A thread executes the
+    method ``execute`` of each command, and the methods that ``execute`` calls."""
     commands = set(facts.overriders.get("Command::execute", []))
     called = {
         target
@@ -266,7 +269,8 @@ class Search:
     run: Run
 
     def asked(self) -> object:
-        """Returns the inputs on which the result depends. They are the key of the cache."""
+        """Returns the inputs that determine the result of the search. The result is cached under
+        these inputs."""
         return self.requirement, self.run.binding, self.passing, self._shape(self.tree)
 
     def _shape(self, node: TreeNode) -> object:
@@ -274,8 +278,11 @@ class Search:
         return node.label, node.kind, sorted(self.run.accepts(node)), below
 
     def find(self) -> tuple[TreeRun | None, int]:
-        """Returns the run of the whole tree in the shortest recording, and the number of nodes that
-        were found in order.
+        """Searches for the tree in the recordings, from the smallest to the largest recording.
+        Returns the first recording that contains the whole tree, or None.
+
+        Also returns the number of nodes that were found in the order of the tree. This is the
+        largest number in all recordings.
         """
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}

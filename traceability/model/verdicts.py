@@ -38,7 +38,8 @@ def requirement_verdict(
 
 
 def _sound_state(requirement: Requirement) -> str:
-    """Returns the state of a requirement whose tests passed and whose evidence is met."""
+    """Returns the state of a requirement if its tests passed and its measured values meet their
+    bounds."""
     if requirement.suspicions:
         return "suspect"
     return "partly" if requirement.partly else "verified"

@@ -1,6 +1,5 @@
-"""Finds which parts of the methods of a requirement were executed by the tests of this
-requirement.
-"""
+"""Finds the source lines and branches of each requirement's methods that the passing tests of the
+requirement executed."""
 
 from __future__ import annotations
 
@@ -77,8 +76,8 @@ def lines_of(body: BodyFact, lines: set[int]) -> list[int]:
 
 
 class Owners:
-    """The requirements that a method serves through a tree, through a tag, or through its
-    callers."""
+    """The requirements that each method serves. A method serves a requirement through an invocation
+    tree, through a tag, or through its callers."""
 
     def __init__(self, model: Model, facts: Facts) -> None:
         self.trees: dict[str, set[str]] = {}
@@ -111,9 +110,9 @@ class Owners:
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
-    """Returns the lines that no test executes. Lines of the drivers are left out, because they have
-    a separate page.
-    """
+    """Yields the source lines of each method that the tests of its requirements do not execute on
+    the host. For a method without a requirement, the tests of all requirements count. Drivers are
+    left out, because they have a separate page."""
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}
     for body in facts.syntax.bodies:

@@ -1,2 +1,2 @@
-"""The readers of source files, comments, declarations and results. They only read; the checks judge
-the result."""
+"""The readers of source files, comments, declarations and results. The readers do not judge the
+texts that they read. The checks judge them."""

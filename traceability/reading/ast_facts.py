@@ -49,7 +49,8 @@ class FieldFact:
 
 @dataclass
 class SilentFact:
-    """A declaration that has no comment although other files can use it."""
+    """A declaration without a comment. Other files can use the declaration, and therefore it needs
+    a comment."""
 
     name: str
     # last source line of a variable; the comment of the variable may be at the end of this line

@@ -132,7 +132,7 @@ class Reader:
     def walk(
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
-        """Visits the children of a node. The first ``sure`` children are always executed. All other
+        """Visits the children of a node. The first ``sure`` children are always executed. The other
         children count as conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
@@ -669,7 +669,7 @@ def _words(cursor: Cursor) -> list[str]:
 
 
 def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
-    """Yields the expressions and, recursively, all parts of these expressions."""
+    """Yields the expressions and all expressions inside them."""
     for cursor in cursors:
         yield from (part for part in cursor.walk_preorder() if part.kind.is_expression())
 

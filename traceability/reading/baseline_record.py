@@ -1,5 +1,6 @@
-"""The comparison of the baseline design (nested ifs) with the robot's pattern design: the costs of
-both designs, and the number of lines that likely changes edit in each."""
+"""The comparison of the baseline design (nested ifs) with the pattern design of the robot. It
+compares the costs of both designs, and the number of source lines that likely changes edit in each
+design."""
 
 from __future__ import annotations
 
@@ -103,8 +104,8 @@ def read_comparison(root: Path) -> dict[str, Any] | None:
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
-    """Returns by how many per cent the value of the pattern design is higher than the value of the
-    baseline design."""
+    """Returns the difference between the designs in per cent: how much the value of the pattern
+    design is higher than the value of the baseline design."""
     usual, patterns = figures[USUAL][key], figures[PATTERNS][key]
     return 100 * (patterns / usual - 1) if usual else None
 

@@ -55,7 +55,7 @@ def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict
 
 
 def _half(address: int) -> int:
-    """Returns the number of the bit that belongs to the half-word at an address."""
+    """Returns the number of the coverage bit for the half-word at an address."""
     place = address - LOWER_RAM if address >= LOWER_RAM else RAM_SIZE + address
     return place // 2
 

@@ -61,8 +61,9 @@ def _versions() -> list[tuple[str, str]]:
 
 
 def program_version(name: str) -> str:
-    """Returns the version of a program: the first number with a point in the output of --version.
-    Returns "unknown" without such a number, and "not installed" without the program."""
+    """Returns the version of a program. This is the first number with a point in the output of
+    --version. If the output contains no such number, returns "unknown". If the program is not
+    installed, returns "not installed"."""
     try:
         run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
     except OSError:

@@ -2,9 +2,9 @@
 the compiler.
 
 The compiler writes a call graph for each translation unit (``-fcallgraph-info=su``). For the units
-that it optimises together, it writes one call graph next to the image. A call graph contains the
-stack frames, the direct calls, and the places of indirect calls. The functions of the toolchain's
-libraries are in no call graph. Their frames and calls are read from their instructions.
+that it optimises together, it writes one call graph next to the firmware image. A call graph
+contains the stack frames, the direct calls, and the places of indirect calls. The functions of the
+toolchain's libraries are in no call graph. Their frames and calls are read from their instructions.
 """
 
 from __future__ import annotations

@@ -23,9 +23,8 @@ class Difference:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Two commits and the differences between them. ``unmeasured`` lists those of the two commits
-    that have no recorded results. In this case, verdicts, findings, sizes and metrics are not
-    compared."""
+    """Two commits and the differences between them. ``unmeasured`` lists the commits without
+    recorded results. If it is not empty, verdicts, findings, sizes and metrics are not compared."""
 
     first: str
     second: str

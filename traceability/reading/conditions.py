@@ -18,7 +18,7 @@ IsOwn = Callable[[Cursor | None], bool]
 
 def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
     """Returns the operands of a condition, such as ``Class::operation`` or ``Class::member >= 3``.
-    The initialiser of a local variable replaces the variable."""
+    Instead of a local variable, returns the operands of its initialiser."""
     variable = _local(condition)
     if variable is not None:
         return questions(variable, is_own)

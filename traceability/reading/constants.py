@@ -69,8 +69,8 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[int, str] | None:
-    """Returns the value of an expression and its unit. The unit comes from the type, or from the
-    factory function that the expression calls. It is empty if neither has a unit."""
+    """Returns the value of an expression and its unit. The unit is taken from the type, or from the
+    factory function that the expression calls. If neither of them has a unit, the unit is empty."""
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated(value)
         return None if number is None else (number, "")

@@ -75,8 +75,8 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 
 def _key(root: Path, binding: str) -> str:
-    """Returns a key for the cache. The key changes after a new run of the tests, and after a change
-    of the reader."""
+    """Returns the key of the cache. A new run of the tests and a change of this reader give a new
+    key."""
     run = run_hash(root, binding)
     here = Path(__file__).parent
     parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")

@@ -52,8 +52,8 @@ class ClauseText:
 
 @dataclass
 class KnownApplication:
-    """A pattern application that design/applications.toml declares, and for each role the modules
-    with this role."""
+    """A use of a pattern that design/applications.toml declares. For each role, ``roles`` contains
+    the modules with this role."""
 
     id: str
     pattern: str
@@ -65,8 +65,8 @@ class KnownApplication:
 
 @dataclass
 class KnownPattern:
-    """A pattern, with its roles and with the number of its applications. Each application assigns
-    at least one module to each role."""
+    """A pattern, its roles, and the number of its uses. Each use assigns at least one module to
+    each role."""
 
     name: str
     applications: int
@@ -94,7 +94,7 @@ class Block:
 
 @dataclass
 class PipeText:
-    """The name and the text of a pipe of the robot."""
+    """The name and the description of a pipe of the robot."""
 
     object: str  # Class::member
     name: str
@@ -149,7 +149,7 @@ class Declared:
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
-    # pattern application -> the folder that makes its likely change
+    # use of a pattern -> the folder that makes the likely change of this use
     kits: dict[str, Kit] = field(default_factory=dict)
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: dict[str, ProofProperty] = field(default_factory=dict)

@@ -1,5 +1,5 @@
-"""Runs Doxygen. The warnings become findings. From the XML that Doxygen writes, Breathe generates
-the pages of the members."""
+"""Runs Doxygen, and reports its warnings as findings. Doxygen writes XML files, from which Breathe
+generates the pages of the members."""
 
 from __future__ import annotations
 
@@ -45,7 +45,8 @@ class DoxygenRun:
     process: subprocess.Popen[bytes] | None = None
 
     def warnings(self) -> list[tuple[Place, str]]:
-        """Waits until the run ends. Returns the warnings, also those of a recorded run."""
+        """Waits until the run ends. Returns the warnings of this run, or of the recorded run if no
+        input changed."""
         if self.process is not None:
             output = self.process.communicate()[1].decode()
             code, self.process = self.process.returncode, None

@@ -1,9 +1,9 @@
-"""Finds to which objects the references in the code can refer. It follows a reference through
-members, parameters and results.
+"""Finds the objects to which the references in the code can refer. The search follows a reference
+through members, parameters and results.
 
-Here, a place is a location that can contain a reference. A string names it: ``field Class::name``,
-``param function 0``, ``var file:name``, ``result function``, ``this Class``, ``function name`` or
-``constant Enum::name``. An expression without a name has the name ``value``.
+In this module, a place is a location that can contain a reference. A string names each place:
+``field Class::name``, ``param function 0``, ``var file:name``, ``result function``, ``this Class``,
+``function name`` or ``constant Enum::name``. An expression without a name has the name ``value``.
 """
 
 from __future__ import annotations
@@ -54,8 +54,8 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """A flow of references: the place ``into`` can refer to each object to which one of ``sources``
-    refers."""
+    """A flow of references. The place ``into`` can refer to each object to which a place in
+    ``sources`` refers."""
 
     into: str
     sources: list[str]

@@ -1,5 +1,5 @@
-"""Linear inequalities, such as ``edges <= entries``. They limit how often the marked source lines
-are executed in relation to each other."""
+"""Linear inequalities, such as ``edges <= entries``. They limit the numbers of executions of the
+marked source lines."""
 
 from __future__ import annotations
 

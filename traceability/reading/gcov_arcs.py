@@ -58,10 +58,8 @@ class Arc:
 
 @dataclass
 class Graph:
-    """The flow graph of a function: its arcs, and the source lines of each block.
-
-    A block can have source lines of another file, if it contains an inlined function.
-    """
+    """The flow graph of a function: its arcs, and the source lines of each block. If a block
+    contains an inlined function, it can have source lines of another file."""
 
     arcs: list[Arc] = field(default_factory=list)
     lines: dict[int, list[Line]] = field(default_factory=dict)  # block -> source lines

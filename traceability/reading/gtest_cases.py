@@ -45,8 +45,8 @@ def read_tests(text: str) -> Iterator[Case]:
 
 
 def unknown_macros(text: str) -> Iterator[tuple[int, str]]:
-    """Yields the line and the name of each macro that looks like a test macro but that this reader
-    cannot read."""
+    """Yields the line number and the name of each unknown macro. The name of such a macro is like
+    the name of a test macro, but this reader cannot read it."""
     for match in MACRO.finditer(text):
         if match[1] not in (*MACROS, *LISTS):
             yield text.count("\n", 0, match.start()) + 1, match[1]

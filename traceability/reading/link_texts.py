@@ -44,14 +44,14 @@ def hash_of_text(text: str) -> str:
 
 
 def hash_of(kind: str, text: str) -> str:
-    """Returns the hash of a text. If the kind of the text is code, other names of local variables
-    give the same hash."""
+    """Returns the hash of a text. If the text is code, a change of the names of local variables
+    does not change the hash."""
     return hash_of_text(numbered(text) if kind in CODE else text)
 
 
 def numbered(code: str) -> str:
-    """Returns the code with a number in the place of the name of each local variable and
-    parameter."""
+    """Returns the code. The name of each local variable and of each parameter is replaced by a
+    number."""
     declared = [match[2] for match in LOCAL.finditer(code) if match[1] not in NO_TYPES]
     names = list(dict.fromkeys(name for name in declared if name not in BUILT_IN))
     if not names:
@@ -100,8 +100,8 @@ def support(text: str) -> str:
 
 
 def without_remarks(text: str) -> str:
-    """Returns the lines of an invocation tree or a scenario. The depth of its indentation is
-    written before each line. ``#`` comments are left out."""
+    """Returns the lines of an invocation tree or a scenario. Each line begins with the depth of its
+    indentation. ``#`` comments are left out."""
     lines = (line.split("#")[0].rstrip() for line in text.splitlines())
     return "\n".join(
         f"{(len(line) - len(line.lstrip())) // 2} {line.strip()}" for line in lines if line

@@ -1,5 +1,5 @@
-"""Reads the instructions of a firmware image with their processor cycles. The instructions are
-grouped into blocks, and the jumps, calls and loops are found.
+"""Reads the instructions of a firmware image with their processor cycles, groups the instructions
+into blocks, and finds the jumps, calls and loops.
 
 The cycles are counted as on the virtual board (``sim/emulator/Timing.hpp``), from tables 3-1 and
 7-1 of the Cortex-M4 manual. If the manual states a range, the greatest number is used. The flash
@@ -110,8 +110,9 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
-    """Returns the source lines of each instruction. The first line contains the code of the
-    instruction. If this code was inlined, the next lines are the places of the calls."""
+    """Returns the source lines of each instruction. The first line is the line from which the
+    instruction was compiled. If a function was inlined there, the next lines are the places of its
+    calls, from the innermost to the outermost."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout
@@ -237,7 +238,7 @@ def _loops(code: Code) -> list[Loop]:
 
 def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
     """Returns the loops that the program can enter at several blocks. Such a loop is not a natural
-    loop. As its head, a block is chosen that is part of each iteration."""
+    loop. A block that is part of each iteration is chosen as the head of the loop."""
     entered_loops: list[Loop] = []
     while True:
         ways = {

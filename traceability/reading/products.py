@@ -1,5 +1,5 @@
 """Reads the products, which are variants of the robot. Each product has a firmware image. CMake
-builds the image from a composition."""
+builds this firmware image from a composition."""
 
 from __future__ import annotations
 
@@ -61,19 +61,20 @@ SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+
 
 
 def intruders(modules: Iterable[str], has: set[str]) -> set[str]:
-    """Returns those modules of an image that belong only to other products."""
+    """Returns those modules in a firmware image that belong only to other products."""
     return (set(modules) & DIFFERENT) - has
 
 
 def image_of(product: str, suffix: str) -> Path:
-    """Returns the path of the firmware image that is released. The same image is flashed, measured
-    and tested."""
+    """Returns the path of the firmware image that is released. The same firmware image is flashed,
+    measured and tested."""
     return Path("build/k64") / f"{product}{suffix}"
 
 
 def recorded_image_of(product: str, suffix: str) -> Path:
-    """Returns the path of the firmware image for recordings. It has the same sources but less
-    inlining. Therefore, each call can be recorded."""
+    """Returns the path of the firmware image for recordings. It is built from the same sources as
+    the released firmware image. The compiler inlines fewer functions, because only a call that is
+    not inlined can be recorded."""
     return Path("build/k64_calls") / f"{product}{suffix}"
 
 

@@ -67,8 +67,8 @@ def read_proofs(root: Path) -> dict[str, ProofResult] | None:
 def readable(
     events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> list[tuple[str, list[str]]]:
-    """Returns the cycles of a counterexample for a reader. Each cycle has a title, and its events
-    and transitions as sentences."""
+    """Returns the cycles of a counterexample in a form for readers. Each cycle has a title, and a
+    list of its events and transitions."""
     rounds: list[tuple[str, list[str]]] = []
     for line in events:
         kind, _, rest = line.partition(" ")
@@ -87,8 +87,8 @@ def readable(
 def scenario(
     proof: ProofProperty, events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> str:
-    """Returns a scenario that plays a counterexample. Returns "" if the counterexample contains an
-    event that no action can cause."""
+    """Returns a scenario whose execution repeats a counterexample. Returns "" if the counterexample
+    contains an event that no action can cause."""
     lines, at, number, lasting = [], START_MS, 0, dict[str, str]()
     ending: dict[str, str] = {}
     for line in events:

@@ -87,8 +87,8 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """Returns the correction that names the file, or else the correction that names the innermost
-    folder of the file. Returns None without such a correction."""
+    """Returns the correction that names the file. If there is none, returns the correction that
+    names the innermost folder of the file, or None."""
     matching = [
         (len(path), correction)
         for correction in corrections

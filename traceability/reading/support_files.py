@@ -33,8 +33,7 @@ class SupportFiles:
 
     def of(self, file: str, test: str) -> set[str]:
         """Returns the file itself, the helpers that it includes, and the scenarios that the test
-        plays.
-        """
+        executes."""
         return {file, *self.helpers(file), *self.played(file, test)}
 
     def _text(self, file: str) -> str:

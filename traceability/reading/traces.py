@@ -1,4 +1,4 @@
-"""Reads the recorded calls of each test, and searches the declared invocation trees in these
+"""Reads the recorded calls of each test, and searches for the declared invocation trees in these
 recordings."""
 
 from __future__ import annotations
@@ -252,7 +252,7 @@ def free_function_of(symbol: str) -> str:
 
 @dataclass
 class Embedding:
-    """The result of the search of an invocation tree in a recording. ``rows`` contains a row for
+    """The result of the search for an invocation tree in a recording. ``rows`` contains a row for
     each node. If the search failed, ``failed`` is the first node without a row."""
 
     rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> number of the row
@@ -260,8 +260,8 @@ class Embedding:
 
 
 def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
-    """Searches an invocation tree in the rows of a recording. The call of a child must be inside
-    the call of its parent. The calls of the children must have the order of the tree.
+    """Searches for an invocation tree in the rows of a recording. The call of a child must be
+    inside the call of its parent. The calls of the children must have the order of the tree.
 
     If an interrupt occurs during the call of the parent, the calls by this interrupt do not count
     as calls of the parent. A post is different: the posted method may run later and in another
