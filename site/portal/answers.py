@@ -28,7 +28,7 @@ class Question:
     clicks: list[str]
     holds: list[str] = field(default_factory=list)
     part: str = ""
-    also: str = ""  # additional words for the search
+    also: str = ""  # additional words by which the search finds the question
 
     @property
     def page(self) -> str:
@@ -54,8 +54,8 @@ def questions_of(root: Path) -> list[Question]:
 
 
 def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:
-    """Returns the question with the values of this build in its answer. An answer names the metric
-    of each value.
+    """Returns a copy of the question. In its answer, the value of this build replaces the name of
+    each metric.
     """
 
     def value(match: re.Match[str]) -> str:

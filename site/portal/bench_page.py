@@ -56,8 +56,8 @@ def bench(portal: Portal) -> dict[str, Any]:
 
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
-    """Returns the limit of the cycle time [ms], and the ratio of the time of the slow timing model
-    to this limit.
+    """Returns the target [ms] for the cycle time, and the ratio of two times: the time that was
+    measured with the model of the slow flash, and the target.
     """
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
@@ -78,7 +78,7 @@ class Range:
 
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
-    """Returns for each timing model the longest cycle in all scenarios [ms]."""
+    """Returns for each timing model the time [ms] of the longest cycle in all scenarios."""
     times = [
         (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
     ]

@@ -1,5 +1,5 @@
-"""The drawing of the pin headers of the board FRDM-K64F. The pin table of the firmware gives the
-pins that the firmware uses.
+"""The drawing of the pin headers of the board FRDM-K64F, with the pins that the firmware uses. The
+pin table of the firmware lists these pins.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ class Row:
 
 
 def headers() -> list[Row]:
-    """Returns the rows of all headers as a reader sees them from above, in the Arduino R3 layout.
-    At the edges of the board are the pins with even numbers.
+    """Returns the rows of all headers as a reader sees the board from above, in the Arduino R3
+    layout. The pins with even numbers are at the edges of the board.
     """
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
@@ -148,7 +148,7 @@ def _legend(used: dict[str, Used]) -> Markup:
 def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
     left = MARGIN + row.left * PITCH
     wide = len(row.pins) * PITCH
-    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # the name is drawn once for two rows
+    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # one name for both rows of a header
         yield Markup('<text x="{}" y="{}" class="b">{}</text>').format(
             left + wide + 2, row.top + SIZE + 4, row.header
         )

@@ -14,12 +14,16 @@ GROUP_GAP = 12
 LEFT, RIGHT = 296, 560
 BOX_LEFT, BOX_RIGHT = 340, 516
 TOP = 74
-MOST = 12  # number of calls that the diagram shows next to a method; the list below shows all calls
+# Number of calls that the diagram shows next to a method. The list below the diagram shows all
+# calls.
+MOST = 12
 
 
 @dataclass
 class End:
-    """A caller or a callee of a method of the module, and whether the call is virtual."""
+    """A caller or a callee of a method of the module. ``virtual`` is true if the call is
+    virtual.
+    """
 
     method: str
     virtual: bool
@@ -86,7 +90,7 @@ class CallGraph:
                     ends.append(End(caller, call.virtual, link))
 
     def _add_nested(self, method: Method, model: Model) -> None:
-        """Adds the callers that are no methods of a module: nested classes, and constants whose
+        """Adds the callers that are not methods of a module: nested classes, and constants whose
         initial values call the method.
         """
         ends = self.callers.setdefault(method.id, [])

@@ -19,8 +19,8 @@ SHOWN = {
     "mOhm": (1000, "ohm"),
     "1/1000": (1000, ""),
 }
-# Unit -> number of these units in the larger unit, and the larger unit. It is used when the value
-# is a whole number of the larger unit.
+# Unit -> number of these units in the larger unit, and the larger unit. A text shows the larger
+# unit when the value is a whole number of larger units.
 LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
 
 

@@ -25,7 +25,8 @@ from traceability.schema import Module, PatternApplication, StateMachine, Transi
 DIAGRAMS = "diagrams"  # folder of the sources of the diagrams in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "11"  # part of the cache key; increase it when you change the processing of the SVG
+# Part of the cache key. Increase this number when you change the processing of the SVG.
+FORMAT = "11"
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -83,8 +84,8 @@ EDGE = 4  # space below the lowest label
 SHORT_LABEL = 40
 LONG_LABEL = 12  # below an event with more characters, the action has a separate text line
 
-# (role of the first class, role of the second class, arrow). The arrow is drawn from the first
-# class to the second class if the first class uses the second class.
+# (role of the first class, role of the second class, kind of arrow). An arrow is drawn from the
+# first class to the second class only if the first class uses the second class.
 RELATIONS = [
     ("Context", "State", "o-->"),
     ("Context", "Strategy", "o-->"),
@@ -183,8 +184,8 @@ def shown_members(module: Module, role: str) -> list[str]:
     names = [
         m
         for m in module.methods
-        # A method that is not public is shown only if it is virtual: a subclass completes an
-        # algorithm with it.
+        # A method that is not public is shown only if it is virtual, because a subclass then
+        # overrides this method to complete an algorithm.
         if (m.access == "public" or m.kind != "plain")
         and m.kind in kinds
         and not m.name.startswith(("operator", "~"))
@@ -522,8 +523,8 @@ def restyle(element: ET.Element) -> None:
             style[name] = value
     for name, value in style.items():
         style[name] = f"var({COLOURS[value.upper()]})" if value.upper() in COLOURS else value
-    # PlantUML cannot set the colour of some outlines. Such an outline gets the line colour that
-    # belongs to the fill colour of its element.
+    # PlantUML cannot set the colour of some outlines. Such an outline gets the colour that outlines
+    # have in the colour family of the fill.
     if style.get("stroke", "").upper() == UNSET:
         style["stroke"] = style.get("fill", "").replace("-fill)", ")")
     if element.tag == "ellipse":  # initial state

@@ -1,5 +1,5 @@
 """Converts the font of the pages to files that Java can read. PlantUML then computes the size of
-its texts with the font that the browser uses.
+the texts in a diagram with the font that the browser uses.
 """
 
 from __future__ import annotations
@@ -24,7 +24,9 @@ def write_fonts(folder: Path) -> None:
 
 
 def opentype(woff: bytes) -> bytes:
-    """Returns the OpenType font in a WOFF file: the same tables, uncompressed."""
+    """Converts the content of a WOFF file to an OpenType font. Its tables are the same, but not
+    compressed.
+    """
     _, flavour, _, count = struct.unpack_from(WOFF_HEADER, woff)
     log = count.bit_length() - 1
     header = struct.pack(HEADER, flavour, count, 16 << log, log, 16 * count - (16 << log))

@@ -51,8 +51,8 @@ def frame_tables(root: Path) -> dict[str, str]:
 
 
 def expanded(source: str, root: Path) -> str:
-    """Returns the text of a page, in which each include directive is replaced by its table. The
-    search reads this text.
+    """Returns the text of a page for the search. In this text, the included table replaces each
+    include directive.
     """
     tables = frame_tables(root) if INCLUDED.search(source) else {}
     return INCLUDED.sub(lambda match: tables.get(match[1], ""), source)

@@ -67,9 +67,10 @@ class GlossaryLinks:
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
-    """Returns the text of the page in lower case, without the elements in which no term is linked.
-    Each removed element separates two parts of this text. Also returns the start of each part in
-    this text, and the distance from there to the start of the part on the page.
+    """Returns three values: the text of the page in lower case, without the elements in which no
+    term is linked; the position at which each part of this text starts; and for each part the
+    distance from this position to the position of the part on the page. Each removed element
+    separates two parts.
     """
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:

@@ -1,5 +1,5 @@
-"""Converts source files to HTML lines with syntax highlighting. A file with the same content is
-highlighted only once.
+"""Converts source files to HTML lines with syntax highlighting. A file is highlighted again only if
+its content has changed.
 """
 
 from __future__ import annotations

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 ASCENT, DESCENT = 11, 3  # distances from the baseline of a text to its top and to its bottom
-MOVES = (0, 8, -8, 14, -14, 20, -20, 28, -28)  # moves down, or up if negative; smallest first
+# Vertical moves of a label, the smallest first. A positive number moves the label down.
+MOVES = (0, 8, -8, 14, -14, 20, -20, 28, -28)
 STEPS = 24  # number of steps in which a curve is sampled
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
@@ -34,7 +35,7 @@ class Box:
 
 
 def box_of(text: ET.Element) -> Box:
-    """Returns the box around a text line. Its width is the length that PlantUML computed."""
+    """Returns the box around a text line. PlantUML computed the width of this box."""
     x, y = float(text.get("x", "0")), float(text.get("y", "0"))
     return Box(x, y - ASCENT, x + float(text.get("textLength", "0")), y + DESCENT)
 
@@ -55,8 +56,9 @@ def points(path: str) -> Iterator[Point]:
 
 
 def best_move(lines: list[Box], paths: Iterable[str], taken: list[Box]) -> float:
-    """Returns the best vertical move of a label. The best move covers the fewest other texts, then
-    the fewest points of edges, and then is the smallest move.
+    """Returns the best vertical move of a label. After the best move, the label covers the fewest
+    other texts. Among equal moves, the move that covers the fewest points of edges is better, then
+    the smaller move.
     """
     dots = [point for path in paths for point in points(path)]
 

@@ -55,8 +55,8 @@ class Image:
 
 
 def images(root: Path) -> list[Image]:
-    """Returns the firmware images that were built, or nothing if the WebAssembly module that runs
-    them was not built.
+    """Returns the firmware images that were built. The list is empty if the WebAssembly module that
+    runs the images was not built.
     """
     if not (root / MODULE).exists():
         return []
@@ -172,8 +172,9 @@ def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
 
 def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, Any]]:
     """Returns for each method the number of the register that contains its first parameter, and the
-    name and kind of each parameter that is passed in a register. Overloaded methods are left out,
-    and methods that may return their result in memory.
+    name and kind of each parameter that is passed in a register. The
+    returned dictionary does not contain overloaded methods. It also does not contain methods that
+    may return their result in memory.
     """
     found: dict[str, list[Method]] = {}
     for module in portal.designs:
@@ -263,8 +264,8 @@ def overriders(model: Model) -> dict[str, list[str]]:
 def tree(
     node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
 ) -> dict[str, Any]:
-    """Returns a declared invocation tree for the page. Each node lists the numbers of the methods
-    whose call fulfils this node.
+    """Returns a declared invocation tree for the page. Each node lists the numbers of some
+    methods: a recorded call of one of these methods is a call of this node.
     """
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
     accepted = [] if method is None else [method.id] if method.body else over.get(method.id, [])

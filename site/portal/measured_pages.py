@@ -113,7 +113,7 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
-    """Returns the modules in the order of their silent faults, the most first. Among modules with
+    """Returns the modules, sorted: first the module with the most silent faults. Among modules with
     the same number of silent faults, the module with the most faults comes first.
     """
     return sorted(
@@ -123,8 +123,8 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
     """Returns the values of the page of likely changes: the changes that were really made. If a
-    change was made in this design and in the baseline design, also returns the changed source lines
-    in both.
+    change was made in this design and in the baseline design, also returns the number of changed
+    source lines in each design.
     """
     done = [change.made for change in portal.model.changes.values() if change.made]
     return {

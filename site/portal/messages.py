@@ -15,7 +15,7 @@ FOLDERS = ("tools", "client/weeding_robot_client")
 # The tables in this file contain messages that the client shows for a report.
 REASONS = Path("client/weeding_robot_client/reasons.py")
 VALUE = "…"  # placeholder for a value that the command inserts
-WORDS = 3  # a shorter text is not listed as a message [words]
+WORDS = 3  # minimum number of words; a shorter text is not listed as a message
 # Class of an exception -> exit code of the command that raises it.
 CODES = {
     "FailureError": exit_codes.FAILED,

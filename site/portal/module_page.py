@@ -81,7 +81,7 @@ def inherited_methods(portal: Portal, module: Module) -> list[Method]:
 
 
 def requirement_methods(module: Module) -> dict[str, list[str]]:
-    """Returns the methods through which a module satisfies each requirement."""
+    """Returns for each requirement of a module the names of the methods that satisfy it."""
     methods: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
     for method in module.methods:
         for identifier in method.satisfies:
