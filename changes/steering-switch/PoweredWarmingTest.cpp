@@ -33,8 +33,8 @@ struct WarmedMotor {
   }
 };
 
-/// @brief The motor has current at once, but makes its first step only after 1 s. After the motor
-/// was switched off, it waits for 1 s again.
+/// @brief The motor has current at once, but makes its first step only after 1 s. When the motor is
+/// switched off and on again, the wait of 1 s begins again.
 TEST(PoweredWarming, FirstStepComesAfterASecond) {
   WarmedMotor motor;
   motor.device.enable();

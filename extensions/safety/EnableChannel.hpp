@@ -32,7 +32,7 @@ struct EnableChannel {
 
   Pipe<Microseconds> width;  ///< width of each pulse
   Pipe<Microseconds> stop;   ///< width of each pulse that confirms a stop
-  BasicCollector instants;   ///< stores the times of the edges
+  BasicCollector instants;   ///< stores the time of the last edge
   PeriodCollector period;    ///< measures the period of the pulses
   WidthCollector collector;  ///< measures the width of a pulse
   PulsePosition function;    ///< computes the deflection from the width of a pulse

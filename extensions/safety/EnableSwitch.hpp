@@ -18,8 +18,8 @@ namespace wr {
 /// position and the velocity stick is centred. If the switch was in the position "stop" only
 /// between two cycles, a stop is latched in the second cycle. In the position "PC" the remote
 /// control has no orders. When an operator moves the switch from stop through PC to drive, the next
-/// orders acknowledge latched faults. If the pulses do not change while the remote control moves
-/// the robot, a stop is latched.
+/// orders acknowledge latched faults. If the pulses do not change for more than 2 s while the
+/// remote control moves the robot, a stop is latched.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.

@@ -10,8 +10,8 @@ namespace {
 // degree.
 constexpr Microseconds kLatestTick = milliseconds(20);
 
-// If a Hall edge waits at this number of successive ticks, its interrupt is not served. At one or
-// two successive ticks, new edges can wait.
+// If Hall edges wait at this number of successive ticks, their interrupt is not served. A wait at
+// one or two successive ticks is no fault, because new edges can arrive just before a tick.
 constexpr std::uint8_t kWaitingTicks = 5;
 
 }  // namespace

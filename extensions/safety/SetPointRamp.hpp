@@ -18,8 +18,8 @@ namespace wr {
 /// all wheels. Therefore the ratio of their velocities stays as ordered. While a wheel is too fast,
 /// another factor lowers the set-points of all wheels.
 ///
-/// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot that is too
-/// fast slows down.
+/// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot
+/// that is too fast slows down.
 class SetPointRamp final : public OrderStageDecorator {
  public:
   /// @brief Binds this stage to the wrapped stage.

@@ -13,7 +13,7 @@ namespace wr {
 /// @brief Comparison of the wheels of one robot.
 ///
 /// @function Counts the Hall edges of each wheel until the robot has driven 0.057 m, then compares
-/// the counts. Finds a wheel that has moved at most half as far as the other wheels in two
+/// the counts. Finds a wheel that has moved at most half of the mean distance of the wheels in two
 /// successive comparisons. Finds a wheel whose current is too high for too long.
 ///
 /// @secret How much the wheels of one robot may differ, and the distance and the time of a

@@ -83,7 +83,7 @@ CanPort::CanPort(const Timebase& clock) : clock_(clock) {}
 
 void CanPort::start() {
   SCGC6.set(SCGC6_FLEXCAN0);
-  CTRL1.write(kClockOfBus);  // must be set while the controller is disabled
+  CTRL1.write(kClockOfBus);  // this bit must be set while the controller is disabled
   MCR.write(MCR_FRZ | MCR_HALT | MCR_SRXDIS | MCR.field(kBuffers - 1, 0));
   await(MCR_FRZACK, true);
   CTRL1.write(kTiming);

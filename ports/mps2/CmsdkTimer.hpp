@@ -7,7 +7,7 @@
 
 namespace wr::mps2 {
 
-/// @brief A timer of the board, which has two such timers.
+/// @brief One of the two timers of the board.
 class CmsdkTimer final : public PeriodicTimer {
  public:
   /// @brief Number of a timer.

@@ -6,7 +6,7 @@
 namespace wr {
 
 /// @brief Buffer of the direction signal of the remote control.
-/// @function Passes the angle that each pulse represents to the reader of orders.
+/// @function Defines the angle of a full deflection, and writes the angle of each pulse to a pipe.
 /// @secret The angle for a full deflection of the direction lever, and the destination of the
 /// angle.
 /// @role{rc-buffers, Concrete Class}

@@ -6,7 +6,8 @@
 namespace wr {
 
 /// @brief Buffer of the velocity signal of the remote control.
-/// @function Passes the velocity that each pulse represents to the reader of orders.
+/// @function Defines the velocity of a full deflection, and writes the velocity of each pulse to a
+/// pipe.
 /// @secret The velocity for a full deflection of the velocity lever, and the destination of the
 /// velocity.
 /// @role{rc-buffers, Concrete Class}

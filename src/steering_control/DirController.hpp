@@ -17,7 +17,7 @@ namespace wr {
 /// @brief An order to the steering.
 /// @datatype
 struct DirTarget {
-  Angle angle{};         ///< target angle [0.01 degree], -3200 to 3200; only used to follow
+  Angle angle{};         ///< target angle [0.01 degree], -3200 to 3200; used only if `follow`
   bool follow = false;   ///< true to turn to the target angle, false to hold the steering
   bool release = false;  ///< true to leave the fault state
 

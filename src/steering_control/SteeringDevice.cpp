@@ -21,7 +21,7 @@ constexpr std::int32_t kRateChange =
     SystemConstants::instance().steeringAcceleration() / kTicksPerSecond;
 static_assert(kRateChange > 0, "the motor must reach its rate");
 
-// After it is switched on, the driver needs up to 50 ms until the motor has its current.
+// The motor has its current at most 50 ms after its driver was switched on.
 constexpr std::int32_t kSettlingTicks = kTicksPerSecond / 20;
 
 }  // namespace

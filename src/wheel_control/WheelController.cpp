@@ -114,7 +114,8 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint,
   blind_ = blind_ || effort_ >= kMaxEffort;
 }
 
-// Returns the part of a voltage that counts while the wheel shows no motion. A motor that turns
+// Returns the share of a voltage that is added to effort_ while the wheel shows no motion. A motor
+// that turns
 // undetected draws less current than a motor that its load keeps at rest. Therefore only a small
 // part of the voltage of a motor with much current counts.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension,

@@ -61,8 +61,8 @@ class WheelController final {
   /// @isr{no}
   void control(const WheelSetPoint& setPoint, const WheelMeasurements& measured);
 
-  /// @brief Stops the wheel: lowers its voltage for one cycle, or brakes the wheel if the voltage
-  /// is 0. Latched faults stay latched.
+  /// @brief Executes one cycle of a stop: lowers the voltage of the wheel, and brakes the wheel if
+  /// the voltage is then 0. Latched faults stay latched.
   /// @satisfies FR-88
   /// @satisfies FR-95
   /// @isr{no}

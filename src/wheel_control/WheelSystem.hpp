@@ -19,8 +19,8 @@ namespace wr {
 ///
 /// @secret How orders of the main controller are converted to orders of a wheel, and the use of one
 /// thread for each wheel. This thread has a higher priority than the main thread. The main thread
-/// never runs while the thread of a wheel is active. Therefore each thread finds the work of the
-/// other thread complete.
+/// never runs while the thread of a wheel is active. Therefore neither thread reads values that the
+/// other thread has written only in part.
 ///
 /// @role{control-system-orders, Concrete Class}
 /// @role{wheel-orders, Context}

@@ -16,11 +16,11 @@ enum class OperationStateId : std::uint8_t {
   Reconnecting = 3  ///< more than N reads in a row failed
 };
 
-/// @brief A state of Main Control, which decides the actions of a cycle.
+/// @brief A state of Main Control. The present state decides the actions of a cycle.
 ///
 /// @function Reads orders with the same steps in every state. Subclasses define the reaction to a
-/// message and the reaction to a missing message. Also gives the orders to the control systems and
-/// the order to send the report of the cycle.
+/// message and the reaction to a missing message. In each cycle the state also orders the control
+/// systems to follow their set-points, and sends the report.
 ///
 /// @secret The steps of reading an order that all operation states share.
 ///

@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief The state without orders: the robot is at rest and tries to read the sources alternately.
 ///
-/// @function Holds the control systems. Each failed read changes the reading mode. A message ends
-/// the search for a source of orders.
+/// @function Orders the control systems to halt the wheels and to hold the steering. Changes the
+/// reading mode after each failed read. Ends the search for a source when a message arrives.
 ///
 /// @secret How the system looks for a source of orders, and the behaviour of the robot during this
 /// search.

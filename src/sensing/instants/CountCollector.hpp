@@ -24,7 +24,7 @@ class CountCollector final : public CollectorDecorator {
   /// @satisfies FR-121
   void collect(const Edge& edge) override;
 
-  /// @brief Adds the count to the record of the wrapped collector.
+  /// @brief Writes the values of the wrapped collector, and then the count.
   /// @param instants receives `count` [edges since start]
   /// @isr{yes}
   /// @satisfies FR-121

@@ -22,7 +22,7 @@ class PeriodCollector final : public CollectorDecorator {
   /// @satisfies FR-55
   void collect(const Edge& edge) override;
 
-  /// @brief Adds the period to the record of the wrapped collector.
+  /// @brief Writes the values of the wrapped collector, and then the period.
   /// @param instants receives `period` [us], which is empty before the second rising edge
   /// @isr{yes}
   /// @satisfies FR-55

@@ -24,7 +24,7 @@ class WidthCollector final : public CollectorDecorator {
   /// @satisfies FR-52
   void collect(const Edge& edge) override;
 
-  /// @brief Adds the width to the record of the wrapped collector.
+  /// @brief Writes the values of the wrapped collector, and then the width.
   /// @param instants receives `width` [us], which is empty if no complete pulse was measured
   /// @isr{yes}
   /// @satisfies FR-52

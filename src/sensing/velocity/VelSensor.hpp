@@ -40,9 +40,9 @@ class VelSensor final {
   /// velocity. The velocity is limited to the velocity at which the next edge would come exactly
   /// now. Because of this limit, a falling velocity does not jump when an edge comes at the moment
   /// of the measurement. The velocity is 0 when no edge came for 500 ms.
-  /// @errors In each of three cases the velocity is not written, and the value in the pipe becomes
-  /// old. The function rejects the velocity. More than 3 edges of the cycle were unclear. The wheel
-  /// turned at 30 rpm or more, and more than 3 edges of the cycle were unclear or were reversals.
+  /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases:
+  /// (1) The function rejects the velocity. (2) More than 3 edges of the cycle were unclear. (3)
+  /// The wheel turned at 30 rpm or more, and unclear edges and reversals together were more than 3.
   /// @return time of the measurement
   /// @isr{no}
   /// @satisfies FR-120

@@ -29,10 +29,12 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @brief Constructs the rule. The rule has no state.
   DeadbandTurn() = default;
 
-  /// @brief Computes the target speed of the motor. This speed is 0 within the dead band, and 0
-  /// while the motor is too fast to brake in time. Otherwise it is the full rate towards the
-  /// target. The motor changes its speed with a limited acceleration. Therefore its speed stays
-  /// close to the braking curve.
+  /// @brief Computes the target speed of the motor. If the motor turns towards the target, this
+  /// speed is 0 in two cases: the steering is at most kArrived away from the target, or the motor
+  /// is too fast to brake in time. If the motor does not turn towards the target, this speed is 0
+  /// when the steering is at most kDeadband away from the target. In all other cases it is the full
+  /// rate towards the target. The motor changes its speed with a limited acceleration. Therefore
+  /// its speed stays close to the braking curve.
   /// @satisfies FR-101
   /// @satisfies FR-102
   /// @satisfies FR-103

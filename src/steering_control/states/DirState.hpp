@@ -6,7 +6,7 @@ namespace wr {
 
 class DirController;
 
-/// @brief A state of the steering, which defines the work of the controller at a tick.
+/// @brief A state of the steering. The present state defines the work of the controller at a tick.
 /// @function Defines one interface for the tick of the steering controller in all states.
 /// @secret The differences between the states of the steering.
 /// @role{steering-controller-states, State}

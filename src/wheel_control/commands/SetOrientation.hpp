@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief The command that sets the orientation of a wheel.
 ///
-/// @function Sets the orientation of a wheel to forwards or backwards. The sign of a voltage
-/// decides.
+/// @function Sets the orientation of a wheel to forwards or backwards, according to the sign of a
+/// voltage.
 ///
 /// @secret How the orientation is determined from a voltage.
 ///

@@ -10,7 +10,7 @@ namespace wr {
 /// @function Sets the magnitude of the wheel's voltage. The orientation of the wheel does not
 /// change.
 ///
-/// @secret The rule that the voltage of a wheel has no sign.
+/// @secret The rule that the wheel gets the magnitude of a voltage, without its sign.
 ///
 /// @role{wheel-commands, Concrete Command}
 class SetTension final : public WheelCommand {
