@@ -15,7 +15,7 @@ namespace wr {
 ///
 /// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
 /// position "stop", or when its pulses are missing. Releases the stop when the switch is in another
-/// position and the velocity stick is centred. If the switch was in the position "stop" only
+/// position and the velocity stick is not deflected. If the switch was in the position "stop" only
 /// between two cycles, a stop is latched in the second cycle. In the position "PC" the remote
 /// control has no orders. When an operator moves the switch from stop through PC to drive, the next
 /// orders acknowledge latched faults. If the pulses do not change for more than 2 s while the
