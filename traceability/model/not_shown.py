@@ -79,8 +79,8 @@ def _reviews(requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
     if missing:
         number = "None" if missing == len(requirements) else f"Only {len(requirements) - missing}"
         yield (
-            f"{number} of the {len(requirements)} requirements was reviewed by a person who is not "
-            "an author.",
+            "A person who is not an author must review each requirement. This has been done for "
+            f"{number.lower()} of the {len(requirements)} requirements.",
             "requirements",
         )
 
