@@ -77,10 +77,10 @@ def _stale(model: Model) -> Iterator[tuple[str, str]]:
 def _reviews(requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
     missing = sum(not requirement.reviewed for requirement in requirements)
     if missing:
-        number = "None" if missing == len(requirements) else f"Only {len(requirements) - missing}"
+        number = "none" if missing == len(requirements) else f"only {len(requirements) - missing}"
         yield (
-            f"{number} of the {len(requirements)} requirements was reviewed by a person who is not "
-            "an author.",
+            f"Reviews by a person who is not an author exist for {number} of the "
+            f"{len(requirements)} requirements.",
             "requirements",
         )
 

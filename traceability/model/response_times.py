@@ -169,8 +169,8 @@ def _of_context(
 
 
 def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
-    """Computes the response time of each interrupt. Returns all contexts, the interrupts with their
-    response times.
+    """Computes the response time of each interrupt. Returns all contexts. Each interrupt in the
+    result contains its response time.
 
     A response time lasts from the request of the interrupt to the end of its handler. It includes
     all work of the same and of higher priorities that the processor does in this time.

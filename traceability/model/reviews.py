@@ -227,8 +227,8 @@ class LinkTexts:
                 yield LinkText("constants", file, Place(file, 1), text)
 
     def _justifications(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the justifications of the source lines that no test executes, in the methods of a
-        requirement."""
+        """Yields the justifications for source lines in the methods of a requirement. No test
+        executes these source lines."""
         for item in self.facts.declared.justified:
             if item.kind == "line" and set(item.names) & self._methods(requirement):
                 yield LinkText("justification", item.names[0], item.place, item.why)
@@ -411,8 +411,8 @@ def with_reviews(model: Model, facts: Facts) -> Model:
 
 
 def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
-    """Returns the review with two results: whether it is about the present texts, and the reasons
-    why it is not valid."""
+    """Returns the review with two results: whether the reviewed texts are still the present texts,
+    and the reasons why the review is not valid."""
     current = review.state == state_of(texts)
     return replace(review, current=current, objections=list(objections(root, review, texts)))
 

@@ -81,7 +81,8 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
     """Returns for each method of the classes in chains of objects how many calls of this method can
-    be nested. The chains are the decorators and the declared chains."""
+    be nested. The chains are the objects in the uses of the Decorator pattern, and the chains that
+    ``design/stack.toml`` declares."""
     entries = {
         method.id: most
         for name, most in declared.entries.items()
@@ -190,9 +191,9 @@ class Prover:
         return cache[key]
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
-        """Returns true if a further nested call of a method is impossible. One reason is that each
-        object with this method in the chain is already executing it. The other reason is that an
-        object further inside the chain is already executing a method."""
+        """Returns true if a further nested call of a method is impossible. This is true in two
+        cases: each object with this method in the chain is already executing it, or an object
+        further inside the chain is already executing a method."""
         method = short_name(self.graph[symbol].name)
         if method not in self.most:
             return False

@@ -190,8 +190,8 @@ class _Changes:
         return sorted(methods) or [""]
 
     def initial(self) -> set[str]:
-        """Returns the initial states. These are the states that the composition passes to an object
-        of another class than a state."""
+        """Returns the initial states. The composition passes such a state to an object that is not
+        a state."""
         members = {
             f"field {self.code.composition}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.composition)]
@@ -349,9 +349,9 @@ def machines_of(
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
     """Returns the changes in the code that belong to a transition.
 
-    Several transitions may have the same source, event and target. If the code has as many such
-    changes, the first transition gets the first change, the second transition gets the second
-    change, and so on. Otherwise, each of these transitions gets all these changes.
+    Several transitions may have the same source, event and target. If the code has the same number
+    of such changes, the first transition gets the first change, the second transition gets the
+    second change, and so on. Otherwise, each of these transitions gets all these changes.
     """
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]

@@ -79,7 +79,7 @@ class Times:
         self.spread = {(one.within, one.method): one for one in facts.spread}
         # methods on the present path of calls that are the ``within`` of a ``Spread``
         self.inside: frozenset[str] = frozenset()
-        self.without: frozenset[str] = frozenset()  # not called in this activation
+        self.without: frozenset[str] = frozenset()  # not called in the present activation
         self.flows = facts.flows
         # assumed number of iterations of the loops of a method in ``spread``
         self.rounds: int | None = None
@@ -108,7 +108,8 @@ class Times:
         self.inside |= {within for within, _ in self.spread if within == method}
         key = (symbol, tuple(sorted(entered.items())), self.inside)
         if key not in self.known:
-            # The value if the function calls itself. The proof of the stack reports such a cycle.
+            # This value is used if the function calls itself. The proof of the stack reports the
+            # cycle of calls.
             self.known[key] = 0
             code = self.codes[symbol]
             single: dict[str, int] = {}  # callee -> cycles, for callees that are called once
@@ -181,7 +182,7 @@ class Times:
         return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
-        """Returns the symbol at which the code of a function is. A veneer only jumps to another
+        """Returns the symbol that contains the code of a function. A veneer only jumps to another
         symbol, and functions with equal code share a symbol."""
         veneer = VENEER.match(symbol)
         name = veneer["name"] if veneer else symbol
@@ -245,8 +246,8 @@ class Times:
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
         """Returns true if a function contains the inlined code of another function at a call.
-        ``way`` contains the place of the call, and then the places of the calls that were inlined
-        around it."""
+        ``way`` begins with the place of this call. The next places are the inlined calls that
+        contain it."""
         other = self.codes.get(self._home(target))
         if other is None or other is code:
             return False
@@ -383,8 +384,8 @@ class Times:
         }
 
     def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
-        """Returns the bound of a loop. If a call was inlined around the loop, and the source line
-        of the call has a bound ``in all``, this is the bound. Otherwise, it is the bound at the
+        """Returns the bound of a loop. If the loop is in an inlined function, the source line of
+        the inlined call can have a bound ``in all``. This bound has priority over the bound at the
         source line of the loop."""
         if self.rounds is not None and any(method == name for _, name in self.spread):
             return Bound(self.rounds, False)

@@ -1,5 +1,5 @@
-"""The invocation trees. Each tree contains the calls that the code can make, and the recordings of
-tests that made all calls of the tree."""
+"""The invocation trees. Each node contains whether the code can make the call of the node. Each
+requirement contains the recordings of tests that made all calls of its tree."""
 
 from __future__ import annotations
 
