@@ -32,6 +32,13 @@ from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
 CHANGES = Path("CHANGELOG.md")
+
+
+def change_list(text: str) -> str:
+    """Returns the versions of the list of changes, as sections of the page that includes them."""
+    return text.partition("\n")[2].replace("\n## ", "\n# ")
+
+
 # Files that hand-written pages include. For each: the source file, the name of the generated file
 # in the folder of the pages, and the function that returns its text.
 INCLUDED = (
@@ -39,7 +46,7 @@ INCLUDED = (
     (PINS, "board.html", board_figure),
     (TABLE, "live_frames.html", live_frames),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
-    (CHANGES, "changes.md", lambda root: (root / CHANGES).read_text("utf-8")),
+    (CHANGES, "changes.md", lambda root: change_list((root / CHANGES).read_text("utf-8"))),
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
