@@ -20,9 +20,9 @@ BINDINGS = (HOST, VIRTUAL_K64)
 
 @dataclass(frozen=True)
 class Place:
-    """A place in a file: a source line, or the source lines from ``line`` to ``end``. ``file`` is
-    the path relative to the root of the project. ``end`` is None for a single source line, or if it
-    is unknown."""
+    """A source line of a file, or the source lines from ``line`` to ``end``. ``file`` is the path
+    relative to the root of the project. ``end`` is None for a single source line, or if it is
+    unknown."""
 
     file: str
     line: int
