@@ -129,8 +129,8 @@ std::uint32_t Float::round(bool negative, int exponent, std::uint64_t significan
                   : rounding == Rounding::Up    ? rest != 0 && !negative
                   : rounding == Rounding::Down  ? rest != 0 && negative
                                                 : false;
-  // The leading bit of the integer increments the exponent field, also when rounding has set this
-  // bit.
+  // The integer is added to the shifted exponent field. Its leading bit is not part of the
+  // fraction: it adds 1 to the exponent field, also when rounding has set this bit.
   const std::uint32_t field = denormal ? 0 : static_cast<std::uint32_t>(leading - format.least);
   const std::uint32_t result =
       (field << format.fraction) + static_cast<std::uint32_t>(integer) + (up ? 1U : 0U);

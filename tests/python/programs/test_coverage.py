@@ -21,7 +21,7 @@ Lines = dict[int, list[dict[str, Any]]]
 @pytest.fixture(scope="module", autouse=True)
 def run() -> None:
     if read_totals(ROOT) is None or not is_fresh(ROOT, TESTS_TRACE):
-        pytest.skip("the tests with records did not run on these sources")
+        pytest.skip("the tests have not run with traces and coverage on the present sources")
 
 
 @pytest.fixture(scope="module")

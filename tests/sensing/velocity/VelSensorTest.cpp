@@ -80,6 +80,34 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
+/// @brief In the first cycle with edges after a standstill, n edges count as n - 1/2 edges. Until the
+/// next edge, the error is therefore at most 1.5 edges in a cycle, that is 15 rpm.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_StartsAtEachVelocity) {
+  for (const double rpm :
+       {5.1, 7.56, 9.4, 10.5, 19.58, 29.9, 69.0, 100.0, 149.9, 300.0, -7.56, -19.58}) {
+    for (int phase = 0; phase < 10; ++phase) {
+      TurningWheel one;
+      one.turn(rpm < 0 ? -20 : 20, Microseconds(10'000 * phase));
+      for (int cycle = 0; cycle < 10; ++cycle) {
+        one.turn(0, kCycle);
+        one.measure();
+      }
+      bool begun = false;
+      for (int cycle = 0; cycle < 5; ++cycle) {
+        one.turn(rpm, kCycle);
+        const double value = one.measure();
+        begun = begun || value != 0;
+        if (begun) {
+          ASSERT_NEAR(value, rpm * 10, 150)
+              << rpm << " rpm, phase " << phase << ", cycle " << cycle;
+        }
+      }
+      EXPECT_TRUE(begun) << rpm;
+    }
+  }
+}
+
 /// @brief One edge after a standstill counts as half an edge, because the wheel may have been at
 /// rest directly before this edge.
 /// @verifies FR-120
