@@ -29,13 +29,13 @@
     try {
       localStorage.setItem("theme", next);
     } catch (error) {
-      /* no storage: the choice is valid only for this page */
+      /* Without storage, the choice is valid only for this page. */
     }
     sayTheme();
   });
   sayTheme();
 
-  /* the number of the commit, and the menu in narrow windows */
+  /* shows the number of the commit, and opens and closes the menu in narrow windows */
   const commit = one("[data-commit]");
   if (data.commit) {
     one("code", commit).textContent = data.commit.slice(0, 7);
@@ -311,7 +311,7 @@
   async function find(text, whole = "") {
     if (!text.trim()) return close();
     await load();
-    if (text !== input.value) return; // the reader has typed more
+    if (text !== input.value) return; // the reader typed more while the scripts were loaded
     let list = "";
     shown = [];
     for (const [group, found] of PortalSearch.grouped(text)) {
@@ -531,7 +531,7 @@
     frame.scrollLeft += (marked.left + marked.right - view.left - view.right) / 2;
   });
 
-  /* shows the present stop of the active tour in a bar at the foot of the page */
+  /* shows the present step of the active tour in a bar at the bottom of the window */
   const tours = data.tours || {};
   function read() {
     try {
@@ -545,7 +545,7 @@
       if (state) localStorage.setItem("tour", JSON.stringify(state));
       else localStorage.removeItem("tour");
     } catch (error) {
-      /* no storage: the tour ends with this page */
+      /* Without storage, the tour ends when the reader leaves this page. */
     }
   }
   all("[data-tour]").forEach((link) =>
@@ -569,15 +569,15 @@
         ? `<a class="btn" data-at="${at}" href="${base + stops[at].address}">${words}</a>`
         : "";
     const end = last
-      ? `<a class="btn" data-end href="${base}tours/${state.id}.html#action">Then act</a>`
+      ? `<a class="btn" data-end href="${base}tours/${state.id}.html#action">Your task</a>`
       : "";
-    bar.innerHTML = `<b>${state.at + 1} of ${stops.length}</b><span>${escape(stops[state.at].look)}</span>${go(state.at - 1, "Back")}${go(state.at + 1, "Next")}${end}<button class="btn" type="button">End</button>`;
+    bar.innerHTML = `<b>${state.at + 1} of ${stops.length}</b><span>${escape(stops[state.at].look)}</span>${go(state.at - 1, "Back")}${go(state.at + 1, "Next")}${end}<button class="btn" type="button">End the tour</button>`;
     bar.addEventListener("click", (event) => {
       const link = event.target.closest("a, button");
       if (!link) return;
       keep(link.dataset.at ? { id: state.id, at: Number(link.dataset.at) } : null);
       if (!link.href) bar.remove();
-      else setTimeout(showTour); // the next stop may be on this page
+      else setTimeout(showTour); // the next step of the tour may be on this page
     });
     document.body.append(bar);
   }

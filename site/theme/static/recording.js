@@ -23,7 +23,7 @@
 
   /* ---- reading ---- */
 
-  /* Returns the cells of each line of a CSV text. A cell in quotes may contain commas, quotes and line breaks. */
+  /* Returns the cells of each row of a CSV text. A cell in quotes may contain commas, quotes and line breaks. */
   function cellsOf(text) {
     const lines = [];
     let line = [];
@@ -81,8 +81,7 @@
     return reports;
   }
 
-  /* Returns the lines that a CSV file with these reports has: first the column names, then the cells of each report.
-     */
+  /* Returns the rows of a CSV file with these reports: first the column names, then the cells of each report. */
   function linesOf(reports) {
     const heads = Object.keys(reports[0] || {});
     const cell = (value) => {
@@ -99,9 +98,9 @@
     return isMcap ? linesOf(reportsOf(bytes)) : cellsOf(new TextDecoder().decode(bytes));
   }
 
-  /* Returns a function that returns the cells of a named column, and the time of each report since the first report
-     [s]. After a reset, the robot counts its time from 0 again; the returned time continues without this jump.
-     Returns null if there are no reports or if a necessary column is missing. */
+  /* Returns two values: `column`, a function that returns the cells of a named column, and `times`, the time of each
+     report since the first report [s]. After a reset, the robot counts its time from 0 again; `times` continues
+     without this jump. Returns null if there are no reports or if a necessary column is missing. */
   function tableOf([heads = [], ...lines]) {
     const needed = [
       "time_ms",
@@ -121,7 +120,7 @@
     return { column, times: times.map((at) => at - times[0]) };
   }
 
-  /* Returns the points of a column. An empty cell is a missing value. */
+  /* Returns the points of a column: time and value. An empty cell is a missing value and has no point. */
   function pointsOf({ column, times }, name, isDrawn = () => true) {
     return column(name)
       .map((cell, i) => [times[i], cell, i])
@@ -155,7 +154,8 @@
     return made;
   };
 
-  /* Returns an axis with some round values. If it is rounded, its ends are also round values. */
+  /* Returns an axis with labels at some round values. If isRounded is true, both ends of the axis are also round
+     values. */
   function axisOf(low, high, isRounded) {
     const top = low + (high - low || 1);
     const rough = (top - low) / TICKS;

@@ -13,7 +13,8 @@
       "need needs of on or our shall should so than that the their them then there these they thing this those " +
       "through to want was way we were what when where which who whose why will with work works would you your").split(" "),
   );
-  /* Weights of the groups whose entries are less often the answer. All other groups have the weight 1. */
+  /* The weight of a group is less than 1 if readers seldom search for its entries. All other groups have the weight
+     1. */
   const WEIGHTS = {
     "Logic modules": 0.97,
     "Pattern applications": 0.97,
@@ -42,34 +43,34 @@
     ["mean meaning definition define glossary term", ["Glossary"]],
     ["struct enum type", ["Data types"]],
   ];
-  const DEFINES = /^what (is|are) (an? |the )?[\w-]+( \w+)?\??$/i; // asks for the glossary
-  const ASKED = 1.25; // weight of a group for which a word of the query asks
-  const OPTIONAL = 0.5; // weight of a word that asks for a group; many entries of the group do not contain it
+  const DEFINES = /^what (is|are) (an? |the )?[\w-]+( \w+)?\??$/i; // a query of this form asks for an entry of the glossary
+  const ASKED = 1.25; // weight of a group for which the query asks (see KINDS)
+  const OPTIONAL = 0.5; // weight of a word that asks for a group; it is low because many entries of the group lack it
   const ALIKE = 0.7; // weight of a synonym
   const BEGUN = 0.7; // weight of a word that begins with the typed letters
-  const CORRECTED = 0.95; // weight of the most frequent word that differs by a typing error
+  const CORRECTED = 0.95; // weight of the most frequent word that differs from the typed word by one typing error
   const LENGTHS = [0, 4, 6]; // [n]: least number of letters of a word with n typing errors
-  const FEW = 3; // greatest number of letters of a word without an ending
-  const LONG = 6; // greatest number of words of a phrase; a longer text is a list of single words
+  const FEW = 3; // a word with at most this number of letters keeps its ending
+  const LONG = 6; // greatest number of words of a phrase; a longer text is handled as a list of single words
   const MIDDLE = 0.7; // share of a list of single words that the query is assumed to cover
   const CLOSE = 0.5; // exponent of the share of a phrase that the query covers
   const WHOLE = 3; // exponent of the share of the query that an entry contains
   const [PHRASE, WORDS, LIBRARY] = [2, 3, 0.7]; // weights of the parts of a score
-  const EQUAL = 0.5; // addition to the score of a phrase that is the query
-  const NAMED = 6; // addition to the score of an entry whose name or number is in the query
+  const EQUAL = 0.5; // added to the score of a phrase that is equal to the query
+  const NAMED = 6; // added to the score of an entry if its name or number is in the query
   const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weights of the words of an entry
   const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields for MiniSearch
-  const COMMON = 60; // two words that occur in far fewer entries than this are equally rare
-  const QUOTED = 4; // least number of words of a quoted message, in their sequence
-  const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // other groups have the same names
-  const WRITTEN = new Set(["Data types", "Source"]); // named only by a query without spaces
-  const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // the text of their entries is a title
-  const PARTS = new Set(["Explanations", "Sections"]); // the title of a section needs the title of its page
+  const COMMON = 60; // words in far fewer entries than this number count as equally rare
+  const QUOTED = 4; // least number of words of a message that the query contains in the same order
+  const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // entries of other groups have the same names
+  const WRITTEN = new Set(["Data types", "Source"]); // found by name only if the query has no space
+  const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // their texts are second titles
+  const PARTS = new Set(["Explanations", "Sections"]); // sections; their phrases also contain the title of the page
   const BEST = 3; // number of hits that are shown before the groups
   const LEAST = 0.3; // least score of a hit, as a share of the best score
   const MOST = 400; // greatest number of hits
   const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // ids of requirements, goals, hazards, assumptions
-  const NUMBERED = /\breq(?:uirement)?\b\D{0,9}(\d+)/i; // requirement 15 is FR-15
+  const NUMBERED = /\breq(?:uirement)?\b\D{0,9}(\d+)/i; // "requirement 15" means FR-15
   const COMPOUND = /\p{L}{2,}-\p{L}{2,}/gu;
   const CAN = /\b[Cc]an (?=[a-z]|I\b)/; // the verb in a title; it does not mean the CAN bus
   const MAY = /\bcan (?=(i|you|we|it|this|the|a)\b)/i;
@@ -116,11 +117,11 @@
   /* MiniSearch gets lists of stems instead of texts, because the score of a phrase also needs its single stems. */
   const ready = { tokenize: (words) => [words].flat(), processTerm: (word) => word, stringifyField: (words) => words };
   const exactly = { prefix: false, fuzzy: false };
-  let index = null; // of the entries
-  let phrases = null; // of the phrases
-  const counts = new Map(); // of each word: the number of the entries that contain it
-  const compounds = new Map(); // of each word with a hyphen, written as one word: its parts
-  const idsByName = new Map(); // of each name, written as one word: the numbers of the entries
+  let index = null; // index of the entries
+  let phrases = null; // index of the phrases
+  const counts = new Map(); // word -> number of the entries that contain it
+  const compounds = new Map(); // word with a hyphen, written without the hyphen -> its parts
+  const idsByName = new Map(); // name, written as one word -> numbers of the entries
 
   function prepare() {
     if (index) return;
@@ -212,8 +213,8 @@
      weight than a frequent word. terms: the words that were found in the phrase or entry; valueOf: returns the weight
      of a word by the field that contains it */
   function shareIn(wanted) {
-    const single = new Map(); // of each alternative of one word: the numbers of the wanted words, and its weights
-    const several = []; // the alternatives of several words
+    const single = new Map(); // alternative of one word -> pairs: position in wanted, weight
+    const several = []; // the alternatives that have several words
     wanted.forEach(({ alternatives }, i) => {
       for (const [words, weight] of alternatives)
         if (words.length === 1) listIn(single, words[0]).push([i, weight]);
@@ -293,7 +294,7 @@
     const hits = [...matches, ...absent.map((id) => ({ id, match: {}, score: 0 }))].map(({ id, match, score: own }) => {
       const [group, , title] = entries[id];
       const terms = Object.keys(match);
-      const contained = exact.has(id) ? 1 : shareOf(terms, (term) => PLACES[match[term][0]]); // the first field is the best
+      const contained = exact.has(id) ? 1 : shareOf(terms, (term) => PLACES[match[term][0]]); // the first field has most weight
       const isNamed = group === "Messages" ? isQuoted(pieces(title), all) : exact.has(id);
       const score = PHRASE * (near.get(id) || 0) + WORDS * contained ** WHOLE + (LIBRARY * own) / most;
       const weight = weightOf(id) * (asked.has(group) ? ASKED : 1);

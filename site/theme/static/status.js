@@ -1,4 +1,4 @@
-/* Shows the running tasks while ./wr portal still makes results, and loads the page again when the pages have new
+/* Shows the tasks that ./wr portal is running. Loads the page again when ./wr portal has written the pages with new
  * results. */
 (function () {
   "use strict";
@@ -7,7 +7,7 @@
   const line = document.createElement("div");
   line.className = "status";
   line.setAttribute("role", "status");
-  let pages = null; // the version of the portal from which this page was loaded
+  let pages = null; // version of the pages when this page was loaded
   const clock = (seconds) =>
     Math.floor(seconds / 60) + ":" + String(Math.floor(seconds % 60)).padStart(2, "0");
 
@@ -17,12 +17,12 @@
   }
 
   function show(state) {
-    const waiting = state.waiting.length ? "; " + state.waiting.length + " more" : "";
+    const waiting = state.waiting.length ? "; " + state.waiting.length + " more waiting" : "";
     const failed = state.failed.length ? " Failed: " + state.failed.join(", ") + "." : "";
     line.textContent = state.over
       ? failed && "The results are complete." + failed
       : "Running: " + (state.running.map(running).join(", ") || "pages") + waiting +
-        ". Results on this page may be missing or older." + failed;
+        ". Until the tasks end, results on this page may be missing or out of date." + failed;
     if (line.textContent && !line.isConnected) document.body.append(line);
     if (!line.textContent) line.remove();
   }

@@ -12,7 +12,7 @@
     ROW = 13,
     HEAD = 18,
     AXIS = 22,
-    SHORTEST = 500; // the narrowest window [ns]
+    SHORTEST = 500; // the shortest time that the drawing can show [ns]
 
   /* the calls; each priority has a lane, and each call depth has a row in this lane */
   const calls = [];
@@ -63,7 +63,7 @@
   area.setAttribute("role", "application");
   area.setAttribute(
     "aria-label",
-    "Calls of one cycle. Plus and minus zoom, arrows left and right move, arrows up and down choose the caller and the called method, Enter zooms to the chosen call.",
+    "Calls of one control cycle. The keys plus and minus zoom. The left and right arrows move the shown time. The up arrow chooses the caller, and the down arrow the first called method. Enter zooms to the chosen call.",
   );
   panel.setAttribute("aria-live", "polite");
   field.type = "search";
@@ -140,7 +140,7 @@
     lanes.forEach((lane, number) => {
       const group = draw("g", { class: "lane" + number }, area);
       const names = new Set();
-      // If all calls of a row are too short for a bar, the deeper rows are not drawn.
+      // If all calls of a row are too short for a bar, the rows of their nested calls are not drawn.
       let depth = 0;
       while (depth < lane.rows.length) {
         const y = top + HEAD + depth * ROW;
@@ -155,7 +155,7 @@
     });
     area.setAttribute("viewBox", "0 0 " + width + " " + (top + 2));
     area.setAttribute("height", top + 2);
-    words.textContent = time(from) + " to " + time(to) + ", " + time(to - from) + " in view";
+    words.textContent = time(from) + " to " + time(to) + ", " + time(to - from) + " shown";
   }
   /* Writes the title of a lane, followed by as many names as the width permits. */
   function fit(text, title, names, width) {
@@ -264,8 +264,8 @@
     if (page) head.append(link(page, "interface"));
     when.textContent =
       "begins " + time(call.begin) + " after the clock pulse, lasts " + time(call.end - call.begin) +
-      "; " + context + (priority === null ? "" : ", priority " + priority) +
-      (begin > raised ? ", entered " + time(begin - raised) + " after its request" : "");
+      "; runs in: " + context + (priority === null ? "" : ", priority " + priority) +
+      (begin > raised ? ", which started " + time(begin - raised) + " after its request" : "");
     const callers = [];
     for (let up = calls[call.parent]; up; up = calls[up.parent]) callers.unshift(up);
     if (callers.length) above.append("called by ");
@@ -276,7 +276,7 @@
       element.addEventListener("click", () => showCall(up));
       above.append(element);
     });
-    trees.append(requirements.length ? "in the trees of " : "in the tree of no requirement");
+    trees.append(requirements.length ? "in the invocation trees of " : "in no invocation tree");
     requirements.forEach((id, number) => {
       if (number) trees.append(", ");
       trees.append(link("@/requirements/" + id + ".html#tree", id));
@@ -344,7 +344,7 @@
 
   const asks = /^#call-(\d+)$/.exec(location.hash);
   panel.append(
-    make("p", "", "Choose a call: its method, its source and its requirements appear here. A double click zooms to the call."),
+    make("p", "", "When you choose a call, its method, its source and its requirements appear here. A double click zooms to the call."),
   );
   show(0, data.length);
   if (asks) showCall(calls[asks[1]]);

@@ -4,7 +4,7 @@
 (function () {
   "use strict";
   const STEP = 1.25; // factor of the zoom buttons and keys
-  const READABLE = 0.93; // share of the size at which a diagram is still readable without the window
+  const READABLE = 0.93; // a diagram that is shrunk to this share of its size is still readable
   const LEAST = 0.25;
   const MOST = 4;
 

@@ -1,5 +1,5 @@
-/* Plays the same scenario with two variants of the robot. Then shows the states of both over time, and the modules
-   that only one of them runs. */
+/* Plays the same scenario with two variants of the robot. Then shows the states of both variants over time, and the
+   modules that run in only one variant. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-compare]");
@@ -34,12 +34,12 @@
       button.disabled = false;
       if (text) say(`The robot cannot run here: ${text}.`);
     };
-    worker.onerror = () => end("the module could not be loaded");
+    worker.onerror = () => end("the virtual board could not be loaded");
     worker.onmessage = ({ data }) => {
       if (data.kind === "error") end(data.text);
       else if (data.kind === "loaded")
         worker.postMessage({ do: "compare", folder, products, scenario: place.dataset.scenario });
-      else if (data.kind === "plays") say(`Plays the scenario “${data.title}” with ${data.product}.`);
+      else if (data.kind === "plays") say(`Playing the scenario “${data.title}” with ${data.product}.`);
       else if (data.kind === "compared") {
         end("");
         show(data);
@@ -88,11 +88,11 @@
     const gone = [...before].filter((name) => !after.has(name));
     const common = [...after].filter((name) => before.has(name)).length;
     result.replaceChildren(
-      element("p", {}, `The scenario “${title}”, with the same orders and the same robot.`),
+      element("p", {}, `Both variants played the scenario “${title}”, with the same orders and the same simulated robot.`),
       element("div", { class: "scroll" }, table),
-      element("p", {}, `${common} modules run in both. Only in the second: `, ...(added.length ? list(added) : ["none"]), "."),
-      ...(gone.length ? [element("p", {}, "Only in the first: ", ...list(gone), ".")] : []),
-      ...(rows.length > MOST ? [element("p", { class: "mut2" }, `${rows.length - MOST} later changes are not shown.`)] : []),
+      element("p", {}, `${common} modules run in both variants. Modules that run only in ${products[1]}: `, ...(added.length ? list(added) : ["none"]), "."),
+      ...(gone.length ? [element("p", {}, `Modules that run only in ${products[0]}: `, ...list(gone), ".")] : []),
+      ...(rows.length > MOST ? [element("p", { class: "mut2" }, `${rows.length - MOST} later changes of state are not shown.`)] : []),
     );
   }
 })();

@@ -27,7 +27,7 @@
     if (worker) return timer ? pause() : go();
     button.disabled = true;
     worker = new Worker(place.dataset.scripts + "worker.js");
-    worker.onerror = () => failed("the module could not be loaded");
+    worker.onerror = () => failed("the virtual board could not be loaded");
     worker.onmessage = ({ data }) => {
       if (data.kind === "error") failed(data.text);
       else if (data.kind === "loaded") {
@@ -99,7 +99,7 @@
       `: ${hex(said.bytes)}${said.value === undefined ? "" : ` = ${said.value}`}. ${said.meaning}.`,
     );
     one("[data-direction]").textContent =
-      `${frame.fromPc ? "PC to robot" : "robot to PC"}, ${(frame.at / 1000).toFixed(4)} s, ${frame.bytes.length} bytes on the line`;
+      `${frame.fromPc ? "PC to robot" : "robot to PC"}, ${(frame.at / 1000).toFixed(4)} s, ${frame.bytes.length} bytes on the serial line`;
   }
 
   function explain(number) {

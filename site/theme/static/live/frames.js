@@ -1,4 +1,5 @@
-/* Decodes frames of the PC protocol on the line. Frames are between zeros, stuffed, and have a CRC. */
+/* Decodes the frames of the PC protocol from the bytes on the serial line. A zero byte ends each frame. The other bytes
+   are coded with COBS: stuffing bytes replace the zeros. A CRC is at the end of the decoded bytes. */
 (function (scope) {
   "use strict";
 
@@ -33,7 +34,8 @@
     return read[field.t]();
   }
 
-  /* Returns the values of a body (version, type, sequence number, payload), by the names of the fields. */
+  /* Returns the values of the fields in a decoded frame (version, type, sequence number, payload). The keys are the names
+     of the fields. */
   function valuesOf(body, frame) {
     const values = {};
     if (body.length < HEADER) return values;
@@ -49,7 +51,7 @@
     return values;
   }
 
-  /* Collects the frames of both directions. */
+  /* The frames of both directions of the serial line. A frame may be spread over several pieces of data. */
   class Line {
     constructor(frames) {
       this.kinds = new Map(frames.map((frame) => [frame.kind, frame]));
@@ -87,7 +89,7 @@
     }
   }
 
-  /* Returns the text of a value of a field: its name, or the number with its unit. */
+  /* Returns the value of a field as text: its name, or the number with its unit. */
   function shownValue(field, value) {
     if (field.v) return `${value} ${field.v[value] || ""}`.trim();
     if (field.b) return field.b.filter((_, bit) => (value >> bit) & 1).join(", ") || "no bit set";
@@ -96,18 +98,18 @@
   }
 
   /* Returns the parts of a frame in the order in which they are sent: the first stuffing byte, the header, the
-     fields, the check sum and the zero byte at the end. The other stuffing bytes are replaced by zeros, because each
-     of them replaces a zero. */
+     fields, the check sum and the zero byte at the end. Each other stuffing byte was sent in place of a zero; the
+     parts contain this zero. */
   function partsOf(line, frames) {
     const body = unstuffed(line.slice(0, -1)) || [];
     const kind = frames.find((frame) => frame.kind === body[1]);
     const payload = body.slice(HEADER, -CRC);
     const view = new DataView(Uint8Array.from(payload).buffer);
     const parts = [
-      { bytes: [line[0]], name: "stuffing", meaning: "distance to the next zero of the body" },
+      { bytes: [line[0]], name: "stuffing", meaning: "distance to the first byte that was zero before the coding" },
       { bytes: [body[0]], name: "version", value: body[0], meaning: "version of the protocol" },
       { bytes: [body[1]], name: "type", value: kind ? kind.name : body[1], meaning: "the type of the frame" },
-      { bytes: [body[2]], name: "sequence", value: body[2], meaning: "number of the frame, from its sender" },
+      { bytes: [body[2]], name: "sequence", value: body[2], meaning: "number that the sender has assigned to the frame" },
     ];
     let at = 0;
     for (const field of kind ? kind.fields : []) {
@@ -118,7 +120,7 @@
       at = field.o + size;
     }
     if (at < payload.length)
-      parts.push({ bytes: payload.slice(at), name: "more", meaning: "bytes after the fields of this version" });
+      parts.push({ bytes: payload.slice(at), name: "more", meaning: "bytes after the last field that this version of the protocol defines" });
     parts.push({ bytes: body.slice(-CRC), name: "crc", meaning: "CRC-16/CCITT-FALSE of all bytes before it" });
     parts.push({ bytes: [0], name: "end", meaning: "the zero byte that ends the frame" });
     return parts;

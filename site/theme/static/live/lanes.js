@@ -3,8 +3,8 @@
 (function (scope) {
   "use strict";
   const FIRST_INTERRUPT = 16; // number of the exception that interrupt line 0 raises
-  const WIDTH = 1000; // width of a lane, in units of the drawing
-  const LEAST = 1.5; // width of the thinnest bar
+  const WIDTH = 1000; // width of a lane [units of the drawing]
+  const LEAST = 1.5; // width of the thinnest bar [units of the drawing]
   const STEPS = 1000; // number of steps of the slider
   const MS = 1e6; // ns
   const WINDOWS = [
@@ -96,7 +96,7 @@
     element(
       "p",
       { class: "lv-row" },
-      element("label", { for: "lanes-window" }, "After the clock pulse: "),
+      element("label", { for: "lanes-window" }, "Shown time after the clock pulse: "),
       span,
       element("label", { for: "lanes-instant" }, "Instant: "),
       instant,

@@ -77,9 +77,9 @@
   }
 
   if (location.protocol === "file:")
-    unavailable("a page that was opened from a file cannot load the module; serve the portal with ./wr portal");
+    unavailable("a page that was opened as a file cannot load the virtual board; serve the pages with ./wr portal");
   else if (typeof WebAssembly === "undefined" || typeof Worker === "undefined")
-    unavailable("this browser has no WebAssembly");
+    unavailable("this browser does not support WebAssembly or web workers");
 
   function load(time) {
     loadButton.disabled = true;
@@ -87,7 +87,7 @@
     const pressed = performance.now();
     worker = new Worker(live.dataset.scripts + "worker.js");
     worker.onmessage = ({ data }) => HEARD[data.kind](data, time, pressed);
-    worker.onerror = () => failed("the module could not be loaded");
+    worker.onerror = () => failed("the virtual board could not be loaded");
     send("load", { folder: new URL(live.dataset.folder, location.href).href });
   }
 
@@ -120,10 +120,10 @@
     again: clearRun,
     snapshot: show,
     refused(data) {
-      note(`The robot refused “${data.text}”: ${data.why}`);
+      note(`The simulator cannot execute “${data.text}”: ${data.why}`);
     },
     error(data) {
-      if (facts) note(`The run ended: ${data.text}. Press Again.`);
+      if (facts) note(`The run stopped because of an error: ${data.text}. Press Again.`);
       else failed(data.text);
     },
   };
@@ -142,10 +142,10 @@
     note(found ? found.says : "Move the set-point. A product with safety functions follows it only after neutral orders for 1.5 s.");
     const option = productField.selectedOptions[0];
     one("[data-image]").textContent =
-      `image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} B, ` +
+      `firmware image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} bytes, ` +
       ("flashed" in option.dataset
-        ? "the firmware image that is flashed: calls that the compiler has inlined cannot be seen"
-        : "a firmware image of the same sources, with other options of the compiler: each call can be seen");
+        ? "the firmware image that is flashed: this page cannot show calls that the compiler has inlined"
+        : "a firmware image of the same sources, built with other compiler options: this page can show each call");
     resetHands();
     send("start", {
       folder: new URL(live.dataset.folder, location.href).href,
@@ -213,8 +213,8 @@
     if (navigator.clipboard) navigator.clipboard.writeText(at.href).catch(() => {});
     note(
       actions.length
-        ? "The link is in the address bar. It repeats the scenario to this time, without your actions."
-        : "The link is in the address bar. It opens the run at this time.",
+        ? "The address bar now contains the link. The link repeats the scenario up to this time, but without your actions."
+        : "The address bar now contains a link to this time of the run.",
     );
   }
 
@@ -330,7 +330,7 @@
     }),
   );
 
-  /* ---- views that are prepared once ------------------------------------------------------------------------- */
+  /* ---- drawings that are prepared once ------------------------------------------------------------------------- */
 
   let ground, trail, body, wheels, slopeMark, cells, charts;
 
@@ -435,7 +435,7 @@
       const cell = event.target.closest("a");
       if (!cell) return;
       const found = cells.get(cell.getAttribute("aria-label"));
-      says.textContent = `${cell.getAttribute("aria-label")}: ${found.rate || 0} calls in the last second, ${found.total} in this run`;
+      says.textContent = `${cell.getAttribute("aria-label")}: ${found.rate || 0} calls in the last second, ${found.total} calls since the start of the run`;
     };
     place.addEventListener("pointerover", showCell);
     place.addEventListener("focusin", showCell);
@@ -484,7 +484,7 @@
     showFrames(data);
     showTimeLine();
     sayState(data);
-    if (data.stopsAt) note(`${data.stopsAt} was seen at ${seconds(data.numbers.time_ms)} s: the run is paused.`);
+    if (data.stopsAt) note(`All calls of ${data.stopsAt} were seen at ${seconds(data.numbers.time_ms)} s. The run is paused.`);
     if (data.finding) note(`The virtual board found an error and stopped: ${data.finding}`);
     else if (data.failures) note(data.failures.split("\n")[0]);
     else if (data.state === "ended") note("The scenario has ended. All its expectations are met.");
@@ -522,7 +522,7 @@
       : "no report yet";
     one("[data-now]").textContent = state;
     one("[data-cost]").textContent =
-      `${(numbers.awake_us / 1000).toFixed(2)} ms of ${(numbers.cycle_us / 1000).toFixed(0)} ms awake`;
+      `${(numbers.awake_us / 1000).toFixed(2)} ms of ${(numbers.cycle_us / 1000).toFixed(0)} ms: the processor does not sleep`;
   }
 
   function sayState(data) {
@@ -571,7 +571,7 @@
       ["armed", reported ? (values.armed ? "yes" : "no") : "–"],
       ["inhibited", reported ? nameOf("inhibit", values.inhibit) : "–"],
       ["speed", `${(numbers.ground_speed / 1000).toFixed(2)} m/s`],
-      ["way", `${(numbers.distance / 1000).toFixed(2)} m`],
+      ["distance", `${(numbers.distance / 1000).toFixed(2)} m`],
       ["steering", `${(numbers.true_steering / 100).toFixed(1)}°`],
       ["supply", `${(numbers.supply / 1000).toFixed(1)} V`],
       ["resets", String(numbers.resets)],
@@ -720,7 +720,7 @@
       const counts = Object.entries(machine.counts).map(
         ([edge, count]) => `${edge.replace(" ", " → ")} ×${count}`,
       );
-      const text = last ? `Last: ${last.from} → ${last.to} at ${seconds(last.at)} s. All: ${counts.join(", ")}.` : "";
+      const text = last ? `Last change: ${last.from} → ${last.to} at ${seconds(last.at)} s. All changes: ${counts.join(", ")}.` : "";
       one("[data-moves]", place).textContent = `Present state: ${state}. ${text}`;
     });
   }
@@ -750,8 +750,8 @@
 
   const MOST_LINES = 240;
 
-  /* Returns the text lines of the call tree. A call that is repeated without another call between shares the line of
-     the first call. */
+  /* Returns the text lines of the call tree. If a caller calls the same method several times in succession, these calls
+     share one text line. */
   function linesOf(rows) {
     const lines = [];
     const above = [];
@@ -788,7 +788,7 @@
       return row;
     });
     if (rowLines.length > MOST_LINES)
-      nodes.push(element("div", { class: "mut small" }, `${rowLines.length - MOST_LINES} further lines`));
+      nodes.push(element("div", { class: "mut small" }, `${rowLines.length - MOST_LINES} further calls are not shown`));
     one("[data-tree]").replaceChildren(...nodes);
   }
 
@@ -816,7 +816,7 @@
 
   function showSeen(data) {
     const ids = Object.keys(seen).sort((a, b) => seen[b].at - seen[a].at || a.localeCompare(b));
-    one("[data-seen-count]").textContent = `${ids.length} of ${possible} trees that this image can show`;
+    one("[data-seen-count]").textContent = `${ids.length} of ${possible} invocation trees that this firmware image can show`;
     const list = one("[data-seen]");
     const now = new Set(data.found);
     list.replaceChildren(

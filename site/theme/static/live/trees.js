@@ -39,8 +39,8 @@
     return rows;
   }
 
-  /* Converts a declared invocation tree for the search: each node gets its methods as a set. `needed` lists the sets
-     of methods; if no method of one set is called, the tree cannot be in the calls. */
+  /* Converts a declared invocation tree for the search: each node gets its methods as a set. `needed` lists these
+     sets. The recorded calls can contain the tree only if they contain a method of each set. */
   function prepared(declared, has) {
     const needed = [];
     const nodeOf = (node) => {
@@ -123,8 +123,9 @@
       this.state = to;
     }
 
-    /* Records that an operation of a state module was called. The machine was then in this state. If only one next
-       state is possible and no transition to it has a guard, the machine changes to the next state. */
+    /* Records that an operation of a state module was called: the machine was in the state of this module. If only
+       one next state is possible and no transition to it has a guard, the machine then changes to this next state.
+       */
     operation(module, method, moves) {
       const state = this.stateOf.get(module);
       if (!state) return;

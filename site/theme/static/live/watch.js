@@ -28,11 +28,11 @@
     if (worker) return look();
     const folder = new URL(place.dataset.folder, location.href).href;
     worker = new Worker(place.dataset.scripts + "worker.js");
-    worker.onerror = () => failed("the module could not be loaded");
+    worker.onerror = () => failed("the virtual board could not be loaded");
     worker.onmessage = ({ data }) => {
       if (data.kind === "loaded") look();
       else if (data.kind === "error") failed(data.text);
-      else if (data.kind === "plays") (id ? say(`Plays the scenario “${data.title}”.`) : begin(data));
+      else if (data.kind === "plays") (id ? say(`Playing the scenario “${data.title}”.`) : begin(data));
       else if (data.kind === "found") show(data);
       else if (data.kind === "beat") showBeat(data);
     };
@@ -61,7 +61,7 @@
       "Open in Run the robot",
     );
 
-  /* ---- a drive with marked modules -------------------------------------------------------------------------- */
+  /* ---- a scenario with marked modules -------------------------------------------------------------------------- */
 
   const modules = (place.dataset.play || "").split(" ");
   const PACES = [
@@ -113,7 +113,7 @@
 
   function makeControls({ scenarios }) {
     scenario = choice("Scenario", scenarios.map(({ name, title }) => [name, title]));
-    pace = choice("Pace", PACES);
+    pace = choice("Playback speed", PACES);
     now = element("p", { class: "lv-at" });
     counts = element("ul", { class: "lv-counts" });
     scenario.addEventListener("change", look);
@@ -190,7 +190,7 @@
   }
 
   const callsOf = (number) =>
-    number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call inside the module";
+    number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call of a method that this module implements";
 
   /* Fills the column "live" in each table of the invocation tree. A cell shows the time and the arguments of the last
      call of its node. */
@@ -211,14 +211,14 @@
     button.disabled = false;
     button.textContent = "Again";
     if (!data.scenario) {
-      say("No scenario on this page makes these calls in a firmware image whose calls can be seen. See the tests below.");
+      say("No scenario that this page can play makes all these calls. See the tests below.");
       return;
     }
     const time = String(Math.round(data.at));
     const link = runLink({ p: data.product, s: data.scenario, t: time, stop: id });
     const list = element("ol", { class: "lv-happened" });
     say(
-      `◉ seen at ${(data.at / 1000).toFixed(3)} s, cycle ${data.cycle}, in the scenario “${data.title}” `,
+      `◉ All calls were seen at ${(data.at / 1000).toFixed(3)} s, in cycle ${data.cycle} of the scenario “${data.title}”, `,
       `with the firmware image of ${data.product}. `,
       link,
     );

@@ -1,12 +1,12 @@
-/* The worker of the page. It runs the robot one cycle at a time, at the chosen speed, and sends a snapshot to the
-   page at most 20 times per second. */
+/* The web worker that runs the simulated robot for a page. It runs one control cycle after another at the chosen speed,
+   and sends a snapshot to the page at most 20 times per second. */
 "use strict";
 importScripts("module.js", "trees.js", "frames.js");
 
 const SLICE = 50; // ms between snapshots
-const BUSY = 40; // ms of each SLICE in which cycles run
-const CYCLE = 100; // ms of robot time
-const SECOND = 1000 / CYCLE; // in cycles
+const BUSY = 40; // ms; part of each SLICE in which the worker runs cycles
+const CYCLE = 100; // ms; length of a control cycle in the time of the robot
+const SECOND = 1000 / CYCLE; // number of control cycles in one second
 const SHOWN_FRAMES = 24;
 const PAPER = "weeding_robot_paper";
 const DEFAULT = "weeding_robot";
@@ -17,7 +17,7 @@ let robot = null;
 
 const asBytes = async (path) => {
   const answer = await fetch(path);
-  if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
+  if (!answer.ok) throw new Error(`${path} could not be loaded (HTTP status ${answer.status})`);
   return new Uint8Array(await answer.arrayBuffer());
 };
 
@@ -58,11 +58,11 @@ class Robot {
     machines = facts.machines.map((one) => new LiveTrees.Machine(one));
     this.hardware = new Set(facts.hardware);
     this.known = new Map(); // hash of the calls of a cycle -> the trees that these calls match
-    this.seen = {}; // requirement -> count, first time
+    this.seen = {}; // requirement -> number of cycles that contained its invocation tree, and the first of these cycles
     this.state = "runs";
     this.rows = [];
     this.rowsHash = 0;
-    this.entries = []; // for each of the last cycles: the number of calls of each function until then
+    this.entries = []; // for each of the last cycles: the number of calls of each function until the end of this cycle
     this.clear();
   }
 
@@ -310,8 +310,8 @@ const ownerOf = (method) => facts.methods[method].split("::")[0];
 /* The modules that the page shows while a scenario plays, and the number of calls of each until now. */
 let shown = { modules: new Set(), counts: {} };
 
-/* Prepares a scenario for a page that shows modules. Each later order "beat" runs one control cycle of the scenario.
-   */
+/* Prepares a scenario for a page that shows modules. Each later message "beat" from the page runs one control cycle of
+   the scenario. */
 async function play({ folder, modules, scenario: wanted, image }) {
   pause();
   await choose(folder, image || imageWith(modules));
@@ -351,7 +351,7 @@ function callsBetween(modules) {
   return [...found].map((pair) => pair.split(" "));
 }
 
-/* The state machines whose state is in the report, each with the report field of the state. */
+/* State machine -> the field of the report that contains the state of this machine. */
 const REPORTED = { "operation-states": "state", "reading-modes": "mode" };
 
 function nameOf(field, number) {
@@ -470,8 +470,8 @@ const ORDERS = {
   },
 };
 
-/* The queue of the orders. An order starts only when the order before it has ended, because some orders wait for a
-   file. */
+/* The queue of the messages from the page. The worker handles a message only when it has finished the previous message,
+   because some messages wait for a file. */
 let orders = Promise.resolve();
 
 async function obey(data) {
