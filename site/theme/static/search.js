@@ -119,6 +119,7 @@
   const exactly = { prefix: false, fuzzy: false };
   let index = null; // index of the entries
   let phrases = null; // index of the phrases
+  let spellings = null; // index of the whole words, without the words that have numbers
   const counts = new Map(); // word -> number of the entries that contain it
   const compounds = new Map(); // word with a hyphen, written without the hyphen -> its parts
   const idsByName = new Map(); // name, written as one word -> numbers of the entries
@@ -150,6 +151,9 @@
       }),
     );
     phrases.addAll(documents.map((phrase) => ({ ...phrase, weight: sum(phrase.words.map(rarity)) })));
+    spellings = new MiniSearch({ fields: ["words"], ...ready });
+    const words = [...stemOf].filter(([word, own]) => counts.has(own) && !/\p{N}/u.test(word));
+    spellings.add({ id: 0, words: words.map(([word]) => word) });
   }
   /* Returns the phrases that are made from the title of an entry. If the title has parentheses, the words before them
      and the words in them are also phrases. */
@@ -163,26 +167,28 @@
   /* Returns the words of the index that a typed word can mean, each with its weight. If the typed word is in the
      index, it means only itself. Otherwise it means the words that begin with it. If there are none, it means the
      words that differ by the smallest number of typing errors. */
+  const typedAs = new Map(); // stem of a typed word -> this word
   const kept = new Map();
-  const meanings = (word) => kept.get(word) || kept.set(word, meant(word)).get(word);
+  const meanings = (word) => kept.get(typedAs.get(word)) || kept.set(typedAs.get(word), meant(word)).get(typedAs.get(word));
   function meant(word) {
     if (counts.has(word) || compounds.has(word) || groups.flat(2).includes(word)) return [[word, 1]];
-    const like = (options) => index.search(word, { ...exactly, ...options }).flatMap(({ terms }) => terms);
+    const typed = typedAs.get(word);
+    const like = (options) => spellings.search(typed, { ...exactly, ...options }).flatMap(({ terms }) => terms.map(stem));
     const frequent = (words, most) => [...new Set(words)].sort((a, b) => counts.get(b) - counts.get(a)).slice(0, most);
     const longer = frequent(like({ prefix: true }), 8);
     if (longer.length) return longer.map((other) => [other, BEGUN]);
     for (const fuzzy of [1, 2]) {
-      if (word.length < LENGTHS[fuzzy]) break;
-      const near = frequent([...exchanged(word), ...like({ fuzzy })].filter((other) => /^\p{L}/u.test(other)), 3);
+      if (typed.length < LENGTHS[fuzzy]) break;
+      const near = frequent([...exchanged(typed), ...like({ fuzzy })], 3);
       if (near.length) return near.map((other, i) => [other, i || fuzzy > 1 ? BEGUN : CORRECTED]);
     }
     return [[word, 1]];
   }
   /* Returns the words of the index that differ from a typed word by an exchange of two neighbouring letters. */
-  const exchanged = (word) =>
-    [...word]
+  const exchanged = (typed) =>
+    [...typed]
       .slice(1)
-      .map((letter, i) => word.slice(0, i) + letter + word[i] + word.slice(i + 2))
+      .map((letter, i) => stem(typed.slice(0, i) + letter + typed[i] + typed.slice(i + 2)))
       .filter((other) => counts.has(other));
 
   /* Returns the words of a query. A term of several words (safe state) is one element. Each element has a list of
@@ -276,6 +282,7 @@
     prepare();
     const all = pieces(text.replace(MAY, "")); // "can I": the CAN bus is not meant
     const words = large(all).map(stem);
+    large(all).forEach((word) => typedAs.set(stem(word), word));
     if (!words.length) return [];
     const wanted = wantedIn(words);
     const meantWords = new Set(words.flatMap((word) => meanings(word).map(([other]) => other)));
