@@ -13,7 +13,7 @@ namespace {
 // offset of the current sensor causes. The array contains the variances of these parameters before
 // the first cycle.
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
-constexpr float kMaxVariance = 0.5F;  // greatest deviation of a learned parameter
+constexpr float kMaxDeviation = 0.5F;  // of a learned parameter from its nominal value
 // Increase of each variance in a cycle, because the temperature and the battery voltage change.
 constexpr float kVarianceDrift = 1e-6F;
 
@@ -140,7 +140,7 @@ void LeadsWatch::learn(const Cycle& cycle) {
   for (std::size_t row = 0; row < kParameters; ++row) {
     const float gain = cycle.spread[row] * cycle.weight;
     deviations_[row] =
-        std::clamp(deviations_[row] + gain * cycle.unexplained, -kMaxVariance, kMaxVariance);
+        std::clamp(deviations_[row] + gain * cycle.unexplained, -kMaxDeviation, kMaxDeviation);
     for (std::size_t column = 0; column < kParameters; ++column) {
       doubts_[row][column] -= gain * cycle.spread[column];
     }

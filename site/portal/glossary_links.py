@@ -15,6 +15,8 @@ from portal.sections import Section, terms_of
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
 OTHER_SENSES = {"function", "target"}
+# Words that contain a term but have another meaning.
+OTHER_WORDS = ("stop bit",)
 # HTML elements in which no term is linked, such as links, headings, code, pictures and controls.
 APART = (
     "a button code h1 h2 h3 h4 input kbd label option pre script select style summary svg th title"
@@ -35,7 +37,11 @@ class GlossaryLinks:
         terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source)}
         self.terms = {words: term for words, term in terms.items() if words not in OTHER_SENSES}
         self.longer = {
-            words: [(term, term.find(words)) for term in terms if words in term and words != term]
+            words: [
+                (term, term.find(words))
+                for term in (*terms, *OTHER_WORDS)
+                if words in term and words != term
+            ]
             for words in self.terms
         }
 

@@ -63,7 +63,7 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
     {{Port::C, 14, Mux::Alt3, Role::PulledUp}, "UART4_RX", "J199, Bluetooth", "Bytes from the remote client."},
     {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199, Bluetooth", "Bytes to the remote client."},
-    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low switches the light on: no control cycles run."},
+    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low switches the light on: no control cycles run. In the product weeding_robot_warning: a warning, too."},
     {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low switches the light on: control cycles run."},
     {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "Voltage of the front left wheel."},
     {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "Voltage of the front right wheel."},

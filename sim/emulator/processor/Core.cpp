@@ -125,7 +125,7 @@ inline void Core::execute(const Instruction& instruction) {
 void Core::executeInBlock(const Instruction& instruction) {
   const std::uint8_t block = registers.it;
   registers.advanceIt();
-  if (registers.passes(block >> 4U)) {
+  if (instruction.isUnconditional() || registers.passes(block >> 4U)) {
     instruction.run(*this, instruction);
     if (trap_ >= Trap::Breakpoint) {
       registers.it = block;
@@ -190,7 +190,7 @@ const Instruction* Core::decodeAt(std::uint32_t address) {
   }
   memory.decoded(address);
   *place = decode({.bits = bits, .inBlock = inBlock}, isWide(first));
-  place->form = static_cast<std::uint8_t>(Instruction::place(inBlock) | (isWide(first) ? 4U : 2U));
+  place->form |= static_cast<std::uint8_t>(Instruction::place(inBlock) | (isWide(first) ? 4U : 2U));
   return place;
 }
 

@@ -16,11 +16,12 @@ struct Instruction {
   std::uint8_t d = 0;     ///< register that is written, loaded or stored
   std::uint8_t n = 0;     ///< register of the first operand, or of the address
   std::uint8_t m = 0;     ///< register of the second operand
-  std::uint8_t form = 0;  ///< size and alignment; 0 before decoding
+  std::uint8_t form = 0;  ///< the bits of the constants below, and the size; 0 before decoding
 
   static constexpr std::uint8_t kDecoded = 1;
   static constexpr std::uint8_t kInBlock = 8;
   static constexpr std::uint8_t kPlace = kDecoded | kInBlock;
+  static constexpr std::uint8_t kUnconditional = 16;
 
   /// @brief Returns the value of form & kPlace after decoding inside or outside of an IT block.
   /// @param inBlock true if the instruction is in an IT block
@@ -31,6 +32,8 @@ struct Instruction {
   /// @brief Returns true if the instruction was decoded for its position inside or outside of an IT
   /// block.
   [[nodiscard]] bool isDecoded(bool inBlock) const { return (form & kPlace) == place(inBlock); }
+  /// @brief Returns true if the condition of an IT block has no effect on the instruction.
+  [[nodiscard]] bool isUnconditional() const { return (form & kUnconditional) != 0; }
   [[nodiscard]] bool isWide() const { return (form & 4U) != 0; }
   [[nodiscard]] std::uint32_t bytes() const { return form & 6U; }
 };

@@ -188,7 +188,7 @@ Instruction shortSystem(Encoding code) {
       return code.field(7, 5) == 0b011 ? Instruction{.run = cps, .value = code.field(4, 0)}
                                        : undefined();
     case 0xBE:
-      return {.run = bkpt};
+      return {.run = bkpt, .form = Instruction::kUnconditional};  // A7.7.17
     case 0xBF:
       return code.field(3, 0) == 0 ? hint(code.field(7, 4))
                                    : Instruction{.run = it, .value = code.field(7, 0)};

@@ -23,9 +23,10 @@ class CntSensor final {
   CntSensor(const CntSensor&) = delete;
   CntSensor& operator=(const CntSensor&) = delete;
 
-  /// @brief Computes the mean of the samples since the last call, and writes this mean to the pipe.
+  /// @brief Computes the mean of the samples that the collector recorded since the last call, and
+  /// writes this mean to the pipe. The first samples after the start only give the zero.
   /// @pre At most 500000 samples were taken since the last call.
-  /// @errors If there are no samples, or if the mean is beyond 16 A, writes nothing. The previous
+  /// @errors If the collector recorded no samples, or if the mean is beyond 16 A, writes nothing. The previous
   /// value stays in the pipe and becomes old.
   /// @isr{no}
   /// @satisfies FR-125

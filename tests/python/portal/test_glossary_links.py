@@ -17,6 +17,9 @@ TERMS = """\
 
    cycle
       One turn.
+
+   stop
+      An order.
 """
 
 
@@ -39,6 +42,12 @@ def test_the_first_use_of_a_term_is_linked(glossary: GlossaryLinks) -> None:
     assert linked(glossary, html) == [
         ("../docs/glossary.html#term-control-cycle", "Control cycles"),
         ("../docs/glossary.html#term-cycle", "cycle"),
+    ]
+
+
+def test_a_term_in_words_with_another_meaning_is_not_linked(glossary: GlossaryLinks) -> None:
+    assert linked(glossary, "<p>8 data bits and one stop bit. A stop.</p>") == [
+        ("../docs/glossary.html#term-stop", "stop")
     ]
 
 

@@ -172,6 +172,14 @@ TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   EXPECT_EQ(core_.registers.it, 0x08);
 }
 
+/// @brief BKPT is unconditional: in an IT block it stops the program also if the condition of the
+/// block is false (A7.7.17).
+TEST_F(FaultTest, BreakpointInBlockIsUnconditional) {
+  core_.registers.it = 0x08;  // EQ, for the last instruction of the block
+  core_.registers.z = 1;      // the condition is false
+  EXPECT_EQ(execute({0xBE00}), Trap::Breakpoint);
+}
+
 /// @brief A store-exclusive instruction stores only after a load-exclusive instruction. Its result
 /// shows whether it has stored.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
