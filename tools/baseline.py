@@ -211,7 +211,8 @@ def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
     program = f"change_{change}_tests"
     folder = tree.parent / "tree-build"
     configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", tree, "-B", folder]
-    run(log, [*configure, "-DCMAKE_CXX_FLAGS=-O0", "-DCMAKE_CXX_COMPILER=g++"])
+    options = ("-DCMAKE_CXX_FLAGS=-O0", "-DCMAKE_CXX_COMPILER=g++", "-DWR_JOIN_MODULES=ON")
+    run(log, [*configure, *options])
     run(log, ["cmake", "--build", folder, "--parallel", jobs(), "--target", program])
     results = tree.parent / f"{change}.json"
     results.unlink(missing_ok=True)
