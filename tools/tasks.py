@@ -112,7 +112,7 @@ SEEDED = (
     *(*BUILD_FILES, *TOOLS),
 )
 # The pages show all hand-written texts.
-SHOWN = (*SEEDED, "CHANGELOG.md", "site", "setup", "wr")
+SHOWN = (*SEEDED, "CHANGELOG.md", "CONTRIBUTING.md", "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),

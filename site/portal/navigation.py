@@ -31,6 +31,7 @@ DOCS = {
         "host_target",
         "add_extension",
         "product_line",
+        "contributing",
         "annotations",
         "glossary",
     ),

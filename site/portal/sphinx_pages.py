@@ -32,11 +32,14 @@ from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
 CHANGES = Path("CHANGELOG.md")
+CONTRIBUTING = Path("CONTRIBUTING.md")
 
 
-def change_list(text: str) -> str:
-    """Returns the versions of the list of changes, as sections of the page that includes them."""
-    return text.partition("\n")[2].replace("\n## ", "\n# ")
+def sections(root: Path, path: Path) -> str:
+    """Returns the sections of a file in Markdown, without the title of the file. They become
+    sections of the page that includes them.
+    """
+    return (root / path).read_text("utf-8").partition("\n")[2].replace("\n## ", "\n# ")
 
 
 # Files that hand-written pages include. For each: the source file, the name of the generated file
@@ -46,7 +49,8 @@ INCLUDED = (
     (PINS, "board.html", board_figure),
     (TABLE, "live_frames.html", live_frames),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
-    (CHANGES, "changes.md", lambda root: change_list((root / CHANGES).read_text("utf-8"))),
+    (CHANGES, "changes.md", lambda root: sections(root, CHANGES)),
+    (CONTRIBUTING, "contributing.md", lambda root: sections(root, CONTRIBUTING)),
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),

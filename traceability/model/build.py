@@ -120,6 +120,7 @@ def _assemble(
         statements=declared.concordance.statements,
         paper_places=declared.concordance.places,
         closed_loop=read_closed_loop(root, declared.entries),
+        equivalents=declared.equivalents,
         mutation=read_mutation(root, model.sources_hash),
         files=source_files(root),
         bench=read_bench(root),

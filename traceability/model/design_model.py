@@ -29,6 +29,7 @@ from traceability.schema import (
     Constant,
     Cycle,
     DriverFault,
+    Equivalent,
     ExecutionContext,
     Function,
     Justified,
@@ -81,6 +82,7 @@ class Model:
     requirements: Mapping[str, Requirement] = field(default_factory=dict)
     tests: Mapping[str, Test] = field(default_factory=dict)
     justified: Sequence[Justified] = field(default_factory=list)
+    equivalents: Sequence[Equivalent] = field(default_factory=list)
     # result of the mutation test; None if it did not run with the present sources
     mutation: Mutation | None = None
     machines: Mapping[str, StateMachine] = field(default_factory=dict)
