@@ -37,9 +37,10 @@ CONTRIBUTING = Path("CONTRIBUTING.md")
 
 def sections(root: Path, path: Path) -> str:
     """Returns the sections of a file in Markdown, without the title of the file. They become
-    sections of the page that includes them.
+    sections of a page in ``docs/``, which includes them.
     """
-    return (root / path).read_text("utf-8").partition("\n")[2].replace("\n## ", "\n# ")
+    text = (root / path).read_text("utf-8").partition("\n")[2]
+    return text.replace("\n## ", "\n# ").replace("](docs/", "](/docs/")
 
 
 # Files that hand-written pages include. For each: the source file, the name of the generated file
