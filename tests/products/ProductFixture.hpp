@@ -60,7 +60,7 @@ class ProductFixture : public testing::Test {
     cycle();
   }
 
-  // Runs a cycle, and returns its report when the PC is connected.
+  // Runs a cycle. Returns its report, or a report with default values if the PC is not connected.
   scenario::PcReport cycle() {
     time.advance(milliseconds(100));
     spy.calls.clear();

@@ -231,8 +231,8 @@ TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   }
 }
 
-/// @brief A challenge is sent only when there is space for two frames. After it, there is still
-/// space for one frame.
+/// @brief A challenge is sent only when there is space for two frames. After the challenge, there
+/// is still space for one frame.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   FakeSerialPort port;
@@ -297,8 +297,8 @@ TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   }
 }
 
-/// @brief A frame is dropped if it is too long or has characters other than digits after its
-/// counter. The next correct frame is returned.
+/// @brief A frame is dropped if it is too long, or if its tag contains a character that is not a
+/// hexadecimal digit. The next correct frame is returned.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_StrangeBytesAreDropped) {
   line.arrive(scenario::Bytes(1000, 1));
