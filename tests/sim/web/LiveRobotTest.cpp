@@ -1,4 +1,4 @@
-// Tests the robot of the page "Run the robot" with its cycles, recorded calls and frames, and with
+// Tests the robot of the page "Run the robot": its cycles, the records of its calls and frames, and
 // the actions of the user.
 #include "sim/web/LiveRobot.hpp"
 
@@ -21,7 +21,7 @@ namespace wr::test {
 
 namespace {
 
-constexpr int kCyclesToMode = 12;  // cycles until the mode PC reads
+constexpr int kCyclesToMode = 12;  // cycles until the robot reads in the mode PC
 constexpr int kCycles = 30;        // cycles of a drive
 constexpr int kTicks = 100;        // ticks in a cycle
 constexpr std::uint32_t kLongestCycle =
