@@ -59,7 +59,7 @@ TEST_F(DirSystemTest, FR112_AReleaseIsHandedOverOnce) {
   EXPECT_FALSE(target.read()->value.release);
 }
 
-/// @brief Two targets are equal when both fields are equal.
+/// @brief Two targets are equal only when all their values are equal.
 TEST_F(DirSystemTest, TargetsAreCompared) {
   EXPECT_EQ(DirTarget{}, DirTarget{});
   EXPECT_NE(DirTarget{}, (DirTarget{.follow = true}));

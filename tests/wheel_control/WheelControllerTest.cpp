@@ -264,8 +264,9 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   EXPECT_EQ(controller.applied(), Tension(7000));
 }
 
-/// @brief The limit of 4.5 V s is exact. The count begins at 0 after a motion, after the release,
-/// and after cycles whose voltage may be too low to turn a wheel.
+/// @brief The limit of 4.5 V s for the count of voltage and time is exact. The count begins at 0
+/// after a motion, after the release, and after cycles whose voltage may be too low to turn a
+/// wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   constexpr std::int32_t kLimit = 45000;  // [mV cycles]

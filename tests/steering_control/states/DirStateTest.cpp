@@ -171,7 +171,7 @@ TEST_F(DirStateTest, FR109_HoldingWithoutOrdersIsSwitchedOff) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief A turn is switched off when the last order is older than 300 ms.
+/// @brief During a turn, the motor is switched off when the last order is older than 300 ms.
 /// @verifies FR-109
 TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
   beginTurn();

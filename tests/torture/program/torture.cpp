@@ -40,7 +40,7 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief Returns one to three interrupt lines, as bits. These lines often include the interrupt
+/// @brief Returns one to four interrupt lines, as bits. These lines often include the interrupt
 /// line whose handler runs.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
