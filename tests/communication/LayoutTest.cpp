@@ -37,8 +37,8 @@ std::string schema() {
   return lines;
 }
 
-/// @brief Returns the CRC-32 of Ethernet and zlib. Computes it with the reflected polynomial
-/// 0x04C11DB7, one bit at a time.
+/// @brief Returns the CRC-32 of a text, with the algorithm of Ethernet and zlib. Computes it with
+/// the reflected polynomial 0x04C11DB7, one bit at a time.
 std::uint32_t crc32(const std::string& text) {
   std::uint32_t crc = 0xFFFFFFFF;
   for (const char letter : text) {

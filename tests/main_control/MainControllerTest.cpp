@@ -197,8 +197,8 @@ TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
   }
 }
 
-/// @brief If a cycle first holds the control systems and then lets them follow set-points, they do
-/// not count as held.
+/// @brief If the control systems are first held and then follow set-points in the same cycle, the
+/// report shows that they are not held.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ControlAfterAHoldIsNoHold) {
   data.saveSetPoints({});

@@ -76,7 +76,7 @@ class ProductFixture : public testing::Test {
     return report;
   }
 
-  // Runs a cycle in which the PC keeps the connection.
+  // Runs a cycle in which the PC sends a KeepAlive.
   scenario::PcReport cycleWithPc() {
     port.arrive(pc.keepAlive());
     return cycle();

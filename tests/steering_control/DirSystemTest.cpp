@@ -93,7 +93,8 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief The collected values belong to the cycle. A later tick does not change them.
+/// @brief The collected values are the values at the time of the order of the cycle. A later tick
+/// does not change them.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

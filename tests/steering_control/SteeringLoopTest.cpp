@@ -124,8 +124,8 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   }
 }
 
-/// @brief An angle that is less than 0.3 degrees away starts at most one move in a minute. This is
-/// true even if the angle is very close to the edge of the dead band.
+/// @brief An ordered angle that is at most 0.3 degrees away from the start angle starts at most one
+/// move in a minute. This is true even if the angle is very close to the edge of the dead band.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
   const unsigned first = seed();

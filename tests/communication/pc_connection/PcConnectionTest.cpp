@@ -147,7 +147,7 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
 }
 
 /// @brief The Welcome contains the cause of the reset and the kind, number and address of the
-/// fault. They are the same in all Welcomes after one start.
+/// fault. These data are the same in all Welcomes after the same start.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -222,8 +222,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session can be confirmed only after its Welcome was sent. In the cycle of the Hello, a
-/// Confirm is too early. If the port had no space for the Welcome, no Confirm is accepted.
+/// @brief A session can be confirmed only after its Welcome was sent. A Confirm in the same cycle
+/// as the Hello is too early. If the port had no space for the Welcome, no Confirm is accepted.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
@@ -265,7 +265,7 @@ TEST_F(PcConnectionTest, FR246_AHelloOfAnotherVersionIsAnswered) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief The firmware answers a Hello with a payload, and a Hello without a payload.
+/// @brief The firmware answers a Hello that has a payload, and also a Hello that has no payload.
 /// @verifies FR-246
 TEST_F(PcConnectionTest, FR246_AHelloNeedsNoPayload) {
   send(kHello);
@@ -356,8 +356,8 @@ TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief At the end of the connection, the order is dropped. It cannot be read, even if it is not
-/// old.
+/// @brief At the end of the connection, the newest order is dropped. This order cannot be read,
+/// even if it is not too old.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   handshake();

@@ -154,7 +154,7 @@ TEST_F(BufferReaderTest, FR50_AReadWithoutFieldsConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A read without both signals fails.
+/// @brief A read fails if one or both of the signals are missing.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AReadWithoutBothSignalsFails) {
   OrderMessage order;

@@ -298,8 +298,9 @@ TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::Tracking);
 }
 
-/// @brief At 1.0 V, which is the voltage of the bring-up, a wheel at rest may differ from the model
-/// by up to 1.5 V. At 1.1 V, less is permitted, and the same current causes a stop.
+/// @brief At 1.0 V, which is the voltage of the bring-up, the voltage of a wheel at rest may differ
+/// from the voltage of the model by up to 1.5 V. At 1.1 V, the permitted difference is smaller, and
+/// the same current causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.0, 0), 0);

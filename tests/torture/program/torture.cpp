@@ -155,7 +155,8 @@ void pendSystem() {
   store(kInterruptControl, kBits[random(8)]);
 }
 
-/// @brief Sets the priorities of the memory, bus and usage faults, SVC, PendSV and SysTick.
+/// @brief Sets a random priority for one of these exceptions: memory fault, bus fault, usage fault,
+/// SVC, PendSV and SysTick.
 void setSystemPriority() {
   constexpr std::uint8_t kOffsets[] = {0, 1, 2, 7, 10, 11};
   at<std::uint8_t>(kSystemPriority + kOffsets[random(6)]) =

@@ -208,7 +208,7 @@ PROGRAM watchesLevel() {
 }
 
 // A timer of 1 kHz starts one conversion at each of two converters. The interrupt of a conversion
-// starts the next conversion of the same converter, until there were five conversions. In each
+// starts the next conversion of the same converter, until five conversions have ended. In each
 // millisecond, two edges of each wheel cause interrupts.
 static void workFor(std::uint32_t turns) {
   for (std::uint32_t i = 0; i < turns; ++i) {
