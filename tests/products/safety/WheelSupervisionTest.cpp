@@ -114,9 +114,9 @@ TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.501 V, and 20 rpm in the opposite direction, a current of 0.950 A leaves exactly the
-/// bound of 1.123 V unexplained. This does not cause a stop. A current of 0.949 A leaves 1.125 V
-/// unexplained, which causes a stop.
+/// @brief At 1.501 V and at 20 rpm in the opposite direction, a current of 0.950 A leaves exactly
+/// the bound of 1.123 V unexplained. This does not cause a stop. A current of 0.949 A leaves 1.125
+/// V unexplained, which causes a stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
   for (int number = 0; number < 4; ++number) {

@@ -211,7 +211,8 @@ TEST_F(RobotTest, RollsDownASteepSlope) {
 }
 
 /// @brief The robot reaches a slope axle by axle. While the robot drives, its slope changes
-/// linearly over one wheelbase of 1.582 m. At rest, its slope changes within 2 s.
+/// linearly over one wheelbase of 1.582 m. While the robot is at rest, the slope changes within 2
+/// s.
 TEST_F(RobotTest, ASlopeBeginsAxleByAxle) {
   robot.setSlope(2);
   EXPECT_EQ(robot.slope(), 0);
