@@ -37,8 +37,8 @@ std::string schema() {
   return lines;
 }
 
-/// @brief Returns the CRC-32 of Ethernet and zlib. Computes it with the reflected polynomial
-/// 0x04C11DB7, one bit at a time.
+/// @brief Returns the CRC-32 of a text, with the algorithm of Ethernet and zlib. Computes it with
+/// the reflected polynomial 0x04C11DB7, one bit at a time.
 std::uint32_t crc32(const std::string& text) {
   std::uint32_t crc = 0xFFFFFFFF;
   for (const char letter : text) {
@@ -63,8 +63,8 @@ class TypesWriter final : public Writer {
   std::vector<std::string> types;
 };
 
-/// @brief Returns the types of the fields of a frame, from the frame table. A turn direction has
-/// the type of a byte.
+/// @brief Returns the types of the fields of a frame, from the frame table. The type i8 of a turn
+/// direction counts as u8, because a writer writes it as an unsigned byte.
 std::vector<std::string> typesOf(std::string_view frame) {
   std::vector<std::string> types;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -117,8 +117,8 @@ TEST(Layout, FR170_FieldsFollowEachOther) {
   EXPECT_EQ(lengths["Order"], SerialReader::kOrderLength);
 }
 
-/// @brief In the firmware, each frame type, state, mode, cause and fault has the number that the
-/// frame table contains.
+/// @brief Each frame type, state, mode, cause and fault has the same number in the firmware and in
+/// the frame table.
 /// @verifies FR-170
 TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
   EXPECT_GE(kNumbers.size(), 50U);

@@ -235,7 +235,7 @@ TEST_F(BuilderDeathTest, FR78_ProductIsMissingBeforeItIsBuilt) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");
 }
 
-/// @brief A construction step cannot be executed when its parts are missing.
+/// @brief A construction step cannot be executed when the parts that it needs are missing.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_StepNeedsItsParts) {
   EXPECT_DEATH(poolBuilder.buildPool(), "assertion 1 failed");

@@ -249,7 +249,7 @@ TEST(Scaling, FR120_LargeDivisor) {
 }
 
 /// @brief If the range in which the value is 0 has the width 0, even the smallest deflection of a
-/// lever gives another value.
+/// lever gives a value other than 0.
 /// @verifies FR-52
 TEST(Scaling, FR52_LeastDeflection) {
   for (const std::int32_t side : {-1, 0, 1}) {

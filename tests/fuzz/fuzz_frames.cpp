@@ -39,7 +39,7 @@ constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] near the time lim
                                              200'001,  //
                                              999'999,  //
                                              1'000'000, 1'000'001};
-constexpr std::array<std::uint8_t, 8> kAhead{1, 1, 1, 0, 2, 127, 128, 255};  // sequence numbers
+constexpr std::array<std::uint8_t, 8> kAhead{1, 1, 1, 0, 2, 127, 128, 255};  // sequence steps
 constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};               // lengths of an order
 constexpr std::size_t kMostPending = 900;  // bytes; one cycle reads all of them
 constexpr std::size_t kMostEnds = 30;      // zero bytes among the pending bytes

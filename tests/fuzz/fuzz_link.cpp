@@ -1,6 +1,6 @@
-// Fuzzes the connection to the PC with its codec. The input selects the bytes of the PC, and the
-// time between two steps. An oracle receives the same bytes. The oracle was written only from
-// docs/protocol.rst.
+// Fuzzes the connection to the PC, including its encoder and its decoder. The input selects the
+// bytes of the PC, and the time between two steps. An oracle receives the same bytes. The oracle
+// was written only from docs/protocol.rst.
 
 #include <fuzzer/FuzzedDataProvider.h>
 

@@ -154,8 +154,8 @@ class FuzzedRobot {
     session_.robot().setFault(kind, wheel, present);
   }
 
-  // Resets the robot. A reset loses the bytes that the firmware has not read. It does not lose a
-  // stop or a protective stop.
+  // Resets the robot. A reset loses the bytes that the firmware has not read. After a reset by the
+  // pin, a stop and a protective stop are still in force.
   void reset(bool power) {
     session_.reset(power ? scenario::ResetKind::Power : scenario::ResetKind::Pin);
     stopBefore_ = !power && (stopBefore_ || oracle_.stop());

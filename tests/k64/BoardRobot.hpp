@@ -25,9 +25,10 @@ struct SafePin {
   bool level;
 };
 
-/// The output pins of the robot, copied from the document about the pins. The table of the firmware
-/// is not used here, because the tests check it. The pins are the voltages, directions and enable
-/// signals of the wheels, the steering, the green light (off) and the red light (on).
+/// The output pins of the robot, copied from the document about the pins. The pin table of the
+/// firmware is not used here, because the tests check this table. The pins carry the voltages,
+/// directions and enable signals of the wheels, the steering, the green light (off) and the red
+/// light (on).
 inline constexpr std::array<SafePin, 17> kSafePins{{
     {'C', 1, false},
     {'C', 2, false},

@@ -36,7 +36,8 @@ TEST(BoardRun, SameRunGivesSameTrace) {
   EXPECT_NE(first, other);
 }
 
-/// @brief Without a firmware image, every test fails.
+/// @brief Reading a firmware image that does not exist throws an exception. Thus a test cannot pass
+/// without its firmware image.
 TEST(BoardRun, MissingImageIsAnError) {
   EXPECT_THROW(static_cast<void>(emulator::readImage("/nowhere/weeding_robot.bin")),
                std::runtime_error);

@@ -52,7 +52,7 @@ struct Drive {
 /// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
-  constexpr std::int64_t kFew = 700;    // the interrupt of a converter may occur in between
+  constexpr std::int64_t kFew = 700;    // the counts may differ by an interrupt of a converter
   constexpr std::int64_t kTick = 2000;  // in 1 of 20 cycles, a tick of the second timer also occurs
   std::size_t ticks = 0;
   const auto off = [](std::uint64_t left, std::uint64_t right) {
@@ -86,8 +86,10 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
   }
 }
 
-/// @brief Three sums of costs are equal: over all exceptions, over all control cycles, and over all
-/// instructions. An instruction that an IT block skips takes time, but is not executed.
+/// @brief Three sums of executed instructions agree: the sum over the exceptions, the sum over the
+/// control cycles, and the sum over the addresses. They may differ a little for two reasons: the
+/// last cycle is incomplete, and the sum over the addresses does not include instructions that an
+/// IT block skips.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);
   board_robot::CycleMeter::Cost whole;

@@ -270,8 +270,8 @@ TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostLock) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kClockLost);
 }
 
-/// @brief Before the first cycle, a supply voltage below the higher of the two thresholds causes a
-/// reset.
+/// @brief Already before the first cycle, the firmware enables the reset at a low supply voltage,
+/// and selects the higher of the two thresholds.
 /// @verifies FR-204
 TEST(K64BoardOnBoard, FR204_LowSupplyResets) {
   constexpr std::uint32_t kSupplyControl = 0x4007D000;

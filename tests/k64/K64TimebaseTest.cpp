@@ -24,7 +24,8 @@ TEST(K64TimebaseOnBoard, FR174_TimeGoesOnWhereTheCounterWraps) {
   }
 }
 
-/// @brief The time of the firmware is equal to the time of the board.
+/// @brief The time of the firmware advances as fast as the time of the board. In 800 cycles, their
+/// difference changes by less than 1 ms.
 /// @verifies FR-174
 TEST(K64TimebaseOnBoard, FR174_TimeIsThatOfTheBoard) {
   BoardRobot robot;

@@ -28,7 +28,7 @@ class K64UartOnBoard : public testing::Test {
 /// @brief All bytes that the serial line can transfer between two clock pulses are received.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
-  constexpr int kFrames = 150;  // frames of 7 bytes; they take 91 ms, after the 9 ms of the report
+  constexpr int kFrames = 150;  // frames of 7 bytes; together they take 91 ms on the line
   robot.connect();
   sendUnknown(kFrames);
   robot.keepAlive();
@@ -213,9 +213,9 @@ TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
   EXPECT_EQ(robot.report().unknownType, 1);
 }
 
-/// @brief The second port has another clock, but receives and sends at the same speed. It loses no
-/// byte when its serial line is never idle in either direction, even while the first port is in
-/// use.
+/// @brief The second port derives its baud rate from another clock than the first port, but has the
+/// same baud rate. The second port loses no byte when its serial line is never idle in either
+/// direction, even while the first port is in use.
 /// @verifies FR-171
 TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
   constexpr int kSecondPort = 4;

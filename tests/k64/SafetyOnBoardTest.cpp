@@ -60,8 +60,9 @@ Played played(const scenario::Scenario& scenario) {
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
 /// @brief The firmware image with safety functions meets the expectations of each scenario.
-/// Scenarios that are only for the design of the paper are not run. In a second run, the firmware
-/// sends the same reports, and the same events occur at the same times.
+/// Scenarios that are only for the design of the paper also run, but their expectations are not
+/// checked. In a second run, the firmware sends the same reports, and the same events occur at the
+/// same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -79,8 +80,8 @@ TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
 INSTANTIATE_TEST_SUITE_P(Files, ScenariosOnBoard, testing::ValuesIn(allScenarios()),
                          [](const auto& file) { return file.param.stem().string(); });
 
-/// @brief When the clock is lost while the robot drives, the first reset comes from the clock
-/// monitor. The robot brakes, and does not drive again without an operator.
+/// @brief When the clock is lost while the robot drives, the clock monitor causes the first reset.
+/// The robot brakes, and does not drive again without an operator.
 /// @verifies FR-203
 TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {
   const scenario::Scenario scenario = scenario::Scenario::load(kFolder / "clock_lost.scenario");
@@ -320,8 +321,8 @@ TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
 }
 
 /// @brief A changed bit of the program in RAM causes a reset within 0.3 s. The test changes one bit
-/// in each of four parts of the program: a function that runs in each cycle, a function that does
-/// not run, the vectors and the constants. After the reset, the program is correct again.
+/// in each of three parts of the program: the vectors, the constants, and the end of the code.
+/// After the reset, the program is correct again.
 /// @verifies FR-309
 TEST(ProgramOfTheSafeRobot, FR309_AChangedBitResetsTheRobot) {
   constexpr int kProgramChanged = 8;

@@ -36,7 +36,8 @@ void store(Image& image, std::size_t at, std::uint32_t value, std::size_t size) 
 
 Image withHandler(Image image, std::uint32_t exception, const Code& code) {
   if (image.size() > kHandlerAddress) {
-    throw std::logic_error("the image is so large that it overlaps the code of the handler");
+    throw std::logic_error(
+        "the firmware image is so large that it overlaps the code of the handler");
   }
   image.resize(kHandlerAddress, 0xFF);
   image.resize(kHandlerAddress + 2 * code.size());
@@ -57,7 +58,7 @@ std::uint32_t addressOf(const std::string& function) {
       return static_cast<std::uint32_t>(std::stoul(text, nullptr, 16)) & ~1U;
     }
   }
-  throw std::runtime_error("the image has no function " + function);
+  throw std::runtime_error("the firmware image has no function " + function);
 }
 
 namespace stubs {

@@ -159,7 +159,8 @@ TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
   EXPECT_EQ(report().costs, (CycleCosts{.report = 1000, .awake = 5000, .start = 9}));
 }
 
-/// @brief If no report was sent in a cycle, the stored cost of a report is 0.
+/// @brief If a cycle has sent no report, the next cycle stores 0 as the cost of the previous
+/// report.
 /// @verifies FR-160
 TEST_F(ControlDataTest, FR160_NoCostWithoutReport) {
   data.saveReported(50);

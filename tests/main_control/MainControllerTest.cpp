@@ -74,7 +74,7 @@ TEST_F(MainControllerTest, FR12_ReadsFromThePresentModeOnly) {
   EXPECT_EQ(second.reads, 1);
 }
 
-/// @brief Without set-points, the control systems are held, even when the state orders control.
+/// @brief Without set-points, applyControl() holds the control systems.
 /// @verifies FR-22
 TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   controller.applyControl();
@@ -90,8 +90,9 @@ TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   EXPECT_EQ(system.applied.orderId, 77);
 }
 
-/// @brief A neutral order with an acknowledgement reaches the control systems. If the order
-/// contains a motion, the control systems are held.
+/// @brief A neutral order with an acknowledgement releases latched faults of the control systems.
+/// If an order with an acknowledgement would move a wheel, no fault is released, and the control
+/// systems are held.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   SetPoints order{.acknowledge = true};
@@ -176,9 +177,9 @@ TEST_F(MainControllerTest, FR160_ReportTellsWhatThePreviousReportCost) {
   EXPECT_EQ(sentReport().reportCycles, 700U);
 }
 
-/// @brief While faults are acknowledged, the report shows that the control systems are held, with
-/// and without a motion in the order. In a cycle in which they follow the set-points, the report
-/// shows that they are not held.
+/// @brief In a cycle whose order has an acknowledgement, the report shows that the control systems
+/// are held. This is true for neutral orders and for orders that would move a wheel. In a cycle in
+/// which the control systems follow the set-points, the report shows that they are not held.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
   connect();
@@ -196,7 +197,8 @@ TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
   }
 }
 
-/// @brief The last step of a cycle determines whether the control systems count as held.
+/// @brief If the control systems are first held and then follow set-points in the same cycle, the
+/// report shows that they are not held.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ControlAfterAHoldIsNoHold) {
   data.saveSetPoints({});

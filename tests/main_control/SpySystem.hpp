@@ -45,7 +45,7 @@ class SpySystem final : public ControlSystem {
   }
 
  private:
-  // Copies a value to the target if the value exists. For a part of the robot, a missing value does
+  // Copies a value to the target. If this system is only a part of the robot, a missing value does
   // not change the target.
   template <class T>
   void give(const T& value, T& target) const {

@@ -60,7 +60,7 @@ class ProductFixture : public testing::Test {
     cycle();
   }
 
-  // Runs a cycle, and returns its report when the PC is connected.
+  // Runs a cycle. Returns its report, or a report with default values if the PC is not connected.
   scenario::PcReport cycle() {
     time.advance(milliseconds(100));
     spy.calls.clear();
@@ -76,7 +76,7 @@ class ProductFixture : public testing::Test {
     return report;
   }
 
-  // Runs a cycle in which the PC keeps the connection.
+  // Runs a cycle in which the PC sends a KeepAlive.
   scenario::PcReport cycleWithPc() {
     port.arrive(pc.keepAlive());
     return cycle();

@@ -45,8 +45,9 @@ struct DirControl {
                             .initial = states.off}};
 };
 
-/// @brief A controller. The test generates its ticks, orders and positions, and replaces its motor.
-/// There is a tick every 10 ms. The motor therefore moves little between two ticks.
+/// @brief A controller. The test generates the ticks, orders and positions of the controller, and
+/// replaces the motor. There is a tick every 10 ms. The motor therefore moves little between two
+/// ticks.
 class DirControllerFixture : public testing::Test {
  protected:
   void follow(std::int32_t angle) {

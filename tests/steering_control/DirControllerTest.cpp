@@ -10,8 +10,8 @@ namespace {
 /// @brief Tests of the motion monitoring of the controller.
 class DirControllerTest : public DirControllerFixture {
  protected:
-  /// @brief Turns for some ticks or until the turn has ended. Each tick has the given number of
-  /// steps and the given movement.
+  /// @brief Turns for the given number of ticks, or until the turn has ended. Each tick has the
+  /// given number of steps and the given movement.
   SteeringState turn(std::int32_t steps, std::int32_t moved, int ticks = 100) {
     for (int i = 0; i < ticks && state() == SteeringState::Turning; ++i) {
       feedback.steps += steps;

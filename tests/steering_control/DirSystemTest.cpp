@@ -59,7 +59,7 @@ TEST_F(DirSystemTest, FR112_AReleaseIsHandedOverOnce) {
   EXPECT_FALSE(target.read()->value.release);
 }
 
-/// @brief Two targets are equal when both fields are equal.
+/// @brief Two targets are equal only when all their values are equal.
 TEST_F(DirSystemTest, TargetsAreCompared) {
   EXPECT_EQ(DirTarget{}, DirTarget{});
   EXPECT_NE(DirTarget{}, (DirTarget{.follow = true}));
@@ -93,7 +93,8 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief The collected values belong to the cycle. A later tick does not change them.
+/// @brief The collected values are the values at the time of the order of the cycle. A later tick
+/// does not change them.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

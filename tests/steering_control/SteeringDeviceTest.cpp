@@ -101,7 +101,8 @@ TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
 }
 
 /// @brief At 1 step/s, a step takes 1000 ticks. When the motor reverses, a step that was nearly due
-/// is not executed in the other direction. The step begins again.
+/// is not executed in the other direction. The first step in the other direction needs its whole
+/// time.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
   device.turn(StepRate(1));

@@ -101,7 +101,8 @@ TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
 }
 
 /// @brief With the noise of a real sensor, the steering reaches random angles within 0.5 degrees in
-/// one move. In the next minute, there is no other move. The angles are at least 0.3 degrees away.
+/// one move. In the next minute, there is no other move. Each angle is at least 0.3 degrees away
+/// from the start angle.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   const unsigned first = seed();
@@ -123,8 +124,8 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   }
 }
 
-/// @brief An angle that is less than 0.3 degrees away starts at most one move in a minute. This is
-/// true even if the angle is very close to the edge of the dead band.
+/// @brief An ordered angle that is at most 0.3 degrees away from the start angle starts at most one
+/// move in a minute. This is true even if the angle is very close to the edge of the dead band.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
   const unsigned first = seed();
@@ -303,8 +304,8 @@ TEST_F(SteeringLoopTest, FR227_PushesAreForgotten) {
   }
 }
 
-/// @brief If a sensor drifts by 2 degrees per second, the fault is detected before the steering has
-/// followed the drift by more than 3.5 degrees. This is also true at rest.
+/// @brief If a sensor drifts by 0.5 or by 2 degrees per second, the fault is detected before the
+/// steering has followed the drift by more than 3.5 degrees. This is also true at rest.
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   for (const double drift : {2.0, -2.0, 0.5}) {

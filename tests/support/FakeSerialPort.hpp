@@ -10,8 +10,8 @@
 
 namespace wr::test {
 
-/// @brief A serial port. The test is at the other end of the serial line. Its bytes are received at
-/// the time of the clock.
+/// @brief A serial port. The test is at the other end of the serial line. The test sets the bytes
+/// that are received, and their time.
 class FakeSerialPort final : public SerialPort {
  public:
   std::size_t read(std::span<std::uint8_t> bytes) override {

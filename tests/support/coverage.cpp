@@ -4,7 +4,8 @@
 // lines after this name belong to this counter file. Each of them has the number of a function that
 // ran, and the counters of this function.
 //
-// The counters of the whole run are also written to the files of gcc, for other programs.
+// The counters of the whole run are also written to the counter files of gcc, which other programs
+// read.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ void keepWords(const void* data, unsigned bytes, void* unit) {
 }
 
 void* allocate(unsigned bytes, void* /*unit*/) {
-  return std::malloc(bytes);  // the runtime of the compiler requests this kind of memory
+  return std::malloc(bytes);  // memory that the runtime of the compiler requests
 }
 
 // Returns the increments of a function's counters since the previous call.

@@ -4,8 +4,8 @@
 
 namespace wr::test {
 
-/// @brief Checks that a default value is no longer equal to itself after a change of any single
-/// member. In the arguments, each member is followed by its new value.
+/// @brief Checks that an object with one changed member differs from an object with default values.
+/// Each given member is changed alone. In the arguments, each member is followed by its new value.
 template <class T, class Member, class Value, class... Rest>
 void expectDifference(Member T::*member, const Value& value, const Rest&... rest) {
   T changed{};

@@ -37,21 +37,23 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief After an order from rest to 150 rpm, with sensor noise, the error of the velocity is
-/// below 2 % after 2 s and later below 1 %. The overshoot is less than 10 %.
+/// @brief At a step from 0 rpm to 150 rpm with sensor noise, the error of the velocity is below 2 %
+/// from 2 s after the order on, and below 1 % from 3 s on. The overshoot is less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
   play("velocity_step");
 }
 
-/// @brief Uphill, the error of the velocity is at most 2 %.
+/// @brief From 3 s after the beginning of an uphill slope of 10 % on, the error of the velocity is
+/// at most 2 %.
 /// @verifies FR-300
 TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
 }
 
-/// @brief Downhill, the robot does not become too fast.
+/// @brief On a downhill slope of 10 %, a wheel with an order of 150 rpm is never faster than 165
+/// rpm.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");

@@ -91,7 +91,7 @@ TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
 
 /// @brief The report shows that the overcurrent trip of one wheel has acted. It shows that the
 /// trips of the other wheels have not acted. This test is not for robots with safety functions,
-/// because they limit the current before the trip acts.
+/// because these functions limit the current before the trip acts.
 /// @verifies FR-67
 TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   onlyWith("weeding_robot_paper");
@@ -104,7 +104,7 @@ TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
 
 /// @brief One or both Hall sensors of one wheel are broken. The report shows that this wheel has no
 /// motion feedback and that the other wheels have motion feedback. This test is not for robots with
-/// safety functions, because they stop the robot earlier.
+/// safety functions, because these functions stop the robot earlier.
 /// @verifies FR-68
 TEST_F(MeasuredReportsOfRobot, FR68_BlindWheelIsTold) {
   onlyWith("weeding_robot_paper");
@@ -129,8 +129,8 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
 }
 
 /// @brief From the start of the firmware on, each rejected edge is included in the count of its
-/// wheel. A wheel at rest gets a pulse of 30 us in each ms. The first edge is a step. Each later
-/// edge reverses the direction too soon.
+/// wheel. A wheel at rest gets a pulse of 30 us in each ms. The first edge counts as a step of the
+/// wheel. Each later edge reverses the direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

@@ -257,7 +257,7 @@ void compareInSequences(int sequences, int enough) {
         "Reconnecting->Reconnecting", "RC->PC", "PC->RC"}) {
     EXPECT_GE(taken[transition], enough) << transition;
   }
-  EXPECT_EQ(taken.size(), 11U) << "a transition that no state machine declares";
+  EXPECT_EQ(taken.size(), 11U) << "there was a transition that no state machine declares";
 }
 
 }  // namespace wr::test

@@ -103,7 +103,7 @@ TEST_F(OrdersOfRobot, FR249_ReportRepeatsTheTimeOfTheSender) {
   EXPECT_EQ(robot.report().sentAt, 0x89ABCDEF);
 }
 
-/// @brief If an order arrives twice, it is read once. The second order is counted as stale.
+/// @brief If an order arrives twice, it is read once. The second copy is counted as stale.
 /// @verifies FR-243
 TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
   robot.commandByPc();

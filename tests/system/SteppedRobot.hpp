@@ -20,8 +20,8 @@ using std::chrono::microseconds;
 /// target on which the robot runs: the host or the virtual K64.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
-/// Returns the number of sequences of the comparison with the reference that this target can run in
-/// reasonable time.
+/// Returns the number of random sequences that the comparison with the reference runs on this
+/// target.
 [[nodiscard]] int referenceSequences();
 
 // Numbers in reports.

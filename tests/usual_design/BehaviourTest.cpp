@@ -162,7 +162,7 @@ TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   EXPECT_EQ(report.source, kRc);
   EXPECT_EQ(report.steeringSetPoint, -3200);
   EXPECT_EQ(report.quantity[0], 0);
-  EXPECT_NEAR(report.setPoint[0], 1500, 3 * 6);  // the width of a pulse varies by 3 us
+  EXPECT_NEAR(report.setPoint[0], 1500, 3 * 6);  // the width of a pulse varies by less than 3 us
   EXPECT_EQ(report.orderId, 0);
 }
 
@@ -217,7 +217,7 @@ TYPED_TEST(Behaviour, ReachesAVelocity) {
   EXPECT_EQ(this->robot.report().measured & 7U, 7U);
 }
 
-/// @brief An ordered voltage is applied exactly after the soft start has ended.
+/// @brief When the soft start has ended, exactly the ordered voltage is applied.
 TYPED_TEST(Behaviour, AppliesATension) {
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
@@ -269,8 +269,8 @@ TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A wheel is stopped if it has voltage and its Hall sensors have no edges. It stays stopped
-/// when it is held.
+/// @brief A wheel is stopped if it has voltage and its Hall sensors have no edges. A hold does not
+/// end this stop.
 TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};

@@ -47,7 +47,7 @@ constexpr double kRolling = 0.55;  // [N m]
 constexpr double kSlope = 1.17;    // [N m] torque of a slope of 10 %
 
 /// @brief A wheel accelerates from 0 rpm to 150 rpm in less than 2 s, with less than 10 %
-/// overshoot. This is true with and without a load.
+/// overshoot. This is true for three values of the inertia.
 /// @verifies FR-82
 TEST_F(ClosedLoopTest, FR82_StepReachesTheVelocity) {
   for (const double inertia : {0.037, 0.028, 0.048}) {
@@ -310,8 +310,8 @@ TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   }
 }
 
-/// @brief Steps between velocities, and reversals, settle like steps from rest. A reversal from 150
-/// rpm may take 5 s, because the wheel needs up to 2 s to become slow.
+/// @brief Steps between velocities, and reversals, settle within 5 s. A step from rest settles
+/// within 3 s. A reversal may need 2 s more, because the wheel must first become slow.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {

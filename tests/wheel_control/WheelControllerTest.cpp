@@ -264,8 +264,9 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   EXPECT_EQ(controller.applied(), Tension(7000));
 }
 
-/// @brief The limit of 4.5 V s is exact. The count begins at 0 after a motion, after the release,
-/// and after cycles whose voltage may be too low to turn a wheel.
+/// @brief The limit of 4.5 V s for the count of voltage and time is exact. The count begins at 0
+/// after a motion, after the release, and after cycles whose voltage may be too low to turn a
+/// wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   constexpr std::int32_t kLimit = 45000;  // [mV cycles]
@@ -370,7 +371,8 @@ TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   EXPECT_FALSE(controller.blind());
 }
 
-/// @brief A wheel whose ordered velocity is 0 keeps the voltage that its load needs, for any time.
+/// @brief A wheel whose ordered velocity is 0 keeps the voltage that its load needs. There is no
+/// time limit.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   for (int cycle = 0; cycle < 6; ++cycle) {
@@ -384,8 +386,8 @@ TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   EXPECT_FALSE(controller.blind());
 }
 
-/// @brief A reversal waits until a wheel without voltage is slow. A wait of 2 s is in time. A wait
-/// of one more cycle is too late, and the wheel is then stopped until the release.
+/// @brief A reversal waits until a wheel without voltage is slow. The reversal may wait for 2 s. If
+/// it waits for one more cycle, it is late, and the wheel is then stopped until the release.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_ReversalThatWaitsTooLongIsLate) {
   control(tensionOf(2000), Velocity(1000));
@@ -408,8 +410,8 @@ TEST_F(WheelControllerTest, FR222_ReversalThatWaitsTooLongIsLate) {
   EXPECT_EQ(output(), Tension(-1999));
 }
 
-/// @brief The time of a reversal that waits begins again at a halt, at an overcurrent trip, and at
-/// the release.
+/// @brief The waiting time of a reversal begins again at a halt, at an overcurrent trip, and at the
+/// release.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_TheWaitBeginsAgain) {
   const auto halt = [](WheelController& one) { one.halt(); };

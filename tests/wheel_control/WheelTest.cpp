@@ -11,8 +11,8 @@
 namespace wr::test {
 namespace {
 
-/// An output that simulates an interrupt: just before its level changes, an overcurrent trip
-/// occurs.
+/// An output that simulates an interrupt: just before the output is switched on, an overcurrent
+/// trip occurs.
 class Interrupted final : public DigitalOutput {
  public:
   Wheel* wheel = nullptr;

@@ -113,7 +113,7 @@ TEST(FrameDecoder, FR41_ABadCrcIsDamaged) {
   }
 }
 
-/// @brief A frame is detected when each read has only one byte.
+/// @brief A frame is detected even if each read returns only one byte.
 /// @verifies FR-40
 TEST(FrameDecoder, FR40_FindsAFrameInSingleBytes) {
   FrameDecoder decoder;

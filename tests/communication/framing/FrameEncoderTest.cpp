@@ -35,7 +35,8 @@ TEST(FrameEncoder, FR40_OnlyTheLastByteIsZero) {
   EXPECT_EQ(coded.back(), 0);
 }
 
-/// @brief Random frames of each length are equal to the frames of an independent encoder.
+/// @brief For random frames of each length, the encoder returns the same bytes as an independent
+/// encoder.
 /// @verifies FR-40
 TEST(FrameEncoder, FR40_AgreesWithTheReference) {
   std::mt19937 random(test::seed());

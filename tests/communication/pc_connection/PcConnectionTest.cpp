@@ -147,7 +147,7 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
 }
 
 /// @brief The Welcome contains the cause of the reset and the kind, number and address of the
-/// fault. They are the same in all Welcomes after one start.
+/// fault. These data are the same in all Welcomes after the same start.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -194,7 +194,8 @@ TEST_F(PcConnectionTest, FR31_TheRightConfirmConnects) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A Confirm and an order may be received in the same cycle.
+/// @brief A Confirm and an order that are received in the same cycle both take effect in this
+/// cycle.
 /// @verifies FR-31
 /// @verifies FR-37
 TEST_F(PcConnectionTest, FR37_AllFramesOfACycleTakeEffectInIt) {
@@ -221,8 +222,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session can be confirmed only after its Welcome was sent. In the cycle of the Hello, a
-/// Confirm is too early. If the port had no space for the Welcome, no Confirm is accepted.
+/// @brief A session can be confirmed only after its Welcome was sent. A Confirm in the same cycle
+/// as the Hello is too early. If the port had no space for the Welcome, no Confirm is accepted.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
@@ -264,7 +265,7 @@ TEST_F(PcConnectionTest, FR246_AHelloOfAnotherVersionIsAnswered) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief The firmware answers a Hello with a payload, and a Hello without a payload.
+/// @brief The firmware answers a Hello that has a payload, and also a Hello that has no payload.
 /// @verifies FR-246
 TEST_F(PcConnectionTest, FR246_AHelloNeedsNoPayload) {
   send(kHello);
@@ -295,8 +296,8 @@ TEST_F(PcConnectionTest, FR31_OnlyTheLastSessionIsOffered) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief A Confirm connects the PC if its last byte arrives 1 s after the clock pulse of the
-/// Welcome, even if the Confirm is read later.
+/// @brief A Confirm still connects the PC if its last byte arrives 1 s after the clock pulse of the
+/// cycle that sent the Welcome. A later cycle may read the Confirm.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
   send(kHello);
@@ -307,7 +308,8 @@ TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief The time limit of the Confirm begins with the Welcome, even long after the start.
+/// @brief The time limit of the Confirm begins with the Welcome, even if the Welcome is sent long
+/// after the start.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_TheTimeForTheConfirmBeginsWithTheWelcome) {
   clock.advance(milliseconds(5000));
@@ -354,8 +356,8 @@ TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief At the end of the connection, the order is dropped. It cannot be read, even if it is not
-/// old.
+/// @brief At the end of the connection, the newest order is dropped. This order cannot be read,
+/// even if it is not too old.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   handshake();
@@ -749,7 +751,8 @@ TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
   expectCounted(&LinkCounts::sequenceGaps, 1, [&] { send(kKeepAlive); });
 }
 
-/// @brief A late frame is a gap. The frame after it follows the newest frame, and is not a gap.
+/// @brief A frame with an old number is counted as a gap. If the next frame has the number after
+/// the newest number, no gap is counted.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_ALateFrameDoesNotChangeTheNewestNumber) {
   handshake();
@@ -1056,7 +1059,7 @@ TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   EXPECT_EQ(compared, 1);
 }
 
-/// @brief Returns the content of the report of cycle 7 of the examples.
+/// @brief Returns the content of the example report of cycle 7.
 ReportData reportOfCycle7() {
   ReportData data;
   data.cycle = 7;
@@ -1076,7 +1079,7 @@ ReportData reportOfCycle7() {
   return data;
 }
 
-/// @brief Returns the content of the report of cycle 8 of the examples.
+/// @brief Returns the content of the example report of cycle 8.
 ReportData reportOfCycle8() {
   ReportData data = reportOfCycle7();
   data.cycle = 8;
@@ -1107,7 +1110,8 @@ ReportData reportOfCycle8() {
   return data;
 }
 
-/// @brief The firmware builds the reports of the examples from the same data.
+/// @brief From the data of the example reports, the firmware builds the same bytes as in the
+/// examples.
 /// @verifies FR-61
 /// @verifies FR-62
 /// @verifies FR-65

@@ -124,8 +124,8 @@ TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   EXPECT_TRUE(reader.available());
 }
 
-/// @brief The values of an order are the signals at the time of the first field that is read. This
-/// can be any field.
+/// @brief An order contains the values that the signals have when the first field of the order is
+/// read. Any field can be read first.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
   const std::array<std::function<void()>, 4> reads{
@@ -154,7 +154,7 @@ TEST_F(BufferReaderTest, FR50_AReadWithoutFieldsConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A read without both signals fails.
+/// @brief A read fails if one or both of the signals are missing.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AReadWithoutBothSignalsFails) {
   OrderMessage order;

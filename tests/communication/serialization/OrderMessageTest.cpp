@@ -85,7 +85,7 @@ TEST(OrderMessage, FR46_OnlyTheTwoCommandsAreInRange) {
   }
 }
 
-/// @brief The other fields of an order with stop must also be in range.
+/// @brief An order with a stop is out of range if one of its other fields is out of range.
 /// @verifies FR-46
 TEST(OrderMessage, FR46_TheFieldsOfAStopOrderCount) {
   SerialReader reader;
@@ -133,7 +133,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
 /// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
   SerialReader reader;
-  reader.readU8({FieldName::Commands});  // now one byte is missing
+  reader.readU8({FieldName::Commands});  // after this byte, the order is one byte too short
   OrderMessage order;
   EXPECT_FALSE(order.readFrom(reader));
 }

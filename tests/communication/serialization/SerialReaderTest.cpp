@@ -166,8 +166,8 @@ TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief A rejected order neither stops the robot nor releases a stop. For the stop in a rejected
-/// order, the caller must call heedStop().
+/// @brief A rejected order neither stops the robot nor releases a stop. If a rejected order
+/// contains a stop, the caller must pass the order to heedStop().
 /// @verifies FR-240
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {

@@ -163,7 +163,8 @@ void Handover::answerCounts() const {
   }
 }
 
-// Reads and writes for a duration, while edges of Hall sensors cause interrupts.
+// Reads one pipe and writes the other pipe for a duration, while edges of Hall sensors cause
+// interrupts.
 void handOver(Microseconds duration) {
   const Instant begin = platform::timebase.now();
   while (platform::timebase.now() - begin < duration) {

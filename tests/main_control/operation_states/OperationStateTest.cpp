@@ -88,7 +88,8 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief After the change to WaitingN, Waiting counts again from 1.
+/// @brief Waiting sets WaitingN at the end of its count. When Waiting is entered again, it counts
+/// again from 1.
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
   Waiting waiting(state, other, SystemConstants::instance().waitingCycles());

@@ -146,8 +146,8 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
 }
 
 /// @brief The port returns the time of a frame and the number of bytes that its serial line has
-/// lost. The free space that it returns does not include the bytes for counter and tag. If the
-/// serial line has no space for a frame, the frame is not sent and uses no counter.
+/// lost. The free space that the port returns does not include the bytes for counter and tag. If
+/// the serial line has no space for a frame, the frame is not sent and uses no counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20
@@ -231,8 +231,8 @@ TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   }
 }
 
-/// @brief A challenge is sent only when there is space for two frames. After it, there is still
-/// space for one frame.
+/// @brief A challenge is sent only when there is space for two frames. After the challenge, there
+/// is still space for one frame.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   FakeSerialPort port;
@@ -297,8 +297,8 @@ TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   }
 }
 
-/// @brief A frame is dropped if it is too long or has characters other than digits after its
-/// counter. The next correct frame is returned.
+/// @brief A frame is dropped if it is too long, or if its tag contains a character that is not a
+/// hexadecimal digit. The next correct frame is returned.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_StrangeBytesAreDropped) {
   line.arrive(scenario::Bytes(1000, 1));

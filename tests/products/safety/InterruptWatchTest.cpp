@@ -23,8 +23,8 @@ class WatchedInterrupts : public testing::Test {
   InterruptWatch watch_;
 };
 
-/// @brief A tick that is 20 ms after the previous tick is in time. A later tick is too late. The
-/// first tick is always in time.
+/// @brief A tick is in time if it is at most 20 ms after the previous tick. A later tick ends the
+/// program. The first tick is always in time.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   tick(milliseconds(500));
@@ -33,8 +33,8 @@ TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   EXPECT_DEATH(tick(milliseconds(20) + Microseconds(1)), "assertion 7 failed");
 }
 
-/// @brief An edge may wait for its interrupt at four successive ticks, any number of times. If it
-/// waits at five successive ticks, the program ends.
+/// @brief An edge may wait for its interrupt at four successive ticks. Such waits may occur any
+/// number of times. If an edge waits at five successive ticks, the program ends.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_AnEdgeThatWaitsTooLongEndsTheProgram) {
   for (int number = 0; number < 100; ++number) {

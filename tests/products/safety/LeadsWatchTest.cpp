@@ -157,7 +157,7 @@ TEST_F(WatchedLeads, FR307_UpToOneVoltNothingCounts) {
   EXPECT_GT(found(-10, -1.1), 0);
 }
 
-/// @brief After a restart the watch has no evidence.
+/// @brief After a reset, the watch has no evidence of swapped leads.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
   EXPECT_FALSE(drive(100, 1, 40));
@@ -169,8 +169,9 @@ TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
   EXPECT_EQ(found(100, pulling(100, 1)), 2);
 }
 
-/// @brief After a reset, the watch behaves as at the start. It detects swapped leads in the same
-/// cycle, for each velocity and load, and for any motor that it learned before.
+/// @brief After a reset, the watch behaves as at the start. To detect swapped leads, the watch then
+/// needs the same number of cycles as at the start. This is true for each velocity and load, and
+/// for any motor that the watch learned before.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   const auto detected = [this](double resistance, double rpm, double amperes) {
@@ -210,7 +211,8 @@ TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
 }
 
 /// @brief At a low velocity with a great load, a cycle is weak evidence, and the detection needs
-/// more cycles. A motor that was learned for 4 s gives more evidence than an unknown motor.
+/// more cycles. When the watch has learned a motor for 4 s, each cycle is stronger evidence than
+/// with an unknown motor.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_WeakEvidenceNeedsMoreCycles) {
   struct Case {

@@ -159,8 +159,8 @@ TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief After every other reset, a stored stop is still in force. A released stop is not in
-/// force.
+/// @brief After every reset except power-on, a stored stop is still in force. A released stop is
+/// not in force.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
   for (const ResetCause cause :

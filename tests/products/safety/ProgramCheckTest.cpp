@@ -50,7 +50,8 @@ TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
 using CheckedProgramDeathTest = CheckedProgram;
 
 /// @brief A program fills the lower RAM. If any bit of this program changes, the check ends the
-/// program within 300 ticks (0.3 s). This is true at every position that the check has reached.
+/// program within 300 ticks (0.3 s). The position that the check has reached when the bit changes
+/// does not matter.
 /// @verifies FR-309
 TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   ticks(200);

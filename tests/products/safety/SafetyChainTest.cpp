@@ -439,8 +439,8 @@ TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
   }
 }
 
-/// @brief Orders are forwarded after five cycles of 100 ms with neutral orders. They are not
-/// forwarded after four cycles.
+/// @brief Orders are forwarded after five cycles of 100 ms with neutral orders. After only four of
+/// these cycles, orders are not forwarded.
 /// @verifies FR-280
 /// @verifies FR-281
 TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
@@ -540,8 +540,8 @@ class SetPointRampTest : public SafetyChain {
   int first() const { return spy.applied.wheels[0].value; }
 };
 
-/// @brief The set-point needs at least 1.7 s to rise from 0 rpm to 300 rpm, which are 0.85 m/s.
-/// Then it is equal to the ordered set-point. The decrease takes the same time.
+/// @brief The set-point needs at least 1.7 s to rise from 0 rpm to 300 rpm (0.85 m/s). Then it is
+/// equal to the ordered set-point. The decrease takes the same time.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -644,9 +644,9 @@ TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   EXPECT_EQ(first(), 1000);
 }
 
-/// @brief The permitted velocity is 300 rpm up to 1 degree, 260 rpm at 5 degrees and 240 rpm at 32
-/// degrees. It depends on the greater of the ordered and the measured angle. All set-points are
-/// reduced by the same factor.
+/// @brief Up to a steering angle of 1 degree, the permitted velocity is 300 rpm. At 5 degrees, it
+/// is 260 rpm, and at 32 degrees, it is 240 rpm. The greater of the ordered and the measured angle
+/// determines the permitted velocity. All set-points are reduced by the same factor.
 /// @verifies FR-294
 TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   struct Case {
@@ -676,8 +676,8 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
 
 /// @brief The set-points of all wheels fall while one wheel turns faster than 310.0 rpm or will
 /// turn faster in two cycles. They fall by 6 % per cycle, but not below a tenth of the ordered
-/// values. Otherwise, they rise again by 1 % per cycle. In a curve of 5 degrees, the limit is 270.0
-/// rpm.
+/// values. When no wheel is too fast, the set-points rise again by 1 % per cycle. In a curve of 5
+/// degrees, the limit is 270.0 rpm instead of 310.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   const auto at = [&](int velocity) {

@@ -93,7 +93,8 @@ class SafetyBuilderTest : public testing::Test {
 
 using SafetyBuilderDeathTest = SafetyBuilderTest;
 
-/// @brief Before the control systems are built, they cannot be started, ordered or ticked.
+/// @brief Before the control systems are built, they cannot be started, and neither the control
+/// system nor its tick command can be requested.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(builder.start(), "assertion 1 failed");

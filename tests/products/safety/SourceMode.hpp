@@ -6,7 +6,7 @@
 
 namespace wr::test {
 
-/// A mode for tests. A test sets its orders and stops.
+/// A mode for tests. A test sets the order and the stop that the mode returns.
 class SourceMode final : public Mode {
  public:
   SourceMode() : Mode(ModeId::None) {}

@@ -53,9 +53,9 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
-/// @brief A wheel that moves half as far as the other wheels is reported. A wheel that moves
-/// farther is not reported. A wheel that is faster than the other wheels is never reported. A wheel
-/// that is too slow in only one comparison is not reported.
+/// @brief A wheel that moves half as far as the other wheels is reported. A wheel that moves more
+/// than half as far is not reported. A wheel that is faster than the other wheels is never
+/// reported. A wheel that is too slow in only one comparison is not reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -69,7 +69,8 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
 }
 
 /// @brief A wheel is reported if its sensors count in the wrong direction or if its position is
-/// missing. The different velocities in the tightest curve are not reported.
+/// missing. In the tightest curve, the wheels have different velocities. No wheel is reported
+/// because of these differences.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -134,7 +135,8 @@ TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   EXPECT_EQ(push(-11001), std::uint8_t{1});
 }
 
-/// @brief A cycle at 11 degrees or less counts as five cycles of a curve.
+/// @brief For the time limit of a great current, a cycle at a steering angle of 11 degrees or less
+/// counts as five cycles in a curve.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_TheEndOfACurveShortensTheTime) {
   for (const int angle : {-1100, 1100}) {

@@ -105,8 +105,8 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
 }
 
 /// @brief At 1.5 V, and 20 rpm in the opposite direction, up to 1.124 V of the voltage may remain
-/// unexplained by the model of the motor. This bound is 40 % of 1.5 V plus half of 1.047 V. At a
-/// current of 0.949 A, the unexplained voltage is at this bound.
+/// unexplained by the model of the motor. This bound is 40 % of 1.5 V plus half of the induced
+/// voltage of 1.047 V. At a current of 0.949 A, the unexplained voltage is at this bound.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -114,9 +114,9 @@ TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.501 V, and 20 rpm in the opposite direction, a current of 0.950 A leaves exactly the
-/// bound of 1.123 V unexplained. This does not cause a stop. A current of 0.949 A leaves 1.125 V
-/// unexplained, which causes a stop.
+/// @brief At 1.501 V and at 20 rpm in the opposite direction, a current of 0.950 A leaves exactly
+/// the bound of 1.123 V unexplained. This does not cause a stop. A current of 0.949 A leaves 1.125
+/// V unexplained, which causes a stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
   for (int number = 0; number < 4; ++number) {
@@ -128,8 +128,9 @@ TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
   EXPECT_EQ(cycle(measured(-20, 0.949), 1.501, 17.6), StopCause::WrongDirection);
 }
 
-/// @brief A slope drags a wheel faster and faster against its voltage. The wheel draws (3 V + k v)
-/// / 1.5 Ohm. This does not cause a stop, even with 15 % more resistance and a supply of 21 V.
+/// @brief A slope drags a wheel faster and faster against its voltage. The wheel draws the current
+/// (3 V + k v) / 1.5 Ohm, with the motor constant k and the velocity v. This does not cause a stop,
+/// even with 15 % more resistance and a supply of 21 V.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
   for (const double share : {1.0, 21.0 / 24 / 1.15}) {
@@ -144,7 +145,7 @@ TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
 }
 
 /// @brief With swapped leads, a voltage of 3 V turns a wheel in the opposite direction. The current
-/// is (3 V - k v) / 1.5 Ohm. This causes a stop.
+/// is (3 V - k v) / 1.5 Ohm, with the motor constant k and the velocity v. This causes a stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
   EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
@@ -235,9 +236,9 @@ TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
   }
 }
 
-/// @brief At 10 V and 2 A, the voltage at the winding is 3 V. The permitted difference is the sum
-/// of 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of the induced voltage. A greater difference causes
-/// a stop in the second cycle.
+/// @brief At 10 V and 2 A, the voltage at the winding is 3 V. The voltage of the wheel may differ
+/// from the voltage of the model by the sum of 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of the
+/// induced voltage. A greater difference causes a stop in the second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   // The equation 10 V - 3 V - e = 3.45 V + e / 10 has the solution e = 3.227 V.
@@ -284,7 +285,8 @@ TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
 
 /// @brief A difference that is equal to the permitted difference does not cause a stop. A
 /// difference that is 1 mV greater causes a stop. At 60 rpm and 2 A, the permitted difference is
-/// 3.740 V. It is the sum of 0.7 V, 20 % of the voltage, 25 % of 3 V and 10 % of 3.141 V.
+/// 3.740 V. It is the sum of 0.7 V, 20 % of the voltage of the wheel, 25 % of the 3 V at the
+/// winding and 10 % of the induced voltage of 3.141 V.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   const WheelSetPoint followed = velocity(60);
@@ -296,8 +298,9 @@ TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::Tracking);
 }
 
-/// @brief At 1.0 V, which is the voltage of the bring-up, a difference of 1.5 V is permitted for a
-/// wheel at rest. At 1.1 V, this difference is not permitted.
+/// @brief At 1.0 V, which is the voltage of the bring-up, the voltage of a wheel at rest may differ
+/// from the voltage of the model by up to 1.5 V. At 1.1 V, the permitted difference is smaller, and
+/// the same current causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.0, 0), 0);
@@ -320,9 +323,9 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   }
 }
 
-/// @brief At 1.1 V, a current that is constant in seven successive cycles causes a stop in the
-/// seventh cycle, also at a constant voltage. A current that varies by 1 mA does not cause a stop.
-/// A constant current at 1.0 V does not cause a stop either.
+/// @brief At more than 1.0 V, a current that stays the same in seven successive cycles causes a
+/// stop in the seventh cycle, even if the voltage is constant. A current that varies by 1 mA does
+/// not cause a stop. At 1.0 V, a constant current does not cause a stop.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {

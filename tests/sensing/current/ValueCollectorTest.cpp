@@ -185,8 +185,8 @@ TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_EQ(after.value, before.value);
 }
 
-/// @brief The mean reduces the noise of the sensor. Of a noise of 50 mA rms, 5 mA remain in the
-/// zero point of the sensor, and 5 mA remain in the mean of a cycle.
+/// @brief The mean reduces the noise of the sensor. If the noise is 50 mA rms, 6 mA rms remain in
+/// the zero point of the sensor, and 5 mA rms remain in the mean of a cycle.
 /// @verifies FR-125
 /// @verifies FR-126
 TEST_F(CurrentTest, FR125_NoiseAveragesOut) {

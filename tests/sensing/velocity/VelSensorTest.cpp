@@ -80,8 +80,8 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
-/// @brief In the first cycle with edges after a standstill, n edges count as n - 1/2 edges. Until the
-/// next edge, the error is therefore at most 1.5 edges in a cycle, that is 15 rpm.
+/// @brief In the first cycle with edges after a standstill, n edges count as n - 1/2 edges.
+/// Therefore, the error until the next edge is at most 1.5 edges in a cycle. This is 15 rpm.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_StartsAtEachVelocity) {
   for (const double rpm :
@@ -464,8 +464,8 @@ TEST_F(VelSensorTest, FR121_FollowsAnyMovement) {
   }
 }
 
-/// @brief With both Hall sensors, the first edge is already counted. The position is correct from
-/// the start.
+/// @brief The first edge after the start is already counted, because the levels of both Hall
+/// sensors are read at the start.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_CountsFromTheFirstEdge) {
   wheel.turn(0, milliseconds(10));

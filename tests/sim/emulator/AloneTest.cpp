@@ -68,8 +68,8 @@ TEST(AloneTest, UnmodelledRegisterIsNamed) {
   EXPECT_THAT(text, testing::ContainsRegex("at pc 0x[0-9A-F]+, 1[0-9][.][0-9]{3} ms"));
 }
 
-/// @brief With an option, an access to a register without a model is only a warning. The access has
-/// no effect, and is reported once.
+/// @brief If the option unmodelledIsFinding is false, an access to a register without a model is
+/// only a warning. The access has no effect, and is reported once.
 TEST(AloneTest, UnmodelledRegisterCanBeAWarning) {
   emulator::VirtualBoard board = switchedOn({.unmodelledIsFinding = false});
   ASSERT_TRUE(board.runUntil(10ms));

@@ -265,8 +265,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief The program reads each level from the start time of the level on. The order in which the
-/// test sets the levels has no effect.
+/// @brief From the start time of each level on, the program reads this level. The order in which
+/// the test sets the levels has no effect.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");

@@ -169,7 +169,8 @@ TEST(FindingOfBoardAlone, Overrun) {
   EXPECT_EQ(board.finding()->id, "uart-overrun");
 }
 
-/// @brief A byte that arrives while the receiver has another baud rate causes a finding.
+/// @brief A byte that arrives while the receiver has another baud rate than the serial line causes
+/// a finding.
 TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
   VirtualBoard board(Guest("receivesAtWrongBaud").image());
   ASSERT_TRUE(board.runUntil(1ms));

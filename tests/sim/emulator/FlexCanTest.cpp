@@ -140,9 +140,9 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
 }
 
-/// @brief Four uses that the manual forbids cause findings. They are writing the timing outside of
-/// the freeze mode, writing the clock source while the controller is enabled, writing a buffer
-/// while the controller is disabled, and sending a frame without pins.
+/// @brief Four actions that the manual forbids cause findings: writing the timing outside of the
+/// freeze mode, writing the clock source while the controller is enabled, writing a buffer while
+/// the controller is disabled, and sending a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "the buffer was written while the controller is disabled";

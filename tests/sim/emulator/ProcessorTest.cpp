@@ -115,7 +115,7 @@ TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   EXPECT_EQ(reported(board, 3), 3U);
 }
 
-/// @brief Each instruction takes one cycle. The cycle counter shows this.
+/// @brief The cycle counter counts one cycle for each NOP instruction.
 TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   VirtualBoard board(Guest("measures100Instructions").image());
   ASSERT_TRUE(board.runUntil(1ms));

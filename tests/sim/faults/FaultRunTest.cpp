@@ -27,7 +27,7 @@ using faults::Outcome;
 constexpr int kAt = 3000;           // ms
 constexpr std::uint64_t kSeed = 7;  // in this drive, all wheels turn at kAt
 
-constexpr std::uint32_t kAngleDrift = 9;  // number among the faults of sensors
+constexpr std::uint32_t kAngleDrift = 9;  // number of this fault among the faults of sensors
 
 class FaultRunTest : public testing::Test {
  protected:
@@ -46,7 +46,7 @@ class FaultRunTest : public testing::Test {
       return function.name.find(part) != std::string::npos;
     });
     if (found == symbols.functions().end()) {
-      throw std::runtime_error("the image has no function " + part);
+      throw std::runtime_error("the firmware image has no function " + part);
     }
     return found->address;
   }

@@ -44,7 +44,8 @@ TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   EXPECT_TRUE(output.isOn());
 }
 
-/// @brief Each sample is the voltage at the time at which the previous call requested it.
+/// @brief Each call returns the sample that the previous call requested: the voltage at the time of
+/// the previous call.
 TEST(HostAnalogInputTest, EachSampleIsThatOfTheCallBefore) {
   host::HostAnalogInput input;
   EXPECT_EQ(input.sample(), std::nullopt);

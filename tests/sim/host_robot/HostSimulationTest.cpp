@@ -78,8 +78,8 @@ TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
 }
 
-/// @brief Each edge occurs at the time at which the shaft reaches its position. The firmware counts
-/// 60 edges per turn of the shaft, and measures the velocity of the wheel.
+/// @brief Each edge occurs at the time at which the shaft reaches the position of the edge. The
+/// firmware counts 60 edges per turn of the shaft, and measures the velocity of the wheel.
 TEST_F(HostSimulationTest, FirmwareCountsTheWayOfTheWheels) {
   connect();
   cycles(30, velocity(1000));

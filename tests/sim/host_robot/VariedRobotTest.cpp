@@ -62,8 +62,8 @@ class VariedRobot : public testing::TestWithParam<std::uint32_t> {
   scenario::PcSender pc;
 };
 
-/// @brief Motors, battery and load have any values within their tolerances. 5 s after an order of
-/// 50 rpm or 150 rpm, the error of each wheel's velocity is at most 5 %.
+/// @brief The values of the motors, the battery and the load are random within their tolerances.
+/// After 5 s with an order of 50 rpm or 150 rpm, the error of each wheel's velocity is at most 5 %.
 TEST_P(VariedRobot, VelocityIsReached) {
   cycles(50, 500);
   EXPECT_LT(greatestError(50), 2.5);

@@ -143,8 +143,9 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief The simulation creates no energy. In a run uphill and downhill, the supply delivers more
-/// than the kinetic energy of the robot. While the robot coasts, the kinetic energy only falls.
+/// @brief The simulation creates no energy. While the robot accelerates, the supply delivers more
+/// energy than the robot has as kinetic energy. While the robot coasts, the kinetic energy only
+/// falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
   drive({.duty = 0.8, .backwards = false, .enabled = true});
@@ -210,7 +211,8 @@ TEST_F(RobotTest, RollsDownASteepSlope) {
 }
 
 /// @brief The robot reaches a slope axle by axle. While the robot drives, its slope changes
-/// linearly over one wheelbase of 1.582 m. At rest, its slope changes within 2 s.
+/// linearly over one wheelbase of 1.582 m. While the robot is at rest, the slope changes within 2
+/// s.
 TEST_F(RobotTest, ASlopeBeginsAxleByAxle) {
   robot.setSlope(2);
   EXPECT_EQ(robot.slope(), 0);
@@ -446,7 +448,7 @@ TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
 }
 
 /// @brief Both front wheels move on circles around the same centre. At a steering angle of 32
-/// degrees, the inner wheel is turned by 38.2 degrees, and the outer wheel is turned by 27.4
+/// degrees, the inner wheel is turned by 38.3 degrees, and the outer wheel is turned by 27.3
 /// degrees (cot outer - cot inner = track / wheelbase).
 TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   plant::SteeringLinkage linkage;
@@ -498,8 +500,8 @@ class CurveTest : public RobotTest {
 // 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
-/// @brief With set-points that match the geometry, the robot drives the geometric curve, and all
-/// wheels have equal forces.
+/// @brief With set-points that match the geometry, the robot drives the geometric curve, and the
+/// wheels do not work against each other.
 TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
   follow({100 * kGeometry[0], 100 * kGeometry[1], 100 * kGeometry[2], 100 * kGeometry[3]}, 8000);
   const double rear = 100.0 / 600 * 2 * std::numbers::pi * DriveTrain::kRadius;
@@ -686,7 +688,7 @@ TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
 }
 
 /// @brief The emergency stop removes all torque, independent of the firmware, and opens its
-/// contact. With short-circuited motors, the robot stops sooner.
+/// contact. If it also short-circuits the motors, the robot stops sooner.
 TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
   const auto wayAfter = [](plant::EmergencyStop state) {
     Robot driven(1);

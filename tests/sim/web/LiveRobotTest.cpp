@@ -1,4 +1,4 @@
-// Tests the robot of the page "Run the robot" with its cycles, recorded calls and frames, and with
+// Tests the robot of the page "Run the robot": its cycles, the records of its calls and frames, and
 // the actions of the user.
 #include "sim/web/LiveRobot.hpp"
 
@@ -21,9 +21,9 @@ namespace wr::test {
 
 namespace {
 
-constexpr int kCyclesToMode = 12;  // cycles until the mode PC reads
-constexpr int kCycles = 30;        // cycles of a drive
-constexpr int kTicks = 100;        // ticks in a cycle
+constexpr int kCyclesToMode = 12;  // number of cycles until the robot reads in the mode PC
+constexpr int kCycles = 30;        // number of cycles of a drive
+constexpr int kTicks = 100;        // number of ticks in a cycle
 constexpr std::uint32_t kLongestCycle =
     100'100'000;  // [ns]; a running interrupt may delay the next pulse
 const std::string kFree = "at 50 connect\nat 600000 end\n";
@@ -113,8 +113,8 @@ TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
       begins, [](const auto& one) { return one.second >= kTicks - 1 && one.second <= kTicks; }));
 }
 
-/// @brief The order of the user is sent repeatedly, and the robot drives. Without an order, it
-/// halts.
+/// @brief The order of the user is sent repeatedly, and the robot drives. Without an order, the
+/// robot halts.
 TEST(LiveRobotTest, RepeatsAnOrder) {
   const auto robot = robotIn(kFree);
   robot->repeat("order velocity 0");

@@ -49,8 +49,8 @@ TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
   EXPECT_TRUE(device.ready());
 }
 
-/// @brief A motor that is switched off immediately has no current and no rate. Its last pulse ends
-/// with the next tick, and no other pulse follows.
+/// @brief When a motor is switched off, its current and its rate are 0 immediately. Its last pulse
+/// ends with the next tick, and no other pulse follows.
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR113_AMotorThatIsSwitchedOffStopsAtOnce) {
   motor.settle();
@@ -76,8 +76,8 @@ TEST_F(SteeringPowerTest, FR113_AMotorThatIsOffStaysOff) {
   EXPECT_FALSE(device.ready());
 }
 
-/// @brief A motor that is switched on again settles again. Its rate is then 0, although it turned
-/// before it was switched off.
+/// @brief A motor that is switched on again settles again. The rate of the motor is then 0,
+/// although the motor turned before it was switched off.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_AMotorThatWasOffSettlesAgain) {
   motor.settle();

@@ -39,7 +39,8 @@ TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   }
 }
 
-/// @brief An order to follow a set-point does not switch the motor on when it is older than 300 ms.
+/// @brief An order to follow a set-point does not switch the motor on when the order is older than
+/// 300 ms.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOldOrderSwitchesNothingOn) {
   follow(0);
@@ -62,7 +63,7 @@ TEST_F(DirStateTest, FR107_NoTurnBeforeTheMotorIsReady) {
 }
 
 /// @brief In the state Holding, the steering does not turn within the dead band. It turns when the
-/// angle is farther away.
+/// ordered angle is farther away.
 /// @verifies FR-102
 TEST_F(DirStateTest, FR102_HoldingTurnsBeyondTheDeadBand) {
   switchOn();
@@ -171,7 +172,7 @@ TEST_F(DirStateTest, FR109_HoldingWithoutOrdersIsSwitchedOff) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief A turn is switched off when the last order is older than 300 ms.
+/// @brief During a turn, the motor is switched off when the last order is older than 300 ms.
 /// @verifies FR-109
 TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
   beginTurn();

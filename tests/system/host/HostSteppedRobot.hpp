@@ -20,7 +20,8 @@ class HostSteppedRobot : public SteppedRobot {
     SteppedRobot::cycle();
   }
 
-  /// Runs a cycle while the serial line accepts no bytes. The sent bytes then fill the port.
+  /// Runs a cycle while the serial line accepts no bytes. The sent bytes then fill the send buffer
+  /// of the port.
   void cycleWithoutLine() { host_.runThroughPulse(); }
 
   /// Returns the time until the next clock pulse. The first clock pulse is more than a period after

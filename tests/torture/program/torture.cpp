@@ -40,7 +40,7 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief Returns one to three interrupt lines, as bits. These lines often include the interrupt
+/// @brief Returns one to four interrupt lines, as bits. These lines often include the interrupt
 /// line whose handler runs.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
@@ -155,7 +155,8 @@ void pendSystem() {
   store(kInterruptControl, kBits[random(8)]);
 }
 
-/// @brief Sets the priorities of the memory, bus and usage faults, SVC, PendSV and SysTick.
+/// @brief Sets a random priority for one of these exceptions: memory fault, bus fault, usage fault,
+/// SVC, PendSV and SysTick.
 void setSystemPriority() {
   constexpr std::uint8_t kOffsets[] = {0, 1, 2, 7, 10, 11};
   at<std::uint8_t>(kSystemPriority + kOffsets[random(6)]) =

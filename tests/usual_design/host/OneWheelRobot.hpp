@@ -18,7 +18,7 @@ namespace wr::test {
 /// The constant N of the operation states.
 inline constexpr int kN = SystemConstants::instance().waitingCycles();
 
-/// Both designs, in the order of the names below.
+/// The types of both designs. Each test runs for each of these types.
 using Designs = testing::Types<UsualDesign, PatternDesign>;
 
 /// Names the design in the name of a test.
@@ -32,8 +32,7 @@ struct DesignName {
 /// The mode changes for the first time at this number of successive failed reads. Each later failed
 /// read also changes the mode. As in Figure 7 of the paper, the baseline design changes the mode
 /// when its counter reaches N. In the state machine, the N-th failed read leads to the last waiting
-/// state. The next failed read leads to Reconnecting. The next failed read after that changes the
-/// mode.
+/// state. The failed read N + 1 leads to Reconnecting, and the failed read N + 2 changes the mode.
 template <class Design>
 inline constexpr int kFirstAlternation = kN + 2;
 template <>

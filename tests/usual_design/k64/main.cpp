@@ -57,7 +57,8 @@ void remoteControlInterrupt() {
 
 namespace wr {
 
-// A clock pulse between the end of run() and the sleep is detected at the next tick, 1 ms later.
+// A clock pulse between the end of run() and the sleep is detected at the next tick, at most 1 ms
+// later.
 void runRobot() {
   platform::startDevices();
   design.start();

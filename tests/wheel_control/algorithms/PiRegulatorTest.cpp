@@ -12,7 +12,8 @@ class PiRegulatorTest : public testing::Test {
   PiRegulator regulator{{.proportional = 3000, .integral = 500}};
 };
 
-/// @brief The voltage is a fraction of the error plus a fraction of each earlier error.
+/// @brief The voltage is a multiple of the error plus a fraction of the sum of all errors. This sum
+/// includes the present error.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(100), Tension(350));

@@ -150,7 +150,7 @@ TEST_F(VelocityAlgorithmTest, FR224_ToleranceOfTheModel) {
 TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
   algorithm.applied(calculate(1000, 1000, 0));
   const Tension loaded =
-      calculate(1000, 500, 1700);  // the winding has 1.7 A at 1.5 ohm of the 5.2 V
+      calculate(1000, 500, 1700);  // 1.7 A in a winding of 1.5 ohm need 2.55 V of the 5.2 V
   EXPECT_GT(loaded, Tension(5236 + 2000));
 }
 

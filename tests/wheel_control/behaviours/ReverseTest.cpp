@@ -200,8 +200,8 @@ TEST_F(ReverseTest, FR87_AFastWheelIsNotTurned) {
 
 /// @brief For any demand and measurement, the output follows three rules. The orientation changes
 /// only without voltage, and only when the wheel is slow or turns in the direction of the demand.
-/// The voltage rises by at most 12 V. It falls by at most 2.4 V while the demand is against the
-/// orientation.
+/// In a cycle, the voltage rises by at most 12 V. While the demand is against the orientation, the
+/// voltage falls by at most 2.4 V in a cycle.
 /// @verifies FR-87
 /// @verifies FR-81
 TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {

@@ -50,14 +50,15 @@ TEST_F(SoftStartTest, FR81_FlipStartsAgain) {
   EXPECT_EQ(apply(24000), Tension(12000));
 }
 
-/// @brief After another behaviour, the rise begins at the voltage of this behaviour.
+/// @brief If another behaviour has applied a voltage, the rise begins at this voltage.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
   softStart.resume(Tension(5000));
   EXPECT_EQ(apply(24000), Tension(17000));
 }
 
-/// @brief The voltage of another behaviour reaches each of two decorators.
+/// @brief If one SoftStart wraps another, both begin at the voltage that another behaviour has
+/// applied.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_EachDecoratorBeginsAtTheVoltage) {
   SoftStart outer(static_cast<WheelBehaviour&>(softStart));

@@ -129,7 +129,7 @@ TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
 }
 
 /// @brief A protective stop controls and then halts the wheel in one cycle. The current of the
-/// wheel still has 50 ms to decay before the driver is on again.
+/// wheel still has at least 50 ms to decay before the driver is on again.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
   pass(true, kMiddle);

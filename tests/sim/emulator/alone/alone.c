@@ -107,7 +107,7 @@ static void run(void) {
 
   PORTE_PCR6 = 1u << 8;
   GPIOE_PDDR = 1u << 6;
-  (void)PIT_MCR; /* erratum e7914: a read first, after the clock gate was opened */
+  (void)PIT_MCR; /* erratum e7914: after the clock gate was opened, read this register first */
   PIT_MCR = 0;
   PIT_LDVAL2 = 1048576 - 1; /* 50 ms */
   PIT_TCTRL2 = 3;

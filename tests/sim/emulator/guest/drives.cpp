@@ -207,9 +207,9 @@ PROGRAM watchesLevel() {
   sleepForever();
 }
 
-// A timer of 1 kHz starts five conversions. Each conversion causes an interrupt, which starts the
-// next conversion of the same converter. In each millisecond, two edges of each wheel cause
-// interrupts.
+// A timer of 1 kHz starts one conversion at each of two converters. The interrupt of a conversion
+// starts the next conversion of the same converter, until five conversions have ended. In each
+// millisecond, two edges of each wheel cause interrupts.
 static void workFor(std::uint32_t turns) {
   for (std::uint32_t i = 0; i < turns; ++i) {
     reported(11) = i;

@@ -104,7 +104,7 @@ PROGRAM keepsFpuRegisters() {
 }
 
 PROGRAM tellsFrame() {
-  // Stores the return address, the stack pointers and the state of an exception.
+  // Reports the values of LR and of both stack pointers in the handler of an exception.
   std::uint32_t link = 0;
   std::uint32_t stack = 0;
   std::uint32_t process = 0;

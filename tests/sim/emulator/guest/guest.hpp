@@ -68,7 +68,7 @@ inline void switchFpuOn() {
   }
 }
 
-/// Opens the gates of ports A to E.
+/// Opens the clock gates of ports A to E.
 inline void openPorts() {
   wordAt(0x40048038) |= 0x3E00;
 }
@@ -91,7 +91,7 @@ inline void openUart() {
   byteAt(0x4006A00A) = 12;
 }
 
-/// Opens the gate of FTM0 and connects its channel 0 to PTC1.
+/// Opens the clock gate of FTM0 and connects its channel 0 to PTC1.
 inline void openTimer() {
   openPorts();
   wordAt(0x4004803C) |= 1U << 24;
@@ -108,7 +108,8 @@ inline void startPulses(std::uint32_t width) {
   wordAt(0x40038000) = 0x08;
 }
 
-/// Opens the gate of ADC0 and sets it to 12 bits and an eighth of the bus clock of 20.97 MHz.
+/// Opens the clock gate of ADC0. Sets ADC0 to 12 bits and to an eighth of the bus clock of 20.97
+/// MHz.
 inline void openConverter() {
   openPorts();
   wordAt(0x4004803C) |= 1U << 27;

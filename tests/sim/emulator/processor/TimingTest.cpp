@@ -36,7 +36,7 @@ class Program {
     core_.next = at;
   }
 
-  /// Executes the next instructions, and returns their cycles.
+  /// Executes the next instructions, and returns the number of their cycles.
   std::uint64_t cyclesOf(int instructions) {
     const std::uint64_t before = core_.cycles();
     for (int i = 0; i < instructions; ++i) {

@@ -29,7 +29,7 @@ TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   EXPECT_LT(this->robot.report().tension[0], unloaded(600));
 }
 
-/// @brief The velocity finally reaches the set-point, and falls again at the same rate.
+/// @brief The velocity finally reaches the set-point.
 TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
