@@ -21,8 +21,8 @@ BINDINGS = (HOST, VIRTUAL_K64)
 @dataclass(frozen=True)
 class Place:
     """A source line of a file, or the source lines from ``line`` to ``end``. ``file`` is the path
-    relative to the root of the project. ``end`` is None for a single source line, or if it is
-    unknown."""
+    relative to the root of the project. ``end`` is None for a single source line, or if the last
+    source line is unknown."""
 
     file: str
     line: int
@@ -576,8 +576,8 @@ class Hazard:
 
 @dataclass(frozen=True)
 class SafetyGoal:
-    """A safety goal. If the robot meets the goal, its hazards cause no harm. All times are in
-    seconds."""
+    """A safety goal. If the robot meets the goal, the hazards of this goal cause no harm. All times
+    are in seconds."""
 
     id: str
     title: str
@@ -595,7 +595,7 @@ class SafetyGoal:
     exceptions: Sequence[str] = field(default_factory=list)
     computed: float | None = None  # value of the formula; None if the formula is invalid
     hazards: Sequence[str] = field(default_factory=list)
-    level: str = ""  # the highest level among its hazards
+    level: str = ""  # the highest level among the hazards of the goal
 
 
 @dataclass(frozen=True)
@@ -607,7 +607,7 @@ class FaultScenario:
     title: str
     goals: Sequence[str]
     place: Place
-    # number of the line in the scenario -> the time that its expectation allows [s]
+    # number of a line in the scenario file -> the time that the expectation there allows [s]
     bounds: Mapping[int, float] = field(default_factory=dict)
     tests: Sequence[str] = field(default_factory=list)
 
@@ -633,8 +633,8 @@ class TouchedFile:
     added: int
     removed: int
     corrections: str = (
-        # The reason why the edits do not belong to a safety function. If they belong to one, this
-        # text is empty.
+        # The reason why the edits do not belong to a safety function. The text is empty if they
+        # belong to a safety function.
         ""
     )
 

@@ -45,8 +45,8 @@ class Change:
 
 
 def read_recording(path: Path) -> list[Values]:
-    """Returns the values of each report in a file. The client writes MCAP and CSV files; the player
-    of scenarios writes a table.
+    """Returns the values of each report in a file. The file is an MCAP or CSV file of the client,
+    or a CSV file of the scenario player, which has other columns.
     """
     if path.suffix == MCAP:
         return list(read_mcap(path))

@@ -18,7 +18,8 @@ MARKS = re.compile(r"^\s*(?:\.\. .*|:[\w-]+:(?!`).*|[= ]+|\* - |- |\* )", re.MUL
 
 # Matches a term of a glossary and its explanation.
 TERM = re.compile(r"^   (\S.*)\n((?:\n? {6}.*\n)+)", re.MULTILINE)
-TERM_MARKS = re.compile(r"[^A-Za-z0-9._]+")  # as Sphinx makes the anchor of a term
+# Characters that Sphinx replaces by "-" in the anchor of a term.
+TERM_MARKS = re.compile(r"[^A-Za-z0-9._]+")
 
 
 @dataclass

@@ -42,7 +42,9 @@ class WarningCollector(io.StringIO):
         return Finding(place, "link-doc" if is_link else "doc-warning", text, fix)
 
     def _source(self, file: str) -> str:
-        """Returns the path of the hand-written page. A warning names the copy that Sphinx reads."""
+        """Returns the path of the hand-written page that causes a warning. ``file`` is the path of
+        the copy that Sphinx reads.
+        """
         path = Path(file)
         for base in (self.pages, self.root):
             if path.is_relative_to(base):

@@ -52,7 +52,9 @@ class Bar:
 
 
 def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
-    """Returns the rows of the chart. A method in several trees is counted in each tree."""
+    """Returns the rows of the chart, one for each section. A method in several invocation trees is
+    counted once for each tree.
+    """
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]

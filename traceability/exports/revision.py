@@ -22,7 +22,7 @@ WORDS = 8  # number of unchanged words that are shown before and after a change 
 
 @dataclass(frozen=True)
 class RequirementState:
-    """A requirement in a commit. ``state`` is the verdict. It is empty if there was no report with
+    """A requirement in a commit. ``state`` is the verdict, or "" if there was no report with
     verdicts."""
 
     text: str

@@ -85,7 +85,7 @@ class VerifiedRequirement:
 @dataclass(frozen=True)
 class Verification:
     """The verification of all requirements. ``justified`` lists the source lines that no test
-    executes for a stated reason."""
+    executes, with the reasons."""
 
     commit: str
     sources: str

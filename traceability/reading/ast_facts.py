@@ -156,7 +156,8 @@ class IncludeFact:
 
 @dataclass
 class ConstantFact:
-    """A constant, or an operation that returns a constant. A text can refer to it by ``name``."""
+    """A constant, or an operation that returns a constant. A text can refer to the constant by
+    ``name``."""
 
     name: str
     number: int

@@ -828,8 +828,8 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # The id marks a function of the library that is already prepared.
-        _library.bound = True  # type: ignore[attr-defined]  # a mark on the function
+        # This attribute shows that the types of the library functions are already declared.
+        _library.bound = True  # type: ignore[attr-defined]  # an attribute of the function
     return library
 
 

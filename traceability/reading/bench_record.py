@@ -30,10 +30,10 @@ TIMINGS = {
     MANUAL: "no wait states",
     SLOW: "slow flash",
 }
-CYCLES = 1000
+CYCLES = 1000  # number of measured control cycles in a scenario
 PERIOD_MS = 100
 SPEED_GOAL = 100  # required speed of the simulation: simulated time divided by real time
-SHARE = 10  # target: the time may be at most this fraction of the time in the paper
+SHARE = 10  # target: the time in the paper is at least this many times longer
 LIBRARY = "C and C++ library"
 ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
 LINES = {
@@ -126,8 +126,8 @@ def orders_in(text: str) -> list[Order]:
 
 
 def measured_orders(text: str) -> list[Order]:
-    """Returns the order that the scenario sends in each measured cycle. Only the last cycles of a
-    scenario are measured."""
+    """Returns the order that the scenario sends in each measured cycle. Only the last ``CYCLES``
+    cycles of a scenario are measured."""
     each = [
         order for order in orders_in(text) for _ in range(order.first, order.last + 1, PERIOD_MS)
     ]
