@@ -10,7 +10,7 @@ from traceability.model.design_model import Model
 from traceability.schema import Constant, Method
 
 ROBOT = "SystemConstants"  # the module with the values that several modules read
-# The folders of the modules that control, measure or limit.
+# The folders of the modules that control, measure or limit values.
 CONTROL = (
     "src/wheel_control/",
     "src/steering_control/",

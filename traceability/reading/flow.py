@@ -122,7 +122,7 @@ class FlowReader:
                 yield f"result {self.function(target)}"
                 return
             if not target.is_copy_constructor() and not target.is_move_constructor():
-                # A constructor makes a new object, which is identified by the place that receives it.
+                # A constructor makes a new object. The place that receives it identifies it.
                 return
         for child in cursor.get_children():
             yield from self._sources(child)
