@@ -58,7 +58,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class PaperStatement:
-    """A demand or claim of the paper about the software, with the answer of this project."""
+    """A demand or claim of the paper about the software, and its counterparts in this project."""
 
     where: str  # id of the place in the paper that contains the statement
     says: str
@@ -1059,8 +1059,9 @@ class StackProof:
 
     @property
     def total(self) -> int:
-        """Returns the largest possible stack use: the sum over all priorities. For each
-        interruption of a lower level, the sum contains the frame that the hardware stores."""
+        """Returns the largest possible stack use: the sum over all priorities. Each priority except
+        the lowest also adds the frame that the hardware stores when it starts an interrupt
+        handler."""
         levels = self.levels
         return sum(level.bytes for level in levels) + self.exception_frame * (len(levels) - 1)
 

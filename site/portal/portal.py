@@ -49,7 +49,7 @@ from traceability.schema import (
 SITE = Path(__file__).resolve().parents[1]
 
 OPERATION_STATES, READING_MODES = "operation-states", "reading-modes"
-# Modules that use a connection in the drawing of the first page.
+# The drawing of the first page marks a connection while one of these modules is called.
 CONNECTING = (
     *("OrderMessage", "ReportMessage", "RcBuffer", "FirstTimer", "WheelSystem", "DirSystem"),
     *("Wheel", "SteeringDevice", "VelSensor", "CntSensor", "DirSensor", "WheelController"),
@@ -283,8 +283,8 @@ class Portal:
         ]
 
     def stack_of(self, module: Module) -> tuple[int, str] | None:
-        """Returns the maximum stack use of the methods of a module in the deepest chain of calls of
-        a context [bytes], and the name of this context.
+        """Computes for each context the stack bytes that the methods of a module use in the deepest
+        chain of calls. Returns the greatest number, and the name of its context.
         """
         begin = f"{module.name}::"
         stack = self.model.stack
@@ -486,8 +486,8 @@ class Portal:
         ]
 
     def is_later(self, check: str) -> bool:
-        """Returns whether the result of a check is unknown until the pages are written. If the
-        check already has a finding, its result is known.
+        """Returns whether the result of a check is not known yet when the pages are written. A
+        check that already has a finding is decided.
         """
         return check in LATER and not self.findings_of(check)
 

@@ -61,8 +61,8 @@ def read_recording(path: Path) -> list[Values]:
 
 
 def raw_columns(report: Layout) -> set[str]:
-    """Returns the names of the columns in the table of a scenario. A number has the value that the
-    frame carries on the serial line, and each bit has a separate column.
+    """Returns the names of the columns in the CSV file of the scenario player. A number is stored
+    as in the frame, and each bit has a separate column.
     """
     bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {field.name for field in report.fields if not field.bits}

@@ -187,8 +187,8 @@ def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
 
 
 def _repetition(messages: list[Message], at: int) -> tuple[int, int]:
-    """Returns the length of the repeated group that begins at ``at``, and its number of
-    repetitions. Of several groups, the group that covers the most messages is chosen.
+    """Returns the length of the repeated group that begins at ``at``, and the number of its
+    occurrences. If several groups begin there, the group that covers the most messages is chosen.
     """
     best, times = 1, 1
     for length in range(1, LONGEST + 1):

@@ -49,7 +49,7 @@ class Revision:
     metrics: Mapping[str, float | None] = field(default_factory=dict)
 
 
-# ---- making and keeping ----------------------------------------------------------
+# ---- making and storing summaries ------------------------------------------------
 
 
 def revision_of(
@@ -104,7 +104,7 @@ def read_revision(root: Path, commit: str) -> Revision | None:
     return read_record(path_of(root, commit), Revision)
 
 
-# ---- comparing -------------------------------------------------------------------
+# ---- comparing summaries ---------------------------------------------------------
 
 
 def differences(first: Revision, second: Revision) -> list[Difference]:

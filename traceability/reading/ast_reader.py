@@ -114,11 +114,11 @@ class Reader:
         self.chances = 0  # number of conditions that enclose the present statement
         self.loops = 0
         self.initialised = ""  # the constant or data member whose initialiser is being read
-        # true if an earlier condition may have left the function before the present statement
+        # true if an earlier condition may end the function before the present statement
         self.left = False
         # operands of the conditions that enclose the present statement
         self.asked: list[list[str]] = []
-        # operands of the earlier conditions that may have left the function
+        # operands of the earlier conditions that may end the function
         self.left_by: list[str] = []
 
     def relative(self, name: str) -> str | None:

@@ -182,7 +182,7 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 def read_comments(file: str, text: str) -> Iterator[Comment]:
     """Yields the documentation comments of a file."""
     block: list[str] = []
-    # line number of the block; true if the comment is after its declaration
+    # first line number of the block; whether the block is after its declaration
     start, behind = 0, False
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)
