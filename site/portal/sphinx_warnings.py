@@ -37,7 +37,7 @@ class WarningCollector(io.StringIO):
     def _finding(self, match: re.Match[str]) -> Finding:
         text = re.sub(r" \[[a-z._-]+\]$", "", match["text"])
         is_link = any(text.startswith(start) for start in LINKS)
-        fix = "name a target that exists" if is_link else "correct the page as in the message"
+        fix = "name a target that exists" if is_link else "correct the page; see the message"
         place = Place(self._source(match["file"] or "site"), int(match["line"] or 0))
         return Finding(place, "link-doc" if is_link else "doc-warning", text, fix)
 

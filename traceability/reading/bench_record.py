@@ -92,7 +92,7 @@ SCENARIOS = (
     ),
     Paper(
         "steps_and_steering",
-        "the same, with the steering between the extremes",
+        "0 to 300 rpm and back, with the steering between the extremes",
         "The wheel velocity setpoints are as in the previous test while the steering setpoints "
         "constantly go back and forth between the extreme left and right positions.",
         2.67,
@@ -162,7 +162,7 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
     """Computes the numbers of a run from the measurements of the board program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
-        raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
+        raise ValueError(f"{sum(raw['reported'])} cycles have a report, but {CYCLES} must have one")
     per_ms = raw["clock_hz"] / 1000
     times = [cycles / per_ms for cycles in raw["report_cycles"]]
     starts = raw["start_cycles"]

@@ -329,7 +329,7 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
-            fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * after it"
+            fix = "write 'FR-n', or an indented 'Class::method'; only ? or * may follow it"
             declared.tree_errors.append(
                 (
                     place,
