@@ -113,8 +113,8 @@ class Method:
 
 @dataclass(frozen=True)
 class Function:
-    """A function of a composition. A composition is a folder that creates and connects the objects
-    of a product. It contains functions and no module."""
+    """A function of a composition. A composition is a folder of functions that create and connect
+    the objects of a product. It contains no module."""
 
     id: str
     place: Place
@@ -738,7 +738,7 @@ class Mutant:
     method: str
     kind: str
     change: str
-    killed_by: Sequence[str]  # tests
+    killed_by: Sequence[str]  # tests that found the fault
     # requirement whose invocation tree contains the method -> true if a test of this requirement
     # finds the fault
     own: Mapping[str, bool]
@@ -1221,8 +1221,8 @@ class MadeChange:
     classes: Sequence[str]
     # folder of the extension that makes the change; "" if a folder of changes/ makes it
     extension: str
-    files: Sequence[str]  # added
-    patched: Sequence[str]  # existing files
+    files: Sequence[str]  # added files
+    patched: Sequence[str]  # existing files that the change edits
     # number of existing lines of the composition that the change removes or edits
     composition_lines: int
     # number of existing lines outside the composition that the change removes or edits
@@ -1248,7 +1248,7 @@ class LikelyChange:
 
     application: str
     pattern: str
-    hidden_by: str  # module
+    hidden_by: str  # module that hides the change
     altered: Sequence[str]  # modules that the change edits; each hides one variant
     role: str  # role of the class that the change adds; "" if the change adds no class
     derives: Sequence[str]  # base classes of the class that the change adds
@@ -1362,7 +1362,7 @@ class Curve:
 
     kind: str
     binding: str
-    points: Sequence[tuple[float, float]]  # seconds, value
+    points: Sequence[tuple[float, float]]  # time [s] and value of each point
 
 
 @dataclass(frozen=True)

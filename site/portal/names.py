@@ -115,9 +115,7 @@ class Names:
         )
 
     def types(self, code: str, own: str = "") -> Markup:
-        """Returns a type or a signature as HTML. The names of modules and value types in it are
-        links.
-        """
+        """Returns a type or a signature as HTML. The names of modules and value types are links."""
         modules = self.model.modules
         parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
@@ -247,7 +245,9 @@ class Names:
 
 
 def marked(words: str) -> str:
-    """Returns the light markup of a text as HTML: `names`, paragraphs and lists."""
+    """Converts the markup of a text to HTML. The markup has only `names` in backticks, paragraphs
+    and lists.
+    """
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(words)))
     paragraphs = [_paragraph(part) for part in text.split("\n\n") if part]
     if len(paragraphs) < 2:

@@ -58,7 +58,8 @@ from traceability.schema import (
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: each logic module may use the target
-FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")  # of the roles
+# Order of the families of roles in the list of roles on the page of a pattern application.
+FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")
 EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
 
@@ -163,8 +164,8 @@ def products(portal: Portal) -> dict[str, Any]:
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
-    """Returns two rows: one for the public methods, and one for the tests. A row contains the
-    number of all, and the number of those without a requirement.
+    """Returns a row for the public methods and a row for the tests. A row contains the number of
+    these items, and the number of items without a requirement.
     """
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]

@@ -224,8 +224,9 @@ class Portal:
         }
 
     def drawn_modules(self) -> list[str]:
-        """Returns the modules in the drawing of the first page, and the modules of its
-        connections."""
+        """Returns the modules that the live view of the first page marks in the drawing: the
+        modules of the states, and the modules in ``CONNECTING``.
+        """
         states = [
             module
             for name in (OPERATION_STATES, READING_MODES)

@@ -20,7 +20,7 @@ from weeding_robot_client.mcap_file import TOPIC, read_mcap
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
 MS_OF_S = 1000
-VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # names in the reports
+VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # names of quantities in the reports
 # Values whose changes are listed.
 STATES = ("state", "mode", "source", "armed", "held", "inhibit", "stop_cause", "steering_state")
 
@@ -33,7 +33,7 @@ class RecordingError(Exception):
 
 @dataclass(frozen=True)
 class Change:
-    """A state that changed."""
+    """A change of one of the values in ``STATES`` from one report to the next report."""
 
     seconds: float
     name: str

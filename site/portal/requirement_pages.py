@@ -45,7 +45,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
-    """Returns for each logic module at the top the number of its methods that satisfy the
+    """Returns for each top-level logic module the number of its methods that satisfy the
     requirement.
     """
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)

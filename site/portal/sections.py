@@ -12,7 +12,7 @@ from docutils.nodes import make_id
 from portal.navigation import Entry, is_underline
 
 NAMED = re.compile(r"(?::[\w-]+:)?`([^`<]*?)\s*(?:<[^`]*>)?`_{0,2}")
-# Directives, their options, labels, and the markup of tables and lists.
+# Matches directives, their options, labels, and the markup of tables and lists.
 MARKS = re.compile(r"^\s*(?:\.\. .*|:[\w-]+:(?!`).*|[= ]+|\* - |- |\* )", re.MULTILINE)
 
 

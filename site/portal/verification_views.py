@@ -43,7 +43,9 @@ def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
 
 @dataclass
 class Bar:
-    """A row of the chart: the lines that the tests of a section's requirements executed."""
+    """A row of the chart: the source lines and branches that the tests of the requirements in one
+    section executed.
+    """
 
     section: str
     host_lines: Share | None

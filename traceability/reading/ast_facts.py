@@ -53,7 +53,8 @@ class SilentFact:
     a comment."""
 
     name: str
-    # last source line of a variable; the comment of the variable may be at the end of this line
+    # For a variable, this place includes its last source line, because a comment may be at the end
+    # of this line.
     place: Place
 
 

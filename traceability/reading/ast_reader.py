@@ -686,8 +686,8 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """Returns whether a source file declares a name that belongs to another file, instead of
-    including the header with this name."""
+    """Returns whether a source file declares a name of another file again, instead of including the
+    header that declares this name."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
