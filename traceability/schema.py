@@ -21,8 +21,8 @@ BINDINGS = (HOST, VIRTUAL_K64)
 @dataclass(frozen=True)
 class Place:
     """A source line of a file, or the source lines from ``line`` to ``end``. ``file`` is the path
-    relative to the root of the project. ``end`` is None for a single source line, or if it is
-    unknown."""
+    relative to the root of the project. ``end`` is None for a single source line, or if the last
+    source line is unknown."""
 
     file: str
     line: int
@@ -58,7 +58,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class PaperStatement:
-    """A demand or claim of the paper about the software, with the answer of this project."""
+    """A demand or claim of the paper about the software, and its counterparts in this project."""
 
     where: str  # id of the place in the paper that contains the statement
     says: str
@@ -113,8 +113,8 @@ class Method:
 
 @dataclass(frozen=True)
 class Function:
-    """A function of a composition. A composition is a folder that creates and connects the objects
-    of a product. It contains functions and no module."""
+    """A function of a composition. A composition is a folder of functions that create and connect
+    the objects of a product. It contains no module."""
 
     id: str
     place: Place
@@ -576,8 +576,8 @@ class Hazard:
 
 @dataclass(frozen=True)
 class SafetyGoal:
-    """A safety goal. If the robot meets the goal, its hazards cause no harm. All times are in
-    seconds."""
+    """A safety goal. If the robot meets the goal, the hazards of this goal cause no harm. All times
+    are in seconds."""
 
     id: str
     title: str
@@ -595,7 +595,7 @@ class SafetyGoal:
     exceptions: Sequence[str] = field(default_factory=list)
     computed: float | None = None  # value of the formula; None if the formula is invalid
     hazards: Sequence[str] = field(default_factory=list)
-    level: str = ""  # the highest level among its hazards
+    level: str = ""  # the highest level among the hazards of the goal
 
 
 @dataclass(frozen=True)
@@ -607,7 +607,7 @@ class FaultScenario:
     title: str
     goals: Sequence[str]
     place: Place
-    # number of the line in the scenario -> the time that its expectation allows [s]
+    # number of a line in the scenario file -> the time that the expectation there allows [s]
     bounds: Mapping[int, float] = field(default_factory=dict)
     tests: Sequence[str] = field(default_factory=list)
 
@@ -633,8 +633,8 @@ class TouchedFile:
     added: int
     removed: int
     corrections: str = (
-        # The reason why the edits do not belong to a safety function. If they belong to one, this
-        # text is empty.
+        # The reason why the edits do not belong to a safety function. The text is empty if they
+        # belong to a safety function.
         ""
     )
 
@@ -738,7 +738,7 @@ class Mutant:
     method: str
     kind: str
     change: str
-    killed_by: Sequence[str]  # tests
+    killed_by: Sequence[str]  # tests that found the fault
     # requirement whose invocation tree contains the method -> true if a test of this requirement
     # finds the fault
     own: Mapping[str, bool]
@@ -1059,8 +1059,9 @@ class StackProof:
 
     @property
     def total(self) -> int:
-        """Returns the largest possible stack use: the sum over all priorities. For each
-        interruption of a lower level, the sum contains the frame that the hardware stores."""
+        """Returns the largest possible stack use: the sum over all priorities. Each priority except
+        the lowest also adds the frame that the hardware stores when it starts an interrupt
+        handler."""
         levels = self.levels
         return sum(level.bytes for level in levels) + self.exception_frame * (len(levels) - 1)
 
@@ -1220,8 +1221,8 @@ class MadeChange:
     classes: Sequence[str]
     # folder of the extension that makes the change; "" if a folder of changes/ makes it
     extension: str
-    files: Sequence[str]  # added
-    patched: Sequence[str]  # existing files
+    files: Sequence[str]  # added files
+    patched: Sequence[str]  # existing files that the change edits
     # number of existing lines of the composition that the change removes or edits
     composition_lines: int
     # number of existing lines outside the composition that the change removes or edits
@@ -1247,7 +1248,7 @@ class LikelyChange:
 
     application: str
     pattern: str
-    hidden_by: str  # module
+    hidden_by: str  # module that hides the change
     altered: Sequence[str]  # modules that the change edits; each hides one variant
     role: str  # role of the class that the change adds; "" if the change adds no class
     derives: Sequence[str]  # base classes of the class that the change adds
@@ -1361,7 +1362,7 @@ class Curve:
 
     kind: str
     binding: str
-    points: Sequence[tuple[float, float]]  # seconds, value
+    points: Sequence[tuple[float, float]]  # time [s] and value of each point
 
 
 @dataclass(frozen=True)

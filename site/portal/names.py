@@ -53,7 +53,9 @@ def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str)
 
 
 def breakable(name: str) -> Markup:
-    """Returns a name with a tag at each position where the browser may start a new text line."""
+    """Returns a name as HTML. A ``<wbr>`` tag marks each position at which the browser may break
+    the name.
+    """
     joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
     return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
 
@@ -113,7 +115,7 @@ class Names:
         )
 
     def types(self, code: str, own: str = "") -> Markup:
-        """Returns a type or a signature. The modules and value types in it are links."""
+        """Returns a type or a signature as HTML. The names of modules and value types are links."""
         modules = self.model.modules
         parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
@@ -124,8 +126,9 @@ class Names:
         )
 
     def signature(self, method: Method) -> Markup:
-        """Returns a signature for readers: the name first, then its parameters, and its result at
-        the end."""
+        """Returns a signature for readers: the name of the method, then the parameters, and the
+        result at the end.
+        """
         before, name, after = method.signature.partition(f"{method.name}(")
         if not name:
             return self.types(method.signature, method.module)
@@ -152,8 +155,8 @@ class Names:
         )
 
     def logic(self, identifier: str) -> Markup:
-        """Returns the link to a logic module. The link also shows the name of the parent if another
-        logic module has the same name.
+        """Returns the link to a logic module. If another logic module has the same name, the link
+        also shows the name of the parent.
         """
         module = self.model.logic_modules.get(identifier)
         text = Markup(module.name if module else identifier)
@@ -202,16 +205,18 @@ class Names:
         return glyph(*VERDICTS[state])
 
     def result(self, test: Test, binding: str) -> Markup:
-        """Returns the result on a target, or a dash if the test is not built for it."""
+        """Returns the result of a test on a target. Returns a dash if the test is not built for
+        this target.
+        """
         result = test.results.get(binding)
         if result is None:
-            return Markup('<span class="mut" title="not built for it">\N{EN DASH}</span>')
+            return Markup('<span class="mut" title="not built for this target">\N{EN DASH}</span>')
         if result.stale and result.result:
             return glyph("warn", f"{result.result}, stale")
         return glyph(*RESULTS.get(result.result, ("none", str(result.result))))
 
     def results(self, test: Test) -> Markup:
-        """Returns the result on each target that the test is built for."""
+        """Returns the result of a test on each target for which the test is built."""
         parts = [
             Markup("{} {}").format(binding, self.result(test, binding)) for binding in test.results
         ]
@@ -240,7 +245,9 @@ class Names:
 
 
 def marked(words: str) -> str:
-    """Returns the light markup of a text as HTML: `names`, paragraphs and lists."""
+    """Converts the markup of a text to HTML. The markup has only `names` in backticks, paragraphs
+    and lists.
+    """
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(words)))
     paragraphs = [_paragraph(part) for part in text.split("\n\n") if part]
     if len(paragraphs) < 2:
@@ -254,12 +261,16 @@ def _paragraph(text: str) -> str:
 
 
 def gist(brief: str) -> str:
-    """Returns the part of a brief after the name at its start, or an empty text."""
+    """Returns the text after the first colon of a brief, because the text before it is only a name.
+    Returns "" if the brief has no colon.
+    """
     return brief.partition(": ")[2]
 
 
 def changed_words(text: str) -> Markup:
-    """Returns the text of a comparison as HTML. Removed and added words are marked."""
+    """Returns a text as HTML. Words in ``[-...-]`` are marked as removed, and words in ``{+...+}``
+    are marked as added.
+    """
     marked = re.sub(r"\[-(.+?)-\]", r"<del>\1</del>", str(escape(text)))
     return Markup(re.sub(r"\{\+(.+?)\+\}", r"<ins>\1</ins>", marked))
 
@@ -270,5 +281,7 @@ def file_name(path: str) -> str:
 
 @functools.cache
 def glyph(kind: str, word: str) -> Markup:
-    """Returns a verdict as a mark and a word, never only as a colour."""
+    """Returns a verdict as a coloured word. The style sheet puts a mark before the word, because
+    some readers cannot distinguish the colours.
+    """
     return Markup('<span class="v {}">{}</span>').format(kind, word)

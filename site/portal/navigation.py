@@ -1,4 +1,6 @@
-"""The side navigation. Every page shows the same navigation, with numbers from the model."""
+"""The side navigation, which is the same on every page. Numbers next to its titles, such as the
+number of requirements, come from the model.
+"""
 
 from __future__ import annotations
 
@@ -9,8 +11,8 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.reading.products import PRODUCTS
 
-# The hand-written pages of each group, in this order. The group "build" also contains all other
-# pages.
+# The hand-written pages of each group, in this order. A hand-written page that is not listed here
+# is in the group "build".
 DOCS = {
     "understand": ("tour",),
     "build": (
@@ -51,6 +53,8 @@ class Entry:
 
 @dataclass
 class Group:
+    """Pages that serve the same aim of a reader, under a common title."""
+
     id: str
     title: str
     entries: list[Entry]

@@ -1,4 +1,4 @@
-"""The diagram of the Python packages: their layers, from the contracts of import-linter."""
+"""Draws the layers of the Python packages. The contracts of import-linter declare these layers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ PACKAGES = "packages"  # id of the diagram
 
 
 def package_diagrams(root: Path) -> list[Diagram]:
-    """Returns the diagram, or an empty list if the project has no contracts for its layers."""
+    """Returns a list that contains only the diagram. Returns an empty list if pyproject.toml does
+    not exist.
+    """
     if not (root / CONTRACTS).exists():
         return []
     tools = tomllib.loads((root / CONTRACTS).read_text(encoding="utf-8"))["tool"]
@@ -45,7 +47,9 @@ def node(name: str) -> str:
 
 
 def box(root: Path, name: str) -> str:
-    """Returns the box of a layer. It contains the name and the first line of the docstring."""
+    """Returns the PlantUML text of the box of a layer: the name of the package or module, and the
+    first line of its docstring.
+    """
     file = name.replace(".", "/")
     paths = [root / part / (file + end) for part in ("", "site") for end in ("/__init__.py", ".py")]
     path = next(path for path in paths if path.exists())

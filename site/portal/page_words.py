@@ -9,13 +9,13 @@ from html.parser import HTMLParser
 
 VOID = {"area", "br", "col", "hr", "img", "input", "link", "meta", "source", "wbr"}
 HEADS = {"h1", "h2"}
-APART = {"nav", "svg", "script", "select", "summary"}  # elements without text to read
+APART = {"nav", "svg", "script", "select", "summary"}  # HTML elements whose text is not read
 MOST = 4000  # greatest number of letters of a section in the index
 
 
 @dataclass
 class Part:
-    """A section of a page. The part before the first section has no anchor."""
+    """A section of a page. The text before the first section is a part with an empty anchor."""
 
     anchor: str
     title: str = ""

@@ -1,4 +1,4 @@
-"""The list of all pages, and the pages that list elements of one kind."""
+"""Makes the list of all pages, and pages that list all elements of a kind, such as all tests."""
 
 from __future__ import annotations
 
@@ -58,13 +58,14 @@ from traceability.schema import (
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: each logic module may use the target
-FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")  # of the roles
-EXAMPLE = "FR-15"  # the example of the first page
+# Order of the families of roles in the list of roles on the page of a pattern application.
+FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")
+EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """Yields the pages of a part. The pages are divided into ``parts`` parts, because each process
-    builds only a part.
+    """Yields one part of the pages: part number ``part`` of ``parts`` parts. Each process builds
+    only one part.
     """
     for make in islice(_makers(portal), part, None, parts):
         yield make()
@@ -108,8 +109,9 @@ def page_titles(portal: Portal) -> dict[str, str]:
 
 
 def view_of(name: str) -> Callable[[Portal], dict[str, Any]]:
+    """Returns the function that computes the values for the template of a navigation entry."""
     if name not in VIEWS:
-        raise LookupError(f"VIEWS in site/portal/pages.py has no line for the entry {name}")
+        raise LookupError(f"VIEWS in site/portal/pages.py has no value for the entry {name}")
     return VIEWS[name]
 
 
@@ -135,7 +137,9 @@ def home_page(portal: Portal) -> Page:
 
 
 def best_method(portal: Portal, requirement: Requirement) -> Method | None:
-    """Returns the deepest method of the tree that satisfies the requirement."""
+    """Returns the last method of the invocation tree that satisfies the requirement. If no method
+    satisfies the requirement, returns the last method. Methods without a body are skipped.
+    """
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     methods = [m for m in (real_method(portal, node) for _, node in reversed(nodes)) if m]
     satisfying = [m for m in methods if requirement.id in m.satisfies]
@@ -160,7 +164,9 @@ def products(portal: Portal) -> dict[str, Any]:
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
-    """Returns the number of public methods and tests, and the number without a requirement."""
+    """Returns a row for the public methods and a row for the tests. A row contains the number of
+    these items, and the number of items without a requirement.
+    """
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)
@@ -189,7 +195,9 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 
 
 def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
-    """Returns the file of each diagram, and the page that shows it."""
+    """Returns for each diagram its PlantUML file, the address of the page that shows it, and its
+    title.
+    """
     sources = []
     for application in portal.model.patterns.values():
         page = portal.links.pattern(application.id) or ""
@@ -205,8 +213,8 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """Returns the interrupts and threads, the highest priority first. Modules that run in none of
-    them come last.
+    """Returns the execution contexts, such as interrupts and threads, with the highest priority
+    first. A context without a priority, such as the program after a reset, comes last.
     """
     contexts = portal.model.contexts.values()
     ordered = sorted(
@@ -249,7 +257,9 @@ def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
 
 
 def trees(portal: Portal) -> dict[str, Any]:
-    """Returns the trees by the sections of the requirements, with the values of their filters."""
+    """Returns the invocation trees of each section of the requirements. Also returns the values
+    that each tree has for the filters of the page.
+    """
     by_section: dict[str, list[Requirement]] = {}
     facets: dict[str, Facets] = {}
     for requirement in portal.model.requirements.values():
@@ -271,6 +281,10 @@ def suites(portal: Portal) -> dict[str, list[str]]:
 
 @dataclass
 class UseRow:
+    """A use of a logic module by another logic module. ``why`` is the reason why the design allows
+    the use. The code contains the use at ``places`` places; ``first`` lists at most two of them.
+    """
+
     source: str
     target: str
     why: str | None
@@ -295,8 +309,8 @@ def use_rows(portal: Portal) -> list[UseRow]:
 
 
 def uses(portal: Portal) -> dict[str, Any]:
-    """Returns the uses as rows and as the cells of a matrix. The modules of the matrix are in the
-    order of the structure.
+    """Returns the uses as rows and as the cells of a matrix. The matrix lists the logic modules in
+    the order of the module structure.
     """
     rows = use_rows(portal)
     named = {name for row in rows for name in (row.source, row.target)}

@@ -117,8 +117,9 @@ def kind_of(name: str) -> str:
 
 @dataclass
 class FamilyMember:
-    """A module in a family of subclasses: the methods that it adds, and the methods that it
-    overrides."""
+    """A module in a family of subclasses. Its methods are divided into new methods (``own``),
+    overridden methods, and methods that it inherits unchanged.
+    """
 
     module: Module
     depth: int

@@ -1,4 +1,4 @@
-"""The table of pins for a page, read from the table that is compiled into the firmware."""
+"""Makes the table of pins for a page from the C++ table that is compiled into the firmware."""
 
 from __future__ import annotations
 
@@ -24,7 +24,9 @@ class PinMapError(ValueError):
 
 
 def pin_map(root: Path) -> str:
-    """Returns the table of pins as comma-separated values. The first line contains the titles."""
+    """Returns the table of pins as comma-separated values. The first line contains the titles of
+    the columns.
+    """
     text = (root / HEADER).read_text(encoding="utf-8")
     rows = list(entries(text, roles(text)))
     if not rows:

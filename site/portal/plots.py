@@ -14,7 +14,8 @@ from traceability.schema import HOST, Curve, LoopPlot
 
 WIDTH, HEIGHT = 1000, 300
 TICKS = 5
-ROBOT = "robot"  # the source of the values of a recording, in place of a target of the simulator
+# Source of a curve from a recording. A curve from a simulation has the name of a target instead.
+ROBOT = "robot"
 SOURCES = {HOST: "host", ROBOT: "robot"}  # CSS classes of the curves
 WORDS = {"set_point": "set-point", "measured": "measured", "truth": "truth"}
 
@@ -65,7 +66,7 @@ class Drawing:
     x: list[Tick]
     y: list[Tick]
     lines: list[Line]
-    words: str  # description for a reader without sight
+    words: str  # description for readers who cannot see the drawing
     marks: list[Mark] = field(default_factory=list)
     width: ClassVar[int] = WIDTH
     height: ClassVar[int] = HEIGHT
@@ -108,7 +109,9 @@ def words_of(curve: Curve) -> str:
 
 
 def axis(low: float, high: float, *, rounded: bool) -> Axis:
-    """Returns an axis with some round values. If it is rounded, its ends are also round values."""
+    """Returns an axis from ``low`` to ``high``, with some round values on it. If ``rounded`` is
+    true, each end of the axis moves outwards to the next round value.
+    """
     span = high - low or 1.0
     high = low + span
     rough = span / TICKS

@@ -49,14 +49,17 @@ from traceability.schema import (
 SITE = Path(__file__).resolve().parents[1]
 
 OPERATION_STATES, READING_MODES = "operation-states", "reading-modes"
-# Modules that use a connection in the drawing of the first page.
+# The drawing of the first page marks a connection while one of these modules is called.
 CONNECTING = (
     *("OrderMessage", "ReportMessage", "RcBuffer", "FirstTimer", "WheelSystem", "DirSystem"),
     *("Wheel", "SteeringDevice", "VelSensor", "CntSensor", "DirSensor", "WheelController"),
     *("DirController", "MainController", "Mode", "OperationState"),
 )
-WITHOUT_TERMS = ("source_file", "home")  # pages that do not link the terms of the glossary
-LATER = {"doc-warning", "link-doc", "link-site"}  # known after Sphinx and on the finished site
+# Templates of the pages on which no term is linked to the glossary.
+WITHOUT_TERMS = ("source_file", "home")
+# These checks need the warnings of Sphinx or the finished site. Their results are therefore unknown
+# while the pages are written.
+LATER = {"doc-warning", "link-doc", "link-site"}
 # These checks need test results of the present sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
 
@@ -172,19 +175,23 @@ class Portal:
         return Page(name, title, body, nav, wide, bare)
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
-        """Returns the page of an entry of the navigation, with the values for its template."""
+        """Returns the page of a navigation entry. ``values`` computes the values for the template
+        of this page.
+        """
         entry = self.navigation.entries[name]
         page = entry.address.removesuffix(".html")
         return self.page(page, entry.title, name, name, **values(self))
 
     def _row_of(self, test: str) -> Markup:
-        """Returns the row of a test in a table. Many pages show the same row."""
+        """Returns the row of a test in a table. ``row_of`` stores the result, because many pages
+        show the same row.
+        """
         template = self.templates.get_template("test_row.html")
         return Markup(template.render(test=self.model.tests[test]))
 
     @functools.cached_property
     def runs_live(self) -> bool:
-        """Returns whether the module that runs the robot and its images were built."""
+        """Returns whether the WebAssembly module that runs firmware images in a page was built."""
         return (self.root / MODULE).exists()
 
     # ---- derived facts --------------------------------------------------------
@@ -199,13 +206,13 @@ class Portal:
         return sum(not self.is_later(check) for check in self.checks)
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
-        """Returns the nodes of a tree with their depth, from the root."""
+        """Returns the nodes of an invocation tree with their depths. The root is the first node."""
         below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
         return [(depth, node), *below]
 
     def element_targets(self) -> dict[str, str]:
-        """Returns the linked module of each element of the architecture, or "" when there is
-        none.
+        """Returns for each element of the architecture the address of the first module that
+        implements it. The address is "" if the model does not contain such a module.
         """
         modules = self.model.modules
         return {
@@ -217,8 +224,9 @@ class Portal:
         }
 
     def drawn_modules(self) -> list[str]:
-        """Returns the modules in the drawing of the first page, and the modules of its
-        connections."""
+        """Returns the modules that the live view of the first page marks in the drawing: the
+        modules of the states, and the modules in ``CONNECTING``.
+        """
         states = [
             module
             for name in (OPERATION_STATES, READING_MODES)
@@ -230,7 +238,9 @@ class Portal:
         ]
 
     def executed(self, requirement: Requirement) -> str:
-        """Returns the kind of the glyph of a tree: "none" if no test of the tree was recorded."""
+        """Returns "ok" if a test executed the invocation tree, "bad" if no recorded test executed
+        it, and "none" if no test was recorded.
+        """
         if requirement.runs:
             return "ok"
         measured = requirement.tree is not None and requirement.tree.ran is not None
@@ -244,8 +254,9 @@ class Portal:
         return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
     def showing(self, step: Transition) -> list[str]:
-        """Returns the tests that made a transition. The tests that verify a requirement of the
-        transition come first."""
+        """Returns the tests in which a transition occurred. Tests that verify a requirement of the
+        transition come first.
+        """
         tests = self.model.tests
         return sorted(
             (name for name in step.tests if name in tests),
@@ -273,8 +284,8 @@ class Portal:
         ]
 
     def stack_of(self, module: Module) -> tuple[int, str] | None:
-        """Returns the maximum stack use of the methods of a module in the deepest chain of calls of
-        a context [bytes], and the name of this context.
+        """Computes for each context the stack bytes that the methods of a module use in the deepest
+        chain of calls. Returns the greatest number, and the name of its context.
         """
         begin = f"{module.name}::"
         stack = self.model.stack
@@ -303,7 +314,9 @@ class Portal:
         return path
 
     def body_lines(self, place: Place | None) -> list[tuple[int, Markup]]:
-        """Returns the highlighted lines of a place, numbered."""
+        """Returns the source lines of a place as highlighted HTML, each with its line number.
+        Returns an empty list if there is no place.
+        """
         if place is None:
             return []
         lines = self.code.lines(place.file)
@@ -315,7 +328,7 @@ class Portal:
 
     @functools.cached_property
     def marks(self) -> dict[str, dict[int, list[str]]]:
-        """Returns for each file and line the methods and tests that begin there."""
+        """Returns for each file and source line the methods and tests that begin there."""
         marks: dict[str, dict[int, list[str]]] = {}
 
         def add(place: Place, name: str) -> None:
@@ -334,8 +347,8 @@ class Portal:
 
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
-        """Returns for each file and line the number of times that tests executed it. For the
-        virtual K64, the number shows only whether tests executed it.
+        """Returns for each file and source line how often tests executed the line. For a line that
+        was measured on the virtual K64, the number is only 1 (executed) or 0.
         """
         hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
@@ -353,8 +366,9 @@ class Portal:
         return [self.model.tests[name] for name in module.tests if name in self.model.tests]
 
     def own_tests(self, module: Module) -> list[Test]:
-        """Returns the tests to read first: the tests of the module's file, then the tests of the
-        requirements that it satisfies."""
+        """Returns the tests to read first: the tests in the test file of the module, then the tests
+        that verify a requirement which the module satisfies.
+        """
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         satisfied = {identifier for method in module.methods for identifier in method.satisfies}
         tests = self.tests_of(module)
@@ -365,8 +379,8 @@ class Portal:
         return [*own, *verifying]
 
     def source_of(self, source: SourceReference) -> Markup:
-        """Returns the document or safety goal from which a requirement was derived. It is a link if
-        the portal has a page for it.
+        """Returns the document or safety goal from which a requirement was derived. The result is a
+        link if the portal has a page for this document or goal.
         """
         if not source.kind:
             return self.names.text(source.name)
@@ -397,8 +411,8 @@ class Portal:
         return f"{', '.join(targets) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
-        """Returns the number of runs that passed, or ``None`` when there are no results of these
-        sources.
+        """Returns the number of test runs that passed. Returns ``None`` if there are no results of
+        the present sources.
         """
         runs = [run for test in tests for run in test.results.values()]
         if self.model.results_stale or not any(run.result for run in runs):
@@ -415,8 +429,8 @@ class Portal:
         return f"{passed}/{len(runs)}"
 
     def passed_on(self, binding: str) -> tuple[int | None, int]:
-        """Returns the number of passed tests on a target, if known, and the number of all its
-        tests.
+        """Returns the number of passed tests and the number of all tests on a target. The first
+        number is ``None`` if the results are stale.
         """
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
         is_fresh = not self.model.stale_on(binding)
@@ -426,12 +440,14 @@ class Portal:
         return sum(binding in requirement.runs for requirement in self.model.requirements.values())
 
     def runs(self, tests: Iterable[Test]) -> int:
-        """Returns the number of runs. A test counts once on each target that it is built for."""
+        """Returns the number of runs of the tests. A test has one run on each target for which it
+        is built.
+        """
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
-        """Returns the callers of a method: methods, nested classes, and first values of
-        constants.
+        """Returns links to the callers of a method. A caller can also be a nested class, or the
+        initialiser of a constant.
         """
         callers = []
         for name in method.called_by:
@@ -443,13 +459,15 @@ class Portal:
         return callers
 
     def computed_from(self, constant: str) -> list[Markup]:
-        """Returns the methods and constants that read a constant of the given instance."""
+        """Returns links to the methods and constants that use a constant. The constant is the
+        result of a method, and ``constant`` is the id of this method.
+        """
         methods = (method for module in self.model.modules.values() for method in module.methods)
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
-        """Returns the likely changes that a module hides. A change is also included if only a
-        variant of the change alters the module.
+        """Returns the likely changes that a module hides. The result also contains each change that
+        edits the module because the module implements one variant.
         """
         return [
             change.application
@@ -469,7 +487,9 @@ class Portal:
         ]
 
     def is_later(self, check: str) -> bool:
-        """Returns whether a check can only be decided after the pages are written."""
+        """Returns whether the result of a check is not known yet when the pages are written. A
+        check that already has a finding is decided.
+        """
         return check in LATER and not self.findings_of(check)
 
     def verdict_of(self, check: str) -> Markup:
@@ -491,6 +511,9 @@ class Portal:
         )
 
     def verdict_on(self, fault: Fault) -> Markup:
+        """Returns the verdict on a seeded fault: whether the expected check found the fault, and
+        whether the compiler behaved as the fault declares.
+        """
         outcome = self.outcome_of(fault)
         if outcome is None:
             return names.glyph("none", "not seeded")

@@ -73,8 +73,8 @@ def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
 
 
 def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
-    """Returns the links of a recorded method. An inherited method has the links of the method that
-    it inherits.
+    """Returns the links of a recorded method. If the class inherits the method, these are the links
+    of the method in the base class.
     """
     method = portal.links.find_method(name)
     if method is None:

@@ -20,7 +20,7 @@ from weeding_robot_client.mcap_file import TOPIC, read_mcap
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
 MS_OF_S = 1000
-VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # names in the reports
+VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # names of quantities in the reports
 # Values whose changes are listed.
 STATES = ("state", "mode", "source", "armed", "held", "inhibit", "stop_cause", "steering_state")
 
@@ -33,7 +33,7 @@ class RecordingError(Exception):
 
 @dataclass(frozen=True)
 class Change:
-    """A state that changed."""
+    """A change of one of the values in ``STATES`` from one report to the next report."""
 
     seconds: float
     name: str
@@ -45,8 +45,8 @@ class Change:
 
 
 def read_recording(path: Path) -> list[Values]:
-    """Returns the values of each report in a file. The client writes MCAP and CSV files; the player
-    of scenarios writes a table.
+    """Returns the values of each report in a file. The file is an MCAP or CSV file of the client,
+    or a CSV file of the scenario player, which has other columns.
     """
     if path.suffix == MCAP:
         return list(read_mcap(path))
@@ -61,8 +61,8 @@ def read_recording(path: Path) -> list[Values]:
 
 
 def raw_columns(report: Layout) -> set[str]:
-    """Returns the names of the columns in the table of a scenario. A number has the value that the
-    frame carries on the serial line, and each bit has a separate column.
+    """Returns the names of the columns in the CSV file of the scenario player. A number is stored
+    as in the frame, and each bit has a separate column.
     """
     bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {field.name for field in report.fields if not field.bits}

@@ -15,7 +15,7 @@ from portal.portal import Page, Portal
 from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
 
-MOST_BETWEEN = 4  # number of calls that are shown between two nodes of a tree
+MOST_BETWEEN = 4  # greatest number of calls that are shown one by one between two nodes of a tree
 
 
 def requirements(portal: Portal) -> dict[str, Any]:
@@ -45,7 +45,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
-    """Returns for each logic module at the top the number of its methods that satisfy the
+    """Returns for each top-level logic module the number of its methods that satisfy the
     requirement.
     """
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)

@@ -19,8 +19,8 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text and address of an entry, then further words. An answer has the words that
-# readers type. Other entries have the words of their text.
+# Group, key, title, text and address of an entry, and then more search words. For an answer, these
+# are the words that readers type. For another entry, these are the words of its text.
 Entry = tuple[str, ...]
 ANSWERS = "Answers"
 # Group of entries -> the kind in Sphinx's inventory.
@@ -36,7 +36,7 @@ NAMED = {
 }
 
 
-# Pages without entries for their sections, because the texts of these sections have other entries.
+# Pages whose sections have no entries, because other entries already contain their texts.
 LISTS = {
     *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
     "structure",
@@ -45,8 +45,8 @@ LISTS = {
 
 
 def script(portal: Portal) -> str:
-    """Returns the data that every page loads. They are a script, because a page that is opened
-    without a server can load scripts only.
+    """Returns the data that every page loads, as a script. A page that is opened without a server
+    can load scripts, but no data files.
     """
     modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
     tours = {tour.id: asdict(tour) for tour in portal.tours}
@@ -68,7 +68,9 @@ def index_script(portal: Portal, bodies: Path) -> str:
 
 
 def with_words(entry: Entry, words: dict[str, str]) -> list[str]:
-    """Returns an entry with a seventh part: the phrases that readers type for it, with commas."""
+    """Returns an entry of seven parts. The sixth part contains the words of the text. The seventh
+    part contains the phrases that readers type, separated by commas.
+    """
     group, key, title, text, address, *rest = entry
     own = rest[0] if rest else ""
     typed = words.get(address, "")
@@ -83,7 +85,9 @@ def assigned(name: str, data: object) -> str:
 
 
 def listed(name: str, separator: str) -> list[list[str]]:
-    """Returns the parts of each line of a file, without empty lines and comments."""
+    """Returns the parts between the separators for each line of a file. Empty lines and comments
+    are left out.
+    """
     lines = (SITE / name).read_text(encoding="utf-8").splitlines()
     used = (line for line in lines if line[:1] not in ("", "#"))
     return [[part.strip() for part in line.split(separator)] for line in used]
@@ -221,8 +225,8 @@ def paper_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def written_entries(portal: Portal) -> Iterator[Entry]:
-    """Yields the sections of the hand-written pages, with all their words, and the terms they
-    define.
+    """Yields the sections of the hand-written pages with all their words, and the terms of the
+    glossary.
     """
     for doc in portal.docs:
         source = (portal.root / f"{doc.id}.rst").read_text(encoding="utf-8")
@@ -249,7 +253,9 @@ def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:
-    """Returns the links that the roles insert: role -> name of an element -> HTML of the link."""
+    """Returns the links that Sphinx roles such as ``:module:`` insert into hand-written pages: role
+    -> name of an element -> HTML of the link.
+    """
     model, links, names = portal.model, portal.links, portal.names
     methods = {
         f"{module.name}::{method.name}"

@@ -12,13 +12,14 @@ from docutils.nodes import make_id
 from portal.navigation import Entry, is_underline
 
 NAMED = re.compile(r"(?::[\w-]+:)?`([^`<]*?)\s*(?:<[^`]*>)?`_{0,2}")
-# Directives, their options, labels, and the markup of tables and lists.
+# Matches directives, their options, labels, and the markup of tables and lists.
 MARKS = re.compile(r"^\s*(?:\.\. .*|:[\w-]+:(?!`).*|[= ]+|\* - |- |\* )", re.MULTILINE)
 
 
 # Matches a term of a glossary and its explanation.
 TERM = re.compile(r"^   (\S.*)\n((?:\n? {6}.*\n)+)", re.MULTILINE)
-TERM_MARKS = re.compile(r"[^A-Za-z0-9._]+")  # as Sphinx makes the anchor of a term
+# Characters that Sphinx replaces by "-" in the anchor of a term.
+TERM_MARKS = re.compile(r"[^A-Za-z0-9._]+")
 
 
 @dataclass

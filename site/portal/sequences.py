@@ -1,5 +1,5 @@
-"""Sequence diagrams of recorded calls. They show the calls between modules that belong to the
-invocation trees of chosen requirements.
+"""Draws sequence diagrams of recorded calls from one module to another. A diagram shows only calls
+in the invocation trees of chosen requirements.
 """
 
 from __future__ import annotations
@@ -66,7 +66,9 @@ class Message:
 
 @dataclass(frozen=True)
 class Loop:
-    """A group of messages, and the number of times that it occurs without a message between."""
+    """A group of messages that occurs several times without another message in between. ``times``
+    is the number of occurrences.
+    """
 
     times: int
     messages: tuple[Message, ...]
@@ -185,8 +187,8 @@ def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
 
 
 def _repetition(messages: list[Message], at: int) -> tuple[int, int]:
-    """Returns the length of the repeated group that begins at ``at``, and its number of
-    repetitions. Of several groups, the group that covers the most messages is chosen.
+    """Returns the length of the repeated group that begins at ``at``, and the number of its
+    occurrences. If several groups begin there, the group that covers the most messages is chosen.
     """
     best, times = 1, 1
     for length in range(1, LONGEST + 1):
@@ -228,7 +230,7 @@ def sequence_diagram(
     lines = [*common, *_look()]
     lines += [_participant(name, links) for name in ordered]
     for cycle in cycles:
-        alike = f": {cycle.times} cycles alike" if cycle.times > 1 else ""
+        alike = f": {cycle.times} equal cycles" if cycle.times > 1 else ""
         lines.append(f"== {round(cycle.begin / 1e6, ROUND)} ms{alike} ==")
         for part in cycle.parts:
             if isinstance(part, Loop):

@@ -18,7 +18,8 @@ from portal.glossary_links import GLOSSARY, GlossaryLinks
 from portal.links import ROOT, depth_prefix
 
 LOGGER = logging.getLogger(__name__)
-NAMES = "names.json"  # file in the folder of the sources: kind, name and address of each element
+# File in the source folder of Sphinx. It contains the kind, name and address of each element.
+NAMES = "names.json"
 
 
 class NameRole(SphinxRole):
@@ -64,7 +65,8 @@ def load(app: Sphinx) -> None:
     links = Path(app.srcdir) / "links.json"
     for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
         app.add_role(kind, NameRole(targets), override=True)
-    # Only builders of HTML have this attribute, and no other builder is used.
+    # The portal has its own search. Only HTML builders have this attribute; Sphinx uses no other
+    # builder here.
     app.builder.search = False  # type: ignore[attr-defined]  # of the HTML builder
 
 

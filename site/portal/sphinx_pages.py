@@ -56,9 +56,10 @@ INCLUDED = (
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
 )
-FRAME = "frame.txt"  # the layout of all pages around their bodies
+FRAME = "frame.txt"  # file with the layout and the navigation that surround each body
 INDEX = "search_index.js"
 BODIES = "_bodies"  # folder below the pages: bodies from templates, without the layout
+# Matches XML elements that Doxygen writes and that Breathe does not support.
 UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>", re.DOTALL)
 
 
@@ -182,7 +183,7 @@ def run_sphinx(
     portal: Portal, pages: Path, site: Path, made: Callable[[], list[Page]]
 ) -> list[Finding]:
     cache = portal.root / "build" / "pages-cache"
-    sound = cache / "sound-docs"  # lists the pages that were read without a warning
+    sound = cache / "sound-docs"  # hash of the pages if Sphinx read all of them without a warning
     docs = hash_of(pages, files_below(pages, ("docs", "_generated", "links.json")))
     collector = WarningCollector(portal.root, pages)
     with patch_docutils(), docutils_namespace():

@@ -37,12 +37,14 @@ class WarningCollector(io.StringIO):
     def _finding(self, match: re.Match[str]) -> Finding:
         text = re.sub(r" \[[a-z._-]+\]$", "", match["text"])
         is_link = any(text.startswith(start) for start in LINKS)
-        fix = "name a target that exists" if is_link else "correct the page as in the message"
+        fix = "name a target that exists" if is_link else "correct the page; see the message"
         place = Place(self._source(match["file"] or "site"), int(match["line"] or 0))
         return Finding(place, "link-doc" if is_link else "doc-warning", text, fix)
 
     def _source(self, file: str) -> str:
-        """Returns the path of the hand-written page. A warning names the copy that Sphinx reads."""
+        """Returns the path of the hand-written page that causes a warning. ``file`` is the path of
+        the copy that Sphinx reads.
+        """
         path = Path(file)
         for base in (self.pages, self.root):
             if path.is_relative_to(base):

@@ -13,7 +13,9 @@ TOURS = Path("design/tours.toml")
 
 @dataclass
 class Tour:
-    """A tour through the pages. Each stop names the address of a page and a task for the reader."""
+    """A tour through the pages. Each stop has the address of a page, and a task for the reader.
+    ``action`` is a command to try at the end, with its effect.
+    """
 
     id: str
     title: str

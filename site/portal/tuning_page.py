@@ -10,7 +10,7 @@ from traceability.model.design_model import Model
 from traceability.schema import Constant, Method
 
 ROBOT = "SystemConstants"  # the module with the values that several modules read
-# The folders of the modules that control, measure or limit.
+# The folders of the modules that control, measure or limit values.
 CONTROL = (
     "src/wheel_control/",
     "src/steering_control/",
@@ -23,7 +23,9 @@ CONTROL = (
 
 @dataclass(frozen=True)
 class Value:
-    """A named constant of a module. ``chosen_for`` lists the values to which it was tuned."""
+    """A named constant of a module. ``chosen_for`` lists the other constants on which its value
+    depends.
+    """
 
     name: str
     constant: Constant
@@ -44,7 +46,7 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
 
 
 def control_values(model: Model) -> dict[str, list[Value]]:
-    """Returns for each module its named constants that have a unit or were tuned to a value."""
+    """Returns by module the named constants that have a unit or depend on another constant."""
     values: dict[str, list[Value]] = {}
     for name, constant in model.constants.items():
         chosen_for = [

@@ -43,7 +43,9 @@ def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
 
 @dataclass
 class Bar:
-    """A row of the chart: the lines that the tests of a section's requirements executed."""
+    """A row of the chart: the source lines and branches that the tests of the requirements in one
+    section executed.
+    """
 
     section: str
     host_lines: Share | None
@@ -52,7 +54,9 @@ class Bar:
 
 
 def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
-    """Returns the rows of the chart. A method in several trees is counted in each tree."""
+    """Returns the rows of the chart, one for each section. A method in several invocation trees is
+    counted once for each tree.
+    """
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def write_changed(path: Path, content: str | bytes) -> None:
-    """Writes a file only if its content changes. Sphinx reads a file again if its time is newer."""
+    """Writes a file only if its content changes, because Sphinx reads each newer file again."""
     data = content.encode() if isinstance(content, str) else content
     if path.is_file() and path.read_bytes() == data:
         return

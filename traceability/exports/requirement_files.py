@@ -188,8 +188,8 @@ def _add_values(objects: ET.Element, kind: str, name: str, values: dict[str, str
 
 
 def _sections(items: list[TraceItem]) -> Iterable[tuple[str, list[TraceItem]]]:
-    """Returns the sections with their requirements, in the order of the model. A section occurs
-    twice if other requirements are between its requirements."""
+    """Returns the sections with their requirements, in the order of the model. If a requirement of
+    another section is between the requirements of a section, this section occurs twice."""
     requirements = [item for item in items if item.kind == REQUIREMENT]
     for number, (section, group) in enumerate(
         groupby(requirements, lambda item: item.values["section"]), 1

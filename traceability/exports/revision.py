@@ -22,7 +22,7 @@ WORDS = 8  # number of unchanged words that are shown before and after a change 
 
 @dataclass(frozen=True)
 class RequirementState:
-    """A requirement in a commit. ``state`` is the verdict. It is empty if there was no report with
+    """A requirement in a commit. ``state`` is the verdict, or "" if there was no report with
     verdicts."""
 
     text: str
@@ -49,7 +49,7 @@ class Revision:
     metrics: Mapping[str, float | None] = field(default_factory=dict)
 
 
-# ---- making and keeping ----------------------------------------------------------
+# ---- making and storing summaries ------------------------------------------------
 
 
 def revision_of(
@@ -104,7 +104,7 @@ def read_revision(root: Path, commit: str) -> Revision | None:
     return read_record(path_of(root, commit), Revision)
 
 
-# ---- comparing -------------------------------------------------------------------
+# ---- comparing summaries ---------------------------------------------------------
 
 
 def differences(first: Revision, second: Revision) -> list[Difference]:

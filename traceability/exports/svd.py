@@ -9,15 +9,15 @@ from traceability.reading.register_table import Register, RegisterBlock, read_re
 
 NAME = "weeding_robot.svd"
 VERSION = "1.3"
-PAGE = 0x1000  # size [byte] of the address range that contains one block of registers
+PAGE = 0x1000  # size [byte] of the address range that contains most blocks of registers
 ACCESS = {
     "Read": "read-only",
     "Write": "write-only",
     "ReadWrite": "read-write",
     "Flags": "read-write",
 }
-# For each kind of block with several equal blocks, the names of these blocks. The table of
-# registers states the distance between their addresses.
+# Name of a block of registers that exists several times -> names of the copies. The table of
+# registers states the distance between the addresses of two copies.
 PORTS = tuple("ABCDE")
 INSTANCES = {"port": PORTS, "gpio": PORTS, "adc": ("0", "1"), "uart": ("0", "4")}
 

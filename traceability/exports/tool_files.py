@@ -43,7 +43,7 @@ FILES = (
     ),
     ToolFile(
         requirement_files.NEEDS,
-        "The same items as needs of sphinx-needs.",
+        "Requirements, tests and methods with their links, as needs of sphinx-needs.",
         lambda _root, model, report: requirement_files.needs_text(model, report),
     ),
     ToolFile(
@@ -53,7 +53,8 @@ FILES = (
     ),
     ToolFile(
         junit_tests.NAME,
-        "The results of the tests in the form of JUnit, with a property for each requirement.",
+        "The results of the tests in the JUnit format. Each test has a property for each "
+        "requirement that it verifies.",
         lambda _root, model, report: junit_tests.junit_text(model, report),
     ),
     ToolFile(

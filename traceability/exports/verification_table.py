@@ -23,8 +23,8 @@ SCHEMA = "verification.schema.json"
 
 @dataclass(frozen=True)
 class ReviewResult:
-    """The review of a requirement by a person. ``holds`` is false if a reviewed text has changed
-    since."""
+    """The review of a requirement by a person. ``holds`` is true if the review is valid and no
+    reviewed text has changed since."""
 
     reviewer: str
     date: str
@@ -85,7 +85,7 @@ class VerifiedRequirement:
 @dataclass(frozen=True)
 class Verification:
     """The verification of all requirements. ``justified`` lists the source lines that no test
-    executes for a stated reason."""
+    executes, with the reasons."""
 
     commit: str
     sources: str

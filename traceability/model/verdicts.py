@@ -55,7 +55,7 @@ def _reasons(
     if requirement.by_calls and not requirement.satisfied_by:
         reasons.append("no method satisfies it")
     if not requirement.evidence and not requirement.verified_by:
-        reasons.append("no test verifies it")
+        reasons.append("no test verifies this requirement")
     for result, words in (("failed", "failed"), ("skipped", "skipped"), (None, "did not run")):
         for binding in BINDINGS:
             tests = [n for n in requirement.verified_by if binding in model.tests[n].gave(result)]

@@ -53,7 +53,8 @@ class SilentFact:
     a comment."""
 
     name: str
-    # last source line of a variable; the comment of the variable may be at the end of this line
+    # For a variable, this place includes its last source line, because a comment may be at the end
+    # of this line.
     place: Place
 
 
@@ -88,12 +89,12 @@ class CallFact:
     on: list[str] = field(default_factory=list)
     # for each argument, the places (see flow.py) that the argument names
     args: list[list[str]] = field(default_factory=list)
-    # True if the call is in a branch of a condition, or after a condition that may leave the
+    # True if the call is in a branch of a condition, or if a condition before the call may end the
     # function.
     sometimes: bool = False
     repeated: bool = False  # True if the call is in a loop.
-    # Offset of the end of the call in the file. Sorted by this offset, the calls in the arguments
-    # come before the call itself.
+    # Offset of the end of the call in the file. If calls are sorted by this offset, the calls in
+    # the arguments of a call come before the call itself.
     end: int = 0
     # operands of the conditions that the code evaluates before the call (see conditions.py)
     asked: list[str] = field(default_factory=list)
@@ -156,7 +157,8 @@ class IncludeFact:
 
 @dataclass
 class ConstantFact:
-    """A constant, or an operation that returns a constant. A text can refer to it by ``name``."""
+    """A constant, or an operation that returns a constant. A text can refer to the constant by
+    ``name``."""
 
     name: str
     number: int

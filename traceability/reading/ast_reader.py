@@ -114,11 +114,11 @@ class Reader:
         self.chances = 0  # number of conditions that enclose the present statement
         self.loops = 0
         self.initialised = ""  # the constant or data member whose initialiser is being read
-        # true if an earlier condition may have left the function before the present statement
+        # true if an earlier condition may end the function before the present statement
         self.left = False
         # operands of the conditions that enclose the present statement
         self.asked: list[list[str]] = []
-        # operands of the earlier conditions that may have left the function
+        # operands of the earlier conditions that may end the function
         self.left_by: list[str] = []
 
     def relative(self, name: str) -> str | None:
@@ -686,8 +686,8 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """Returns whether a source file declares a name that belongs to another file, instead of
-    including the header with this name."""
+    """Returns whether a source file declares a name of another file again, instead of including the
+    header that declares this name."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
@@ -828,8 +828,8 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # The id marks a function of the library that is already prepared.
-        _library.bound = True  # type: ignore[attr-defined]  # a mark on the function
+        # This attribute shows that the types of the library functions are already declared.
+        _library.bound = True  # type: ignore[attr-defined]  # an attribute of the function
     return library
 
 

@@ -104,8 +104,8 @@ def read_comparison(root: Path) -> dict[str, Any] | None:
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
-    """Returns the difference between the designs in per cent: how much the value of the pattern
-    design is higher than the value of the baseline design."""
+    """Returns by how many per cent the value of a metric is higher in the pattern design than in
+    the baseline design. Returns None if the value in the baseline design is 0."""
     usual, patterns = figures[USUAL][key], figures[PATTERNS][key]
     return 100 * (patterns / usual - 1) if usual else None
 
@@ -121,7 +121,7 @@ def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[st
     """Returns the functions of both designs. The function with the greatest difference between the
     designs is the first.
 
-    A function is left out if its numbers differ by less than a limit in both designs.
+    A function is left out if this difference is less than ``least``.
     """
     names: Iterable[str] = functions[USUAL].keys() | functions[PATTERNS].keys()
     rows = []

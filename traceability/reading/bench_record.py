@@ -30,10 +30,10 @@ TIMINGS = {
     MANUAL: "no wait states",
     SLOW: "slow flash",
 }
-CYCLES = 1000
+CYCLES = 1000  # number of measured control cycles in a scenario
 PERIOD_MS = 100
 SPEED_GOAL = 100  # required speed of the simulation: simulated time divided by real time
-SHARE = 10  # target: the time may be at most this fraction of the time in the paper
+SHARE = 10  # target: the measured time is at most the time in the paper divided by this number
 LIBRARY = "C and C++ library"
 ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
 LINES = {
@@ -92,7 +92,7 @@ SCENARIOS = (
     ),
     Paper(
         "steps_and_steering",
-        "the same, with the steering between the extremes",
+        "0 to 300 rpm and back, with the steering between the extremes",
         "The wheel velocity setpoints are as in the previous test while the steering setpoints "
         "constantly go back and forth between the extreme left and right positions.",
         2.67,
@@ -126,8 +126,8 @@ def orders_in(text: str) -> list[Order]:
 
 
 def measured_orders(text: str) -> list[Order]:
-    """Returns the order that the scenario sends in each measured cycle. Only the last cycles of a
-    scenario are measured."""
+    """Returns the order that the scenario sends in each measured cycle. Only the last ``CYCLES``
+    cycles of a scenario are measured."""
     each = [
         order for order in orders_in(text) for _ in range(order.first, order.last + 1, PERIOD_MS)
     ]
@@ -162,7 +162,7 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
     """Computes the numbers of a run from the measurements of the board program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
-        raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
+        raise ValueError(f"{sum(raw['reported'])} cycles have a report, but {CYCLES} must have one")
     per_ms = raw["clock_hz"] / 1000
     times = [cycles / per_ms for cycles in raw["report_cycles"]]
     starts = raw["start_cycles"]

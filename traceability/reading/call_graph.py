@@ -37,7 +37,7 @@ SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
 @dataclass
 class Function:
     """A function of the firmware image. ``frame`` is the size of its stack frame in bytes. If
-    ``dynamic`` is true, the size depends on the run and has no known bound."""
+    ``dynamic`` is true, the real size is known only at run time, and has no known bound."""
 
     symbol: str
     name: str

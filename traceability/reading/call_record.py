@@ -52,7 +52,7 @@ class Activation:
     raised: int
     begin: int
     end: int
-    below: int  # number of the activation that this activation interrupted
+    below: int  # number of the activation that this activation interrupted; -1 without one
 
     @property
     def line(self) -> int:
@@ -129,13 +129,13 @@ class _Reader:
         self.active: list[int] = []
         self.open: dict[
             int, list[tuple[int, int]]
-            # activation -> its open calls: the address, and the number of the span or -1 for a call
-            # that is not shown
+            # activation -> the calls that have not returned. Each call has its address and the
+            # number of its span; the number is -1 if the call has no span.
         ] = {}
         self.raised: dict[int, int] = {}
         self.closing = (
-            # number of return events that will still follow for calls which already ended together
-            # with their activation
+            # number of the next return events to ignore: their calls were already closed when the
+            # activation ended
             0
         )
 

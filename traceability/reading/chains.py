@@ -130,8 +130,8 @@ def _contains(recording: Recording, outer: Step, name: str, after: int) -> bool:
 
 
 def _places(name: str, recording: Recording, after: int, outer: Step | None) -> Iterator[Step]:
-    """Yields the calls or events in the recording that match a step and do not begin before a time.
-    If ``outer`` is a call, only the calls inside this call are considered."""
+    """Yields the calls or events in the recording that match a step and do not begin before the
+    time ``after``. If ``outer`` is a call, only the calls inside this call are considered."""
     kind, _, rest = name.partition(" ")
     if kind in BYTES:
         yield from _field_places(name, recording, kind, rest, after)

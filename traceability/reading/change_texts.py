@@ -13,8 +13,8 @@ FILE = Path("design/changes.toml")
 
 @dataclass
 class Recipe:
-    """The recipe of a pattern: the steps that make a likely change of an application of this
-    pattern. All roles are roles of the pattern."""
+    """The recipe of a pattern: the steps that make a likely change where this pattern is used.
+    ``alters``, ``adds`` and ``derives`` name roles of the pattern."""
 
     pattern: str
     # Each module with one of these roles implements one variant. The change edits such a module.

@@ -3,8 +3,8 @@ line.
 
 A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration to which the
 syntax tree assigns it, or to the test macro below it. In a ``.dox`` file, a tag of the comment
-names the described object. The texts are plain text, which may contain `names` in backticks and
-lists.
+names the described element, such as a requirement. The texts are plain text, which may contain
+`names` in backticks and lists.
 """
 
 from __future__ import annotations
@@ -182,7 +182,7 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 def read_comments(file: str, text: str) -> Iterator[Comment]:
     """Yields the documentation comments of a file."""
     block: list[str] = []
-    # line number of the block; true if the comment is after its declaration
+    # first line number of the block; whether the block is after its declaration
     start, behind = 0, False
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)

@@ -20,8 +20,9 @@ INTEGER = 1  # kind that libclang gives to an integer that it evaluated
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """Returns the names by which a text can refer to a constant. Each name begins with the class of
-    the constant. If the constant is outside classes, each name begins with the file."""
+    """Returns the names by which a text can refer to a constant. For a constant of a class, this is
+    the name with the class before it. For another constant, these are the plain name, and the name
+    with the name of the file before it."""
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]
@@ -127,7 +128,8 @@ def unit_in(comment: str | None) -> str:
 
 
 def evaluated(expression: Cursor) -> int | None:
-    """Returns the value of an expression that the compiler can compute."""
+    """Returns the value of an integer expression. Returns None if the compiler cannot compute
+    it."""
     library = _library()
     result = library.clang_Cursor_Evaluate(expression)
     if not result:

@@ -76,7 +76,7 @@ class KnownPattern:
 
 @dataclass
 class SharedFunctions:
-    """A file with functions that several modules of a folder use. It belongs to no module."""
+    """A file with functions that several modules of a folder use. The file belongs to no module."""
 
     file: str
     why: str
@@ -121,7 +121,7 @@ class Declared:
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
-    # text: how to fix the finding
+    # place and text of each problem, and a text that explains how to fix the problem
     tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
@@ -329,7 +329,7 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
-            fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * after it"
+            fix = "write 'FR-n', or an indented 'Class::method'; only ? or * may follow it"
             declared.tree_errors.append(
                 (
                     place,

@@ -40,7 +40,7 @@ class DoxygenRun:
 
     root: Path
     xml: Path
-    record: Path  # file with the hash of the inputs and the output of Doxygen
+    record: Path  # file with the output of Doxygen, and with the hash of the inputs
     state: str
     process: subprocess.Popen[bytes] | None = None
 

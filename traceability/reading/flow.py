@@ -122,7 +122,7 @@ class FlowReader:
                 yield f"result {self.function(target)}"
                 return
             if not target.is_copy_constructor() and not target.is_move_constructor():
-                # A constructor makes a new object. The place that receives the object names it.
+                # A constructor makes a new object. The place that receives it identifies it.
                 return
         for child in cursor.get_children():
             yield from self._sources(child)
@@ -262,8 +262,8 @@ class FlowReader:
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:
     """Yields the types on which the statement makes a decision. A class is yielded if the statement
-    compares addresses of its objects. An enumeration is yielded if its number is compared, is the
-    subject of a switch, or is an index."""
+    compares addresses of its objects. An enumeration is yielded if the number of an enumerator is
+    compared, is the subject of a switch, or is an index."""
     children = list(cursor.get_children())
     if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
         if operator_of(cursor, children[0]) in COMPARISONS:

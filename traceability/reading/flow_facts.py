@@ -12,11 +12,10 @@ ENTRIES = "entries"  # this name means the number of calls of the method
 
 @dataclass(frozen=True)
 class Inequality:
-    """An inequality: the left side is at most the right side. A term without a counter is a
-    constant number."""
+    """An inequality in this form: the sum of the counters, each multiplied by its factor, is at
+    most ``most``."""
 
-    # counter -> factor; positive for a counter on the left side, negative for a counter on the
-    # right side
+    # counter -> factor; negative if the counter is on the right side of the inequality in the text
     factors: Mapping[str, int]
     most: int
 

@@ -95,8 +95,8 @@ class Graph:
 
     @functools.cached_property
     def branches(self) -> dict[int, tuple[str, Branch]]:
-        """Returns for each arc that is a branch the file and the branch. A block with several
-        leaving arcs ends with a branch. These arcs belong to the last line of the block."""
+        """Returns the file and the branch of each arc that is a branch. A block with several
+        leaving arcs ends with a branch. These arcs belong to the last source line of the block."""
         leaving, _ = self._sides()
         branches: dict[int, tuple[str, Branch]] = {}
         seen: dict[Line, int] = {}

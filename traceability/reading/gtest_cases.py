@@ -45,8 +45,8 @@ def read_tests(text: str) -> Iterator[Case]:
 
 
 def unknown_macros(text: str) -> Iterator[tuple[int, str]]:
-    """Yields the line number and the name of each unknown macro. The name of such a macro is like
-    the name of a test macro, but this reader cannot read it."""
+    """Yields the line number and the name of each unknown macro. An unknown macro has a name like a
+    test macro, but this reader does not support it."""
     for match in MACRO.finditer(text):
         if match[1] not in (*MACROS, *LISTS):
             yield text.count("\n", 0, match.start()) + 1, match[1]

@@ -63,8 +63,7 @@ def numbered(code: str) -> str:
 
 @functools.cache
 def requirements(text: str) -> list[tuple[str, str]]:
-    """Returns the ids of the requirements in a file. Each id has the complete text of its
-    requirement."""
+    """Returns the id and the complete text of each requirement in a file."""
     return [
         (part.tags[0].argument, part.source())
         for comment in read_comments("", text)
@@ -74,15 +73,14 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """Yields each documentation comment with the declaration below it. Each result has the lines of
-    the comment, the declaration, and both as one text."""
+    """Returns each documentation comment with the declaration below it. Each result has the numbers
+    of their source lines, the declaration, and both as one text."""
     return list(_specifications(text))
 
 
 @functools.cache
 def tests(text: str) -> list[tuple[str, str]]:
-    """Returns the ids of the tests in a file. Each id has the body of its test, without
-    comments."""
+    """Returns the id and the body of each test in a file. Comments in the body are left out."""
     return [(case.id, case.code) for case in read_tests(text)]
 
 

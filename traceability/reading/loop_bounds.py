@@ -26,9 +26,9 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True)
 class Bound:
-    """The maximum number of iterations of a loop. If ``in_all`` is true, it counts all iterations
-    in one call of the function. Otherwise, it counts the iterations after each entry of the loop.
-    """
+    """The maximum number of iterations of a loop. If ``in_all`` is true, ``rounds`` is the maximum
+    for one call of the function. Otherwise, ``rounds`` is the maximum for each time that the
+    program enters the loop."""
 
     rounds: int
     in_all: bool

@@ -32,7 +32,7 @@ def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
     return ports
 
 
-# All ports use the headers that are next to their folders.
+# The headers next to the folders of the ports belong to each port, because all ports use them.
 def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[str, Any]) -> Port:
     changed = Kit(folder.name, item["title"], Place("", 0))
     if (folder / PATCH).exists():

@@ -12,8 +12,8 @@ RECORD = RESULTS / "release.json"
 
 
 def release_metrics(root: Path, commit: str) -> dict[str, Any]:
-    """Returns whether the two builds of this commit gave files that are equal byte by byte. Returns
-    None if they were not compared."""
+    """Returns the metric that shows whether the two builds of this commit gave files that are equal
+    byte by byte. Returns an empty dictionary if the builds were not compared."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not commit or not record["commit"].startswith(commit):
         return {}

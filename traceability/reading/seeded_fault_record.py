@@ -1,5 +1,5 @@
-"""Reads and writes the results of the seeded faults. It detects whether the results belong to the
-present files."""
+"""Reads and writes the results of the seeded faults, and detects whether these results belong to
+the present files."""
 
 from __future__ import annotations
 

@@ -76,8 +76,8 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """Returns the class to which a piece of code belongs. All other code in the file of a class
-        also belongs to this class."""
+        """Returns the class to which a piece of code belongs. Code of a class that has no file of
+        its own belongs to the class with the name of the file."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 

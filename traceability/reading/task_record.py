@@ -1,4 +1,5 @@
-"""Reads the record of the build tasks. It shows which results belong to the present files."""
+"""Reads the record of the build tasks. The record shows which results belong to the present
+files."""
 
 from __future__ import annotations
 

@@ -137,14 +137,14 @@ class Entries:
         keys = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
-            text = f"the entry has no {key}, which is {_WORDS[needs[key]]}"
-            self.problems.append(Problem(place, text, "write the key, or correct its name"))
+            text = f"the key {key} is missing, or its value is not {_WORDS[needs[key]]}"
+            self.problems.append(Problem(place, text, "add the key, or correct its name or value"))
         for key in [key for key, value in item.items() if _is_blank(key, value)]:
             text = f"{key} is empty"
-            fix = "write its text, or remove the key"
+            fix = "add the missing text, or remove the key"
             self.problems.append(Problem(self.line_in(place, key), text, fix))
         for key in [key for key in item if key not in keys]:
-            text = f"the entry has the key {key}, which no reader uses"
+            text = f"the key {key} is unknown: no tool reads it"
             self.problems.append(Problem(self.line_in(place, key), text, "correct its name"))
             del item[key]
         return not missing
@@ -166,10 +166,10 @@ class Entries:
         return place
 
     def others(self) -> None:
-        """Reports each table and each name that no reader uses as a problem."""
+        """Reports each table and each top-level name that no tool reads as a problem."""
         for path, keys in self._asked.items():
             for name in self._read.get(path, {}).keys() - keys:
-                text = f"no reader uses the values under {name}"
+                text = f"the name {name} is unknown: no tool reads it"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
 
     def absent(self, files: Iterable[Path]) -> None:

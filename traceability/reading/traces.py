@@ -86,9 +86,8 @@ class Traces:
         """Yields each entry and exit of the named functions in the order of time. Yields (name,
         True) for an entry, and (name, False) for an exit.
 
-        ``turning`` are the functions after which repeated calls are interesting again. Repeated
-        calls that contain no such function are yielded once, and then again only after a call of
-        such a function.
+        Repeated calls that contain no function of ``turning`` are yielded only once. After a call
+        of a function of ``turning``, they are yielded once more.
         """
         events = self.events(test)
         calls = {address: [(name, True)] for address, name in names.items()}

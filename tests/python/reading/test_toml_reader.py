@@ -45,12 +45,22 @@ def test_a_sound_file_has_no_problem(tmp_path: Path) -> None:
     ("old", "new", "line", "text"),
     [
         ('"green"', '"green', 9, "lamps.toml is not valid TOML: "),
-        ('pins = ["PTA2"]\n', "", 8, "the entry has no pins, which is a list"),
-        ('pins = ["PTA2"]', 'pins = "PTA2"', 8, "the entry has no pins, which is a list"),
-        ("why =", "because =", 11, "the entry has the key because, which no reader uses"),
+        ('pins = ["PTA2"]\n', "", 8, "the key pins is missing, or its value is not a list"),
+        (
+            'pins = ["PTA2"]',
+            'pins = "PTA2"',
+            8,
+            "the key pins is missing, or its value is not a list",
+        ),
+        ("why =", "because =", 11, "the key because is unknown: no tool reads it"),
         ('"green"', '"red"', 8, "line 4 already has an entry with the name red"),
-        ("total =", "sum =", 1, "no reader uses the values under sum"),
-        ("[[lamp]]\nname = ", "[[lamps]]\nname = ", 4, "no reader uses the values under lamps"),
+        ("total =", "sum =", 1, "the name sum is unknown: no tool reads it"),
+        (
+            "[[lamp]]\nname = ",
+            "[[lamps]]\nname = ",
+            4,
+            "the name lamps is unknown: no tool reads it",
+        ),
         ("[[lamp]]\n", "[[ lamp ]]  # first\n", 0, ""),
     ],
 )
