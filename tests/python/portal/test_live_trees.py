@@ -113,4 +113,4 @@ def test_the_page_finds_the_trees_that_the_checks_find() -> None:
         assert got == [(row.method, row.depth, row.end, row.activation) for row in own]
         assert embedded == wanted, case
         found += wanted
-    assert 40 < found < 360, "the cases are too easy or too hard"
+    assert 40 < found < 360, "too few or too many runs contain their tree"

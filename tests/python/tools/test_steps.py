@@ -1,4 +1,4 @@
-"""The runner of steps."""
+"""The steps of a command: their output, their logs, and their failures."""
 
 import io
 import os
