@@ -42,7 +42,7 @@ class Node:
 
 
 class Recorded(Traces):
-    """Recorded calls that are generated at random."""
+    """Random calls in the form of recorded calls."""
 
     def __init__(self, calls: list[int]) -> None:
         names = {16 * (number + 1): f"M{number}" for number in range(METHODS)}

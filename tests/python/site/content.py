@@ -14,14 +14,14 @@ from lxml.html import HtmlElement, HTMLParser, fromstring
 
 SITE = Path(__file__).parents[3] / "build" / "site"
 FIRST = "index.html"
-LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of code
+LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of source files
 # Classes of elements for navigation: the side navigation, the path to the page, and the search.
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 
 @dataclass
 class Code:
-    """A text that is set as code. It may be in a link or in a listing."""
+    """The text of an element ``code``. It may be in a link or in a listing."""
 
     text: str
     linked: bool

@@ -1,5 +1,5 @@
-"""The simulated robot on the pages other than "Run the robot". In such a page, the firmware drives
-the robot, and the page highlights the calls of the firmware."""
+"""The simulated robot on the pages other than "Run the robot". The firmware drives the robot, and
+the pages highlight the calls of the firmware."""
 
 from __future__ import annotations
 
@@ -196,7 +196,8 @@ def test_a_parameter_has_a_kind_up_to_the_first_that_may_not_be_in_a_register(
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
-    """Both variants of the robot play the same scenario. Only one of them enters WaitingK."""
+    """Both variants of the robot play the same scenario. Only the variant with the warning light
+    enters the state WaitingK."""
     products = ["weeding_robot_paper", "weeding_robot_warning"]
     order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, order], 0)

@@ -36,8 +36,8 @@ REPORTS = 60
 PERIOD_MS = 100
 CHUNK_REPORTS = 200  # at least as many reports as a chunk of an MCAP file contains
 RESET = 30  # number of the first report after a reset; the time of the robot begins at 0 again
-# Chooses or drops a file. Returns the drawings, the changes, and, if the file was dropped, the
-# findings of axe.
+# Chooses a file, or drops it on the page. Returns the status, the drawings, the changes and the
+# width of the page. If the file was dropped, also returns the findings of axe.
 SHOW = """
 const files = new view.DataTransfer();
 const bytes = Uint8Array.from(atob(%CONTENT%), (letter) => letter.charCodeAt(0));

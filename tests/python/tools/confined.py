@@ -1,6 +1,6 @@
 """Environments in which ./wr must end with a message: a full disk, a folder that cannot be written,
-no network, and a user without rights. Each environment consists of Linux namespaces. The
-tests therefore change nothing else on the computer.
+no network, and a user without rights. Each environment consists of Linux namespaces. Outside
+these namespaces, the environment does not change the computer.
 """
 
 from __future__ import annotations

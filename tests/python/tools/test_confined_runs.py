@@ -1,5 +1,6 @@
-"""./wr when space on the disk, a writable folder, the network or rights are missing. Each message
-names the fault, the file or folder, and the next action. The run after the correction succeeds.
+"""./wr on a full disk, in a folder that cannot be written, without a network, and without rights.
+Each message names the fault, the file or folder, and the next action. The run after the correction
+succeeds.
 """
 
 from __future__ import annotations
@@ -66,7 +67,7 @@ def copy() -> Iterator[Path]:
 
 @pytest.mark.parametrize("size", ["4k", "8k", "12k", "16k", "20k", "24k", "28k"])
 def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size: str) -> None:
-    """The disk is mounted at build. The sources therefore need no space on it."""
+    """The small disk is mounted at the folder build. The sources are not on this disk."""
     write_sources(tmp_path, "text")
     (tmp_path / "build").mkdir()
     keep = tmp_path / "kept"
@@ -133,7 +134,7 @@ def test_set_up_of_a_user_without_rights_names_the_folder(copy: Path) -> None:
 
 
 def test_after_set_up_no_network_is_needed(tmp_path: Path) -> None:
-    """The set-up finds nothing to do, and the tasks run."""
+    """Without a network, the set-up finds nothing to do, and the tasks run."""
     write_sources(tmp_path, "text")
     for words in ([SOURCE / "wr", "setup"], command(tmp_path)):
         done = run(without_network(words))

@@ -25,7 +25,7 @@ RESULT = "build/results/tests.json"
 
 
 class Project:
-    """A small project with a program of two sources, its tests, a measurement, tools and pages."""
+    """A small project: a program, its tests, a measurement of the tests, tools and pages."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
