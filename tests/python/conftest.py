@@ -1,4 +1,4 @@
-"""The fixtures of all tests of the tools."""
+"""The fixtures and hooks of all Python tests."""
 
 import fcntl
 import os
@@ -58,8 +58,10 @@ def pytest_runtest_protocol() -> Generator[None, object, object]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, object]:
-    """Only a marked test may start a Python program. A test without the mark does not run again
-    after a change of a file that only such a program imports.
+    """Fails each test that starts a Python program and has no mark ``runs_tools``.
+
+    Without the mark, ./wr test repeats a test only after a change of a file that the test itself
+    imports. The started program can import other files.
     """
     result = yield
     if python_programs and not pyfuncitem.get_closest_marker("runs_tools"):

@@ -1,4 +1,4 @@
-"""The values of this build in the answers."""
+"""Answers to questions show values of the present build."""
 
 from __future__ import annotations
 

@@ -10,8 +10,8 @@ from tests.python.portal.fixture import make_model
 
 
 def test_callers_include_nested_classes_and_values_of_constants() -> None:
-    """The page leaves out a function that is not a method, a nested class, and a constant of a
-    module."""
+    """A nested class and a constant of a module are shown as callers. A function that belongs to no
+    module is not shown."""
     model = make_model()
     callers = ["MainController::read", "MainController::States::States", "Mode::kLimit", "helper"]
     rc = model.modules["RC"]

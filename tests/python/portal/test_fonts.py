@@ -1,4 +1,4 @@
-"""The font of the pages, as files for the program that measures the labels of diagrams."""
+"""The files with the font of the pages. A program measures the labels of diagrams with them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_a_font_keeps_its_tables_and_their_check_sums() -> None:
             tag, expected, offset, length = struct.unpack_from(">4sIII", font, 12 + 16 * number)
             table = bytearray(font[offset : offset + length] + b"\0" * (-length % 4))
             if tag == b"head":
-                table[8:12] = bytes(4)  # The check sum of the file does not include its own field.
+                table[8:12] = bytes(4)  # The check sum is computed with 0 in these bytes.
             assert sum(struct.unpack(f">{len(table) // 4}I", table)) % 2**32 == expected, tag
 
 

@@ -42,7 +42,7 @@ class Node:
 
 
 class Recorded(Traces):
-    """Recorded calls that are generated at random."""
+    """Random calls in the form of recorded calls."""
 
     def __init__(self, calls: list[int]) -> None:
         names = {16 * (number + 1): f"M{number}" for number in range(METHODS)}
@@ -113,4 +113,4 @@ def test_the_page_finds_the_trees_that_the_checks_find() -> None:
         assert got == [(row.method, row.depth, row.end, row.activation) for row in own]
         assert embedded == wanted, case
         found += wanted
-    assert 40 < found < 360, "the cases are too easy or too hard"
+    assert 40 < found < 360, "too few or too many runs contain their tree"

@@ -1,4 +1,5 @@
-"""The diagram of a state machine names its requirements, and fits the width of a page."""
+"""The diagram of a state machine shows the requirements of each transition, and fits the width of a
+page."""
 
 from __future__ import annotations
 

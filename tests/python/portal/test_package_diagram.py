@@ -1,4 +1,4 @@
-"""The diagram of the packages agrees with the contracts of the imports."""
+"""The diagram of the packages agrees with the rules for imports in pyproject.toml."""
 
 from __future__ import annotations
 

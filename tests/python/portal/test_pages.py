@@ -1,4 +1,4 @@
-"""The inputs of pages, and the contents of the pages of a small model."""
+"""The data from which pages are made, and the contents of the pages of a small model."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def pages(portal: Portal) -> dict[str, Shown]:
     return {page.name: read_page(page.body) for page in all_pages(portal)}
 
 
-# ---- inputs of pages ----------------------------------------------------------
+# ---- data of pages ------------------------------------------------------------
 
 
 def test_a_derived_class_overrides_operations_of_its_base(portal: Portal) -> None:

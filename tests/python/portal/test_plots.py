@@ -1,4 +1,4 @@
-"""Curves as drawings."""
+"""The conversion of curves to drawings."""
 
 import pytest
 

@@ -83,7 +83,9 @@ def test_the_pages_of_a_case_lead_to_each_other(tmp_path: Path) -> None:
 def test_the_page_of_a_goal_has_its_verdict(tmp_path: Path, state: str, words: str) -> None:
     found = pages(portal_of(tmp_path, state))
     assert words in found["safety/SG-1"].text
-    assert "not available" in found["safety/cost"].text, "there is no history"
+    assert "not available" in found["safety/cost"].text, (
+        "without a git history, the page must state that the cost is not available"
+    )
 
 
 def test_a_product_that_was_not_measured_has_no_difference() -> None:

@@ -1,4 +1,4 @@
-"""The site of a small model: its files, its warnings, and the effect of a second run."""
+"""The site of a small model: its files, its warnings, and the files that a second build writes."""
 
 from __future__ import annotations
 

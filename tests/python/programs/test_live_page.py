@@ -75,7 +75,7 @@ def look(
 ) -> dict[str, Any]:
     browser = find_browser()
     if browser is None or not works(browser):
-        pytest.skip("there is no browser on this machine")
+        pytest.skip("there is no browser on this computer")
     text = PAGE.replace("%PROBE%", probe).replace("%ADDRESS%", page + query)
     (site / "probe.html").write_text(text.replace("%WIDTH%", str(width)), encoding="utf-8")
     result = result_of(browser, site, "probe.html")

@@ -1,4 +1,5 @@
-"""Opens pages in a headless browser, and returns the results of a probe on them."""
+"""Opens pages in a headless browser, executes a probe (JavaScript) in each page, and returns the
+results."""
 
 from __future__ import annotations
 
@@ -64,7 +65,7 @@ def look(
 ) -> tuple[dict[str, Any], list[str]]:
     """Returns the result of the probe for each page, and the errors on the console.
 
-    A page is a name without a suffix. It may have a query.
+    Each page is named without the suffix ``.html``. A query may follow the name: ``index?q=mode``.
     """
     address, site = server
     values = {"PAGES": json.dumps(pages), "WIDTH": str(width), "PROBE": probe}

@@ -14,14 +14,14 @@ from lxml.html import HtmlElement, HTMLParser, fromstring
 
 SITE = Path(__file__).parents[3] / "build" / "site"
 FIRST = "index.html"
-LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of code
+LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of source files
 # Classes of elements for navigation: the side navigation, the path to the page, and the search.
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 
 @dataclass
 class Code:
-    """A text that is set as code. It may be in a link or in a listing."""
+    """The text of an element ``code``. It may be in a link or in a listing."""
 
     text: str
     linked: bool
@@ -33,14 +33,14 @@ class Content:
     """The links, the ids and the text of the content of a page."""
 
     links: list[str] = field(default_factory=list)
-    # id -> the part of the text that it names
+    # id -> begin and end of the text of the element with this id
     ids: dict[str, tuple[int, int]] = field(default_factory=dict)
     codes: list[Code] = field(default_factory=list)
     text: str = ""
 
 
 class Reader:
-    """Collects the content of the element ``main`` of a page, without navigation."""
+    """A reader of the element ``main`` of a page. It leaves out the navigation."""
 
     def __init__(self, page: str) -> None:
         self.page = page
@@ -119,8 +119,8 @@ def searched() -> list[list[str]]:
 
 @cache
 def clicks() -> dict[str, int]:
-    """Returns the number of clicks from the first page to each address. If a page is reached, all
-    its ids are reached. Links in a listing of code do not count.
+    """Returns the number of clicks from the first page to each page, and to each address that a
+    link names. The links on the pages of source code are not followed.
     """
     found = {FIRST: 0}
     read = {FIRST}

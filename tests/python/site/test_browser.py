@@ -25,7 +25,7 @@ PAGES = [
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
+    pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer"),
 ]
 
 
@@ -59,7 +59,8 @@ def test_no_page_scrolls_sideways(server: tuple[str, Path], width: int) -> None:
     assert {name: wide for name, wide in seen.items() if wide > width} == {}
 
 
-# Words in any order and with typing errors, searched from any page -> the page that is found first.
+# A page and the words that are typed into its search -> address of the first hit. The words are in
+# any order, and some have typing errors.
 SEARCHES = {
     "modules/RC?q=FR-15": "../requirements/FR-15.html",
     "index?q=mode": "modules/Mode.html",
@@ -151,7 +152,9 @@ def test_a_wide_diagram_fits_a_narrow_window_and_is_enlarged_in_a_window(
         "let place = null;"
         "for (let tries = 0; tries < 100 && !place; tries++) {"
         "  await new Promise((done) => view.setTimeout(done, 20));"
-        "  await view.fetch('');"  # The virtual time stops, so even a slow computer draws the page.
+        # The virtual time of the browser stops during a request. Even a slow computer therefore
+        # draws the page in time.
+        "  await view.fetch('');"
         "  place = doc.querySelector('.scroll.wide');"
         "}"
         "const svg = place.querySelector('svg');"

@@ -1,5 +1,5 @@
-"""The page of likely changes, with costs, reasons and both designs in its table. The page of each
-change is tested too.
+"""The tables on the page of the likely changes: the costs of the changes, and the source lines of
+both designs.
 """
 
 from __future__ import annotations

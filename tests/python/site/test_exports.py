@@ -22,7 +22,7 @@ IMPORTED = re.compile(r"^UID: (\S+)\nSTATEMENT: >>>\n(.*?)\n<<<$", re.MULTILINE 
 
 @pytest.fixture
 def strictdoc() -> Path:
-    """Returns StrictDoc with its packages, in a separate environment."""
+    """Returns the program StrictDoc, which is installed in a separate Python environment."""
     stamp = STRICTDOC / "installed.lock"
     if not stamp.exists() or stamp.read_bytes() != LOCK.read_bytes():
         venv.create(STRICTDOC, clear=True, with_pip=True)

@@ -1,5 +1,5 @@
-"""The built pages are accessible and do not scroll sideways. On a narrow screen, they are at most
-twice as tall as on a wide screen."""
+"""The built pages are accessible and do not scroll sideways. In a window with a width of 1024
+pixels, a page is at most twice as tall as in a window with a width of 1440 pixels."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ return found;
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
+    pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer"),
 ]
 
 

@@ -1,5 +1,5 @@
-"""The robot on the pages of the portal besides "Run the robot". The firmware image drives the
-robot, and the page highlights its calls."""
+"""The simulated robot on the pages other than "Run the robot". The firmware drives the robot, and
+the pages highlight the calls of the firmware."""
 
 from __future__ import annotations
 
@@ -88,8 +88,8 @@ process.stdout.write(JSON.stringify({
   active: at.map((instant) => lanes.activeAt(found, instant).map((context) => context.id)),
 }));
 """
-# On the page of the execution, ten cycles are played. Then the drive is paused, and the time of the
-# clock pulse is selected.
+# The page Execution plays ten cycles. Then the drive is paused, and two instants of the last cycle
+# are selected: 0.001 ms and 1 ms after the clock pulse.
 LANES_OF_PAGE = """<!doctype html><meta charset="utf-8">
 <iframe style="width:1200px;height:900px"></iframe>
 <script>
@@ -127,7 +127,7 @@ frame.src = "execution.html";
 </script>"""
 
 pytestmark = pytest.mark.skipif(
-    not (SITE / "live" / "live.wasm").exists(), reason="the module of the page was not built"
+    not (SITE / "live" / "live.wasm").exists(), reason="live/live.wasm was not built"
 )
 
 
@@ -196,7 +196,8 @@ def test_a_parameter_has_a_kind_up_to_the_first_that_may_not_be_in_a_register(
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
-    """In the same drive, the warning state is the state before the last waiting state."""
+    """Both variants of the robot play the same scenario. Only the variant with the warning light
+    enters the state WaitingK."""
     products = ["weeding_robot_paper", "weeding_robot_warning"]
     order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, order], 0)
@@ -208,7 +209,7 @@ def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
     assert states(after) - states(before) == {"WaitingK"}
     assert states(before) <= states(after)
     assert "WaitingK" in set(after["modules"]) - set(before["modules"])
-    # The module that composes the robot differs.
+    # Each variant has its own module that composes the robot.
     assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}
 
 
@@ -251,7 +252,7 @@ def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
+@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
 def test_the_diagram_marks_the_called_modules_and_stops_when_paused() -> None:
     probe = SITE / "probe_live.html"
     probe.write_text(PROBE, encoding="utf-8")
@@ -304,7 +305,7 @@ def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> Non
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
+@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
 def test_the_lanes_of_the_page_execution_show_the_cycle_that_runs() -> None:
     probe = SITE / "probe_lanes.html"
     probe.write_text(LANES_OF_PAGE, encoding="utf-8")

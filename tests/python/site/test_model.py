@@ -54,7 +54,7 @@ def test_a_context_reaches_the_objects_that_the_composition_connects(
 
 @pytest.mark.parametrize(
     ("pipe", "kind", "writer", "reader"),
-    [  # the source lines of a member and of an object outside classes
+    [  # a pipe that is a member of a class, and a pipe outside classes
         (
             "WheelSystemBuilder::velocities_",
             "Pipe<Velocity>",

@@ -30,7 +30,7 @@ def model() -> dict[str, Any]:
 
 
 def linkable(model: dict[str, Any]) -> set[str]:
-    """Returns the names that have a page: modules, requirements, and methods with their class."""
+    """Returns the names that must be links: modules, requirements, and methods with their class."""
     modules = model["modules"]
     methods = {
         method["id"]

@@ -12,7 +12,7 @@ from tests.python.site.content import FIRST, SITE, clicks, content, section
 
 FILE = SITE.parents[1] / "design" / "questions.toml"
 QUESTIONS: list[dict[str, Any]] = tomllib.loads(FILE.read_text(encoding="utf-8"))["question"]
-NEAR = 3  # clicks
+NEAR = 3  # greatest number of clicks
 NUMBER = re.compile(r"\b\d+\b")
 
 

@@ -1,5 +1,5 @@
-"""A reader reaches every page from the first page with few clicks. The clicks are on links of the
-content."""
+"""A reader reaches every page from the first page with few clicks. Links in the navigation do not
+count."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 from tests.python.site.content import SITE, clicks, content, searched
 
 MODEL = SITE / "model.json"
-NEAR = 3  # clicks
+NEAR = 3  # greatest number of clicks
 
 
 @pytest.fixture(scope="module")

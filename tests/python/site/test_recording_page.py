@@ -35,9 +35,9 @@ RANGES = {
 REPORTS = 60
 PERIOD_MS = 100
 CHUNK_REPORTS = 200  # at least as many reports as a chunk of an MCAP file contains
-RESET = 30  # the first report after a reset of the robot; its time begins at 0 again
-# Chooses or drops a file. Returns the drawings, the changes, and, if the file was dropped, the
-# findings of axe.
+RESET = 30  # number of the first report after a reset; the time of the robot begins at 0 again
+# Chooses a file, or drops it on the page. Returns the status, the drawings, the changes and the
+# width of the page. If the file was dropped, also returns the findings of axe.
 SHOW = """
 const files = new view.DataTransfer();
 const bytes = Uint8Array.from(atob(%CONTENT%), (letter) => letter.charCodeAt(0));
@@ -85,7 +85,7 @@ return {
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
+    pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer"),
 ]
 
 

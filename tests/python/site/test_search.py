@@ -1,4 +1,5 @@
-"""The search of the built site. Each page is found, and the first hit is the expected page."""
+"""The search of the built site. Each page is found. For most searches, the first hit is the page
+that is expected."""
 
 from __future__ import annotations
 
@@ -90,7 +91,7 @@ def test_each_expected_hit_is_a_place() -> None:
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
+@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
 def test_each_search_shows_the_answer_on_the_first_screen(
     tmp_path: Path, record_property: Callable[[str, object], None]
 ) -> None:
@@ -106,7 +107,7 @@ def test_each_search_shows_the_answer_on_the_first_screen(
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
+@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
 def test_the_share_of_right_first_hits_of_unseen_searches_is_measured(
     tmp_path: Path, record_property: Callable[[str, object], None]
 ) -> None:

@@ -1,6 +1,6 @@
 """Environments in which ./wr must end with a message: a full disk, a folder that cannot be written,
-no network, and a user without rights. The environments are Linux namespaces, so no test changes the
-computer.
+no network, and a user without rights. Each environment consists of Linux namespaces. Outside
+these namespaces, the environment does not change the computer.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def namespaces() -> str:
 
 
 def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
-    """Returns a command that executes ``first`` and ``then`` in separate namespaces.
+    """Returns a command that makes new namespaces, and in them executes ``first``, then ``then``.
 
     If the system does not allow namespaces, the test is skipped with the reason.
     """

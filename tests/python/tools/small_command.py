@@ -17,7 +17,7 @@ from weeding_robot_client.exit_codes import BUSY, INTERRUPTED, MISSING
 SOURCES = ("src/a.txt", "src/b.txt")
 OBJECTS = ("build/a.out", "build/b.out")
 RESULT = "build/results/sum.txt"
-_past = itertools.count(1)  # The sources have a different time before each run.
+_past = itertools.count(1)  # the modification times of the sources; no time is used twice
 # Empties the output, and then writes it in pieces. A killed program therefore leaves an incomplete
 # output.
 COPY = """

@@ -1,4 +1,5 @@
-"""The measurement of the two designs: the counts from runs, firmware images and sources."""
+"""The comparison of the two designs: the measured instructions, the stack, the sizes, and the
+patches for the likely changes."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
-"""The book. It contains all pages in their order, its links lead only to pages of the book, and
-each build gives the same bytes."""
+"""The book. It contains all pages in their order, and its links lead only to pages of the book. Two
+books of the same pages have the same bytes."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ from traceability.reading.published import publish, read_published
 
 pytestmark = pytest.mark.runs_tools
 
-# A program whose cases depend only on the seed. It needs 0.05 s.
+# A program whose cases depend only on the seed. Each run needs at least 0.05 s.
 PROGRAM = """#!{python}
 import json, random, sys, time
 seed, count = (int(sys.argv[sys.argv.index(name) + 1]) for name in ("--seed", "--count"))
@@ -44,7 +44,7 @@ root = Path(sys.argv[1])
 sys.exit(run(root, *sys.argv[2:]))
 """
 SOURCE = Path(__file__).resolve().parents[3]
-SLOW = 60  # time limit of a whole test on a busy computer [s]
+SLOW = 60  # longest time until three chunks are finished, on a busy computer [s]
 
 
 def small(root: Path) -> Kind:

@@ -1,4 +1,5 @@
-"""The scenarios of the closed loop. Stubs of the two programs of the project play them."""
+"""The scenarios of the page "Control performance". Two small scripts replace the programs that play
+the scenarios: weeding_robot_host and weeding_robot_board."""
 
 import json
 import sys

@@ -1,5 +1,6 @@
-"""./wr when space on the disk, a writable folder, the network or rights are missing. Each message
-names the fault, the file or folder, and the next action. The run after the correction succeeds.
+"""./wr on a full disk, in a folder that cannot be written, without a network, and without rights.
+Each message names the fault, the file or folder, and the next action. The run after the correction
+succeeds.
 """
 
 from __future__ import annotations
@@ -66,7 +67,7 @@ def copy() -> Iterator[Path]:
 
 @pytest.mark.parametrize("size", ["4k", "8k", "12k", "16k", "20k", "24k", "28k"])
 def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size: str) -> None:
-    """The disk is mounted at build. The sources therefore need no space on it."""
+    """The small disk is mounted at the folder build. The sources are not on this disk."""
     write_sources(tmp_path, "text")
     (tmp_path / "build").mkdir()
     keep = tmp_path / "kept"
@@ -78,7 +79,7 @@ def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size
     assert full.returncode in (1, MISSING)
     assert "No space left on device" in full.stdout + full.stderr
     (tmp_path / "build").rmdir()
-    keep.rename(tmp_path / "build")  # the files on the full disk
+    keep.rename(tmp_path / "build")  # now contains the files of the full disk
     assert run([*map(str, command(tmp_path))]).returncode == 0
     assert (tmp_path / RESULT).read_text() == expected(tmp_path)
 
@@ -133,7 +134,7 @@ def test_set_up_of_a_user_without_rights_names_the_folder(copy: Path) -> None:
 
 
 def test_after_set_up_no_network_is_needed(tmp_path: Path) -> None:
-    """The set-up finds nothing to do, and the tasks run."""
+    """Without a network, the set-up finds nothing to do, and the tasks run."""
     write_sources(tmp_path, "text")
     for words in ([SOURCE / "wr", "setup"], command(tmp_path)):
         done = run(without_network(words))
@@ -156,7 +157,7 @@ def test_set_up_without_network_says_so_and_begins_anew(copy: Path) -> None:
 
 
 def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:
-    """The first set-up makes the folder and its stamp while it has the lock."""
+    """While the first set-up has the lock, it makes .venv/bin/python and the stamp."""
     (copy / ".venv/bin").mkdir(parents=True)
     begin = "exec 9>>.venv/lock; flock 9; echo begun; read -r _; ln -s /bin/true .venv/bin/python"
     stamp = 'printf "%s\\n" "$(sha256sum <setup/python.lock) $PWD" >.venv/stamp'
@@ -182,8 +183,8 @@ def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:
 
 
 def test_an_interrupted_set_up_is_never_taken_for_a_whole_one(copy: Path) -> None:
-    """The packages have a stamp. The test kills the set-up while the set-up removes the
-    packages."""
+    """The folder of the packages has the stamp of another lock file. The set-up therefore removes
+    these packages first. During this removal, the test kills the set-up."""
     (copy / ".venv/bin").mkdir(parents=True)
     (copy / ".venv/stamp").write_text("of another lock file\n")
     tools = copy / "tools"

@@ -1,4 +1,4 @@
-"""The totals of gcovr. They belong to the last run of the tests, or they are missing."""
+"""The totals of gcovr. Totals that do not belong to the last run of the tests are not used."""
 
 import json
 import subprocess

@@ -23,8 +23,8 @@ OTHERS = {
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Returns a project with two commits. The second commit changes a text and a file of a
-    module."""
+    """Returns a project with two commits. The second commit changes the text of a requirement and
+    the header of a module."""
     root = write_tree(tmp_path / "project")
     (root / ".gitignore").write_text("/build/\n")
     git(root, "init", "--quiet")

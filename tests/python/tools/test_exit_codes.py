@@ -1,4 +1,4 @@
-"""All commands have a help text. Their exit codes are the exit codes of one table."""
+"""Each command has a help text. All exit codes are in the table that ./wr --help shows."""
 
 import re
 import subprocess

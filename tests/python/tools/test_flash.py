@@ -40,8 +40,9 @@ class Desk:
         self.add_program(name, f'printf "%s\\n" {name} "$@" >"{self.root}/called"\n{end}')
 
     def add_pyocd(self, read_back: str = "flashed") -> None:
-        """Adds a stub of pyOCD. The stub records the arguments of ``flash``, and reads back a
-        file."""
+        """Adds a stub of pyOCD. For ``flash``, the stub records its arguments and copies the
+        firmware image to the file ``flashed``. For ``savemem``, the stub copies the file
+        ``read_back``, as if this file were the content of the flash."""
         self.add_program(
             "pyocd",
             'for word; do case "$word" in "savemem "*)'
@@ -96,7 +97,8 @@ def desk(
 @contextlib.contextmanager
 def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
     """Acts as a debug probe. After a firmware image was copied to the drive of the probe, the drive
-    disappears, and then returns with the outcome."""
+    disappears. If ``comes`` is true, the drive is mounted again. If there is a ``failure``, the
+    drive then contains this text in the file FAIL.TXT."""
     end = threading.Event()
 
     def take() -> None:

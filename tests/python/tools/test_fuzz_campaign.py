@@ -1,4 +1,4 @@
-"""./wr campaign fuzz: its program with two fake fuzzers, and the totals of its record."""
+"""./wr campaign fuzz: its program with fake fuzzers, and the totals of its record."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ from traceability.reading.published import Published
 pytestmark = pytest.mark.runs_tools
 
 SOURCE = Path(__file__).resolve().parents[3]
-# Prints the same lines as libFuzzer. With the seed 2000, the first input fails.
+# Prints the same lines as libFuzzer. If ``fails`` is true and the seed is 2000, the fuzzer fails at
+# input 17.
 FUZZER = """#!{python}
 import sys
 words = dict(word[1:].split("=", 1) for word in sys.argv[1:] if word.startswith("-"))

@@ -8,7 +8,8 @@ import pytest
 from tools.lint import check_imports
 from tools.steps import FailureError
 
-# The tests read the sources of all packages.
+# The tests read the sources of all packages. Because of this mark, they run again after each change
+# of these sources.
 pytestmark = pytest.mark.runs_tools
 
 ROOT = Path(__file__).parents[3]
@@ -33,7 +34,7 @@ def lint(root: Path) -> str:
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """Returns a copy of the packages and of the contracts."""
+    """Returns a copy of the packages, and of pyproject.toml with the rules for their imports."""
     for name in ("traceability", "site/portal", "tools"):
         ignored = shutil.ignore_patterns("__pycache__")
         shutil.copytree(ROOT / name, tmp_path / name, ignore=ignored)

@@ -1,4 +1,4 @@
-"""A command that is killed at any time. The next run has the right results, and repeats no
+"""A command is killed at a random time. The next run has the right results, and repeats no
 completed task.
 """
 
@@ -109,9 +109,8 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         assert "Traceback" not in errors
         if program.returncode == INTERRUPTED:
             assert programs_of(tmp_path) == []
-        if (
-            chosen.random() < 0.5
-        ):  # These are the sources of the previous run, whose record is complete.
+        if chosen.random() < 0.5:
+            # These are the sources of the last run that was not interrupted.
             write_sources(tmp_path, f"text {turn - 1}")
             run(tmp_path)
         else:

@@ -1,4 +1,4 @@
-"""./wr campaign loads: the longest cycles of its drives, and their bound."""
+"""./wr campaign loads: the longest control cycles of random drives, and the bound for them."""
 
 from __future__ import annotations
 

@@ -24,8 +24,8 @@ from tools.lock import HOLDER
 
 pytestmark = pytest.mark.runs_tools
 
-# A project whose tests wait for a permission to continue. The page of the project shows whether the
-# tests ended.
+# A project with two test tasks. The first task waits until the file "go on" exists, and the second
+# task until the file "end" exists. The page shows whether the results of the first task exist.
 PORTAL = """
 import sys, time
 from pathlib import Path
@@ -104,7 +104,7 @@ class Project:
             except (OSError, HTTPException):
                 pass
             time.sleep(0.02)
-        raise AssertionError("the page never had this state")
+        raise AssertionError("the page did not reach the expected state in time")
 
 
 @pytest.fixture

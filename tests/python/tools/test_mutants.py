@@ -1,5 +1,5 @@
-"""Mutants of a small class, with their positions in the source, the compiled copy, and the tests
-that find them."""
+"""Mutants of a small class: their positions in the source, the compiled copy that contains them,
+and the tests that find them."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def test_a_mutant_that_does_not_compile_is_left_out(tree: Path, tmp_path: Path) 
     with (tmp_path / "log").open("w") as log:
         _, held = compiling(tree, FILES[0], found, 1, log)
     assert not any("3" in one.change or "4" in one.change for one in held), (
-        "this change does not fit into the narrow type, so it must not compile"
+        "a mutant that changes a constant in narrow{3 + 4} must not compile"
     )
     assert [one.change for one in held if one.kind == "constant"] == ["1 + 1", "1 - 1"]
     assert "Limiter.cpp:5" in (tmp_path / "log").read_text()
@@ -206,7 +206,8 @@ def test_a_failure_an_end_and_a_hang_each_find_a_mutant(
 
 
 def test_a_busy_computer_does_not_end_a_test(tmp_path: Path) -> None:
-    """The test waits longer than its limit. The limit counts only the time of the processor."""
+    """The test A.One sleeps for 3 s. Its time limit is 2 s, but this limit counts only the time of
+    the processor."""
     path = tmp_path / "program"
     lines = (
         "#!/bin/sh",

@@ -33,7 +33,8 @@ MUTANTS = [
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Returns a project in which building and testing are replaced. The first mutant is found."""
+    """Returns a project in which stubs replace the builds and the tests. The tests find only the
+    first of two mutants."""
     (tmp_path / "build/results").mkdir(parents=True)
     replace_tests(monkeypatch, tmp_path, lambda _log: None)
     monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})

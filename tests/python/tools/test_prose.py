@@ -1,4 +1,4 @@
-"""The linter of prose, with the words that it finds and the positions of these words."""
+"""The linter of prose: the words that it finds, and the positions of these words."""
 
 from __future__ import annotations
 

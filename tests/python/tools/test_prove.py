@@ -1,4 +1,5 @@
-"""The proofs. A defect in the design is found, and its counterexample can be read and played."""
+"""The proofs. A defect in the design is found. Its counterexample can be read, and played as a
+scenario."""
 
 from __future__ import annotations
 
@@ -84,7 +85,7 @@ def test_a_stop_that_one_state_loses_is_found(design: Path) -> None:
 
 @needs_spin
 def test_a_false_property_has_a_scenario_that_plays_its_counterexample(design: Path) -> None:
-    """The robot of the model can drive. The property that it never drives is therefore false."""
+    """The robot can drive in the model. A property that forbids each drive is therefore false."""
     declared = read_declared(design)
     (result,) = prove(design, declared, [TRIED], print).values()
     assert result.verdict == "false"

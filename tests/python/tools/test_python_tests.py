@@ -1,4 +1,4 @@
-"""The files on which the tests of a folder of tests/python depend."""
+"""The files on which Python tests depend, and the tests that run again after a change."""
 
 from __future__ import annotations
 
@@ -96,7 +96,8 @@ def test_each_other_file_affects_all_tests(tmp_path: Path, other: str) -> None:
 
 
 def write_results(root: Path, *cases: tuple[str, str, bool]) -> Path:
-    """Writes results of tests. Each test has a file, a name, and whether it passed."""
+    """Writes a result file. Each case consists of the test file, the name of the test, and a flag
+    that is true if the test passed."""
     suite = ET.Element("testsuite")
     for file, name, passed in cases:
         case = ET.SubElement(suite, "testcase", classname=f"tests.python.tools.{file}", name=name)

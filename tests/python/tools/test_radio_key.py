@@ -1,4 +1,4 @@
-"""The key of the Bluetooth device, which is in the firmware image that is flashed."""
+"""The key of the Bluetooth device. The key is written into a copy of the firmware image."""
 
 from pathlib import Path
 

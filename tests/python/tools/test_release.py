@@ -1,5 +1,5 @@
-"""./wr release: archives that depend only on their content, the list of the parts, and the
-notes."""
+"""./wr release: archives that depend only on their content, the list of the software parts (SBOM),
+and the release notes."""
 
 import hashlib
 import json
@@ -60,11 +60,12 @@ def test_the_sums_are_those_that_sha256sum_checks(tmp_path: Path) -> None:
     assert subprocess.run(words, cwd=tmp_path, check=False, capture_output=True).returncode == 1
 
 
-# ---- the list of the parts -------------------------------------------------------
+# ---- the list of the software parts (SBOM) ---------------------------------------
 
 
 def validator() -> jsonschema.Draft7Validator:
-    """Returns the schemas that CycloneDX publishes. They are read without a network."""
+    """Returns a validator for the schema that CycloneDX publishes. The schema is in an installed
+    package, and needs no network."""
     folder = Path(str(cyclonedx_schemas.__file__)).parent / "_res"
     registry: Registry[object] = Registry()
     for name in ("bom-1.6", "spdx", "jsf-0.82"):

@@ -1,7 +1,6 @@
-"""Each check has a seeded fault, and each fault can be inserted. The record is valid only for the
-present state of the sources.
+"""Each check has a seeded fault, and each fault can be inserted.
 
-``./wr check --drift`` tests whether the checks find the faults. ``./wr test`` runs this command.
+``./wr check --drift`` and ``./wr test --long`` test whether the checks find the faults.
 """
 
 from __future__ import annotations

@@ -19,8 +19,8 @@ pytestmark = pytest.mark.runs_tools
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Returns a project with two programs. Each program prints its name and its options, with one
-    option on each line."""
+    """Returns a project with two programs. Each program writes its name and its options to the file
+    ``called``, one on each line."""
     folder = tmp_path / "build/host/sim"
     folder.mkdir(parents=True)
     for name in (sim.PROGRAM, BOARD_PROGRAM):
@@ -34,7 +34,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def replace_builds(monkeypatch: pytest.MonkeyPatch, root: Path, broken: str = "") -> None:
-    """Replaces the builds by builds that do nothing or that fail."""
+    """Replaces the builds by stubs. The build ``broken`` fails, and the others do nothing."""
 
     def action(name: str, _log: TextIO) -> None:
         if name == broken:

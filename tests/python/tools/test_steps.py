@@ -1,4 +1,4 @@
-"""The runner of steps."""
+"""The steps of a command: their output, their logs, and their failures."""
 
 import io
 import os
@@ -69,7 +69,7 @@ def test_an_interrupt_is_not_swallowed(steps: Steps) -> None:
 
 
 def test_an_interrupt_ends_a_program_with_those_that_it_started() -> None:
-    """The pipe of the log ends when the last of the programs has ended."""
+    """The pipe of the log stays open until all programs have ended."""
     reading, writing = os.pipe()
     with os.fdopen(writing, "w") as log, os.fdopen(reading) as output:
         Timer(0.5, stop_programs).start()

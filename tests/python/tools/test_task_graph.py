@@ -25,7 +25,7 @@ RESULT = "build/results/tests.json"
 
 
 class Project:
-    """A small project with a program of two sources, its tests, a measurement, tools and pages."""
+    """A small project: a program, its tests, a measurement of the tests, tools and pages."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -54,7 +54,8 @@ class Project:
         return run
 
     def run(self, *names: str, **replaced: Task) -> list[str]:
-        """Returns the tasks that ran. The build is left out, because Ninja runs it."""
+        """Returns the tasks that ran. The task ``build`` is left out, because it always runs: only
+        Ninja finds the files to build again."""
         found = Outcome("", values={"file_dep": self.sources})
         tasks = {
             "build": Task("build", self.action("build", found), always=True),
@@ -99,7 +100,7 @@ def test_only_what_depends_on_a_change_runs_again(
     project: Project, changed: str, expected: list[str]
 ) -> None:
     if "coverage" in expected:
-        # The tests write different results, so the task that counts them runs too.
+        # The tests write different results. The task ``coverage`` therefore runs too.
         results = Task(
             "tests",
             lambda _log: project.action("tests")(_log) or write(project.root / RESULT, changed),

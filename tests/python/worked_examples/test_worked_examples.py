@@ -1,5 +1,5 @@
-"""The worked examples of the page on the tools. Each example is applied to a copy, and tested in
-this copy."""
+"""The worked examples of the page docs/how_these_pages_are_made.rst. Each example is applied to a
+copy of the project, and tested in this copy."""
 
 from __future__ import annotations
 
@@ -52,7 +52,9 @@ def run(root: Path, *words: str | Path, text: str | None = None) -> str:
     done = subprocess.run(
         words, cwd=root, input=text, env=env, capture_output=True, text=True, check=False
     )
-    assert done.returncode == 0, f"update {PAGE.relative_to(ROOT)}: {done.stdout}{done.stderr}"
+    assert done.returncode == 0, (
+        f"an example no longer works; update {PAGE.relative_to(ROOT)}: {done.stdout}{done.stderr}"
+    )
     return done.stdout
 
 
