@@ -1,4 +1,5 @@
-"""The commands and folders that the README names."""
+"""The checks find commands, folders and other names in the README and the pages that do not
+exist."""
 
 from pathlib import Path
 

@@ -21,8 +21,8 @@ def examples() -> list[list[str]]:
 
 
 def with_present_layout(name: str, sender: str, old: str) -> str:
-    """Returns the text line of an example in the present layout. It is computed from the old body
-    of the example."""
+    """Converts an example to the present layout. Returns the text line for the file of examples.
+    ``old`` is the body of the example in the previous layout."""
     version, kind, sequence, *values = bytes.fromhex(old)
     layout = BY_KIND[kind]
     payload = bytearray(values).ljust(layout.size, b"\0")

@@ -64,7 +64,8 @@ class FakeRobot:
     angle: int = 0
     enable: str = "pc"
     transmitter: bool = True
-    hold_last: bool = False  # If true, the receiver has no fail-safe.
+    # If true, the receiver repeats the last pulses when the transmitter is off.
+    hold_last: bool = False
     estop: bool = False
     estop_wired: bool = True
     stop: bool = False
@@ -128,7 +129,7 @@ class FakeRobot:
                 return f"there is no action '{words}'"
         return "ok"
 
-    # ---- its cycle -----------------------------------------------------------
+    # ---- cycle of the robot -----------------------------------------------------------
 
     def _run(self) -> None:
         decoder = Decoder()

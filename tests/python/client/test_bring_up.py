@@ -67,7 +67,7 @@ def go(
     volts: float = 24.0,
     last: str = "",
 ) -> Record:
-    """Executes all steps, or the steps up to a named step. The simulated operator answers."""
+    """Executes all steps, or the steps up to the step ``last``. A simulated operator answers."""
     record = Record("2026-01-01T00:00:00", str(mcu.path), simulated=True)
     operator = SimulatedOperator(Control(control), volts)
     with Link(mcu.path) as link:
@@ -331,7 +331,7 @@ class Person:
         self.shown = b""
 
     def reads(self, text: str, seconds: float = 15.0) -> None:
-        """Reads until a text is shown. Output that was read before is not searched again."""
+        """Reads until a text is shown. The search begins after the text that was found last."""
         end = time.monotonic() + seconds
         while text.encode() not in self.shown:
             assert time.monotonic() < end, self.shown.decode()

@@ -140,7 +140,8 @@ def test_a_bad_frame_is_marked(line: bytes, error: str, tmp_path: Path) -> None:
 
 
 def packets_of(path: Path) -> list[tuple[int, bytes]]:
-    """Returns the direction and the bytes of each packet. The packets are read block by block."""
+    """Returns the direction and the bytes of each packet. Skips the blocks of the file that contain
+    no packet."""
     data = path.read_bytes()
     found = []
     while data:
