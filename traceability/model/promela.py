@@ -1,8 +1,8 @@
 """The state machines of the design in Promela, the language of the model checker Spin.
 
 Each machine of ``design/fsm`` becomes a variable and an inline function. The variable contains the
-present state. The function is called the step of the machine. It receives an event and executes the
-first transition whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets the
+present state. The function is the step of the machine: it receives an event, and executes the first
+transition whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets the
 guards, calls the steps and reads the actions.
 """
 

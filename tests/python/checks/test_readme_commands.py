@@ -1,5 +1,5 @@
-"""The checks find commands, folders and other names in the README and the pages that do not
-exist."""
+"""The README and the pages may name only commands, folders, pins and programs that exist. The
+checks find all other names."""
 
 from pathlib import Path
 

@@ -38,7 +38,7 @@ def changed(root: Path, **changes: Any) -> Model:
         ("products", [], "FR-1 has no @product (all, or names of products)"),
         ("products", ["mower"], "FR-1 has a @product mower, which does not exist"),
         ("method", "inspection", ""),
-        ("method", "measurement", ""),  # The requirement has a test that measures.
+        ("method", "measurement", ""),  # A test of FR-1 makes the measurement.
         ("method", "belief", "FR-1 has no @method (test, analysis, measurement, inspection)"),
     ],
 )

@@ -48,7 +48,7 @@ def images(tmp_path: Path) -> Path:
 
 
 class First(BringUp):
-    """The first steps of the bring-up, up to a given step."""
+    """The bring-up with its first steps only, up to the step ``last``."""
 
     last = ""
 
@@ -318,7 +318,7 @@ def test_the_port_of_the_only_board_is_chosen(
 
 
 class Person:
-    """A person at a terminal in which the command runs."""
+    """A person at the terminal in which ``./wr bring-up`` runs."""
 
     def __init__(self, mcu: Any, folder: Path) -> None:
         self.keys, self._inner = pty.openpty()

@@ -266,11 +266,11 @@ def context(name: str, cycles: int, priority: int, entries: int | None = None) -
 
 def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
-    # The cycle lasts longer than a tick. A request that already waits when the cycle begins came at
-    # most one greatest response time earlier. All these requests therefore came within two time
-    # windows, each as long as a tick.
+    # The cycle lasts longer than a tick. Requests can already wait when the cycle begins. The
+    # longest waiting time is therefore added to the cycle. The sum is longer than one tick and
+    # shorter than two ticks, so the requests of two ticks count.
     assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
-    # With noise, the handler of the first tick may be late.
+    # With noise, two further ticks count, because the handler of the first tick may be late.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
 
@@ -290,8 +290,8 @@ def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
-    """The cycle is shorter than a tick. The sum of the cycle and the waiting time may be longer
-    than a tick."""
+    """The cycle is shorter than a tick. A second request counts only if the sum of the cycle and
+    the waiting time is longer than a tick."""
     waits = context("edge", 20_000, 1, entries=1)
     alone = [context("thread", 70_000, 12), waits]
     assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)

@@ -1,4 +1,5 @@
-"""Two measurements of coverage agree: gcovr on the whole run, and the records of each test."""
+"""Two measurements of coverage agree: the count of gcovr for the whole test run, and the sum of the
+records of all tests."""
 
 import json
 from pathlib import Path

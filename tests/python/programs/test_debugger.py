@@ -39,7 +39,8 @@ Board = subprocess.Popen[str]
 
 @pytest.fixture
 def start() -> Iterator[Callable[..., tuple[Board, str]]]:
-    """Starts the board with a port for a debugger. Returns the board and the port."""
+    """Yields a function that starts the board with a port for a debugger. The function returns the
+    board and the port."""
     started: list[Board] = []
 
     def run(*options: str | Path) -> tuple[Board, str]:
