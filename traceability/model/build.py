@@ -166,7 +166,8 @@ def _assemble(
 
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
-    """Returns the last record of each test that takes too long to run in each build."""
+    """Returns the last records of the tests that do not run in each build, because they take too
+    long."""
     records = {
         "mutation": last_mutation(root, sources),
         "drift": last_seeded(root),

@@ -138,7 +138,7 @@ class Model:
     faults: Sequence[Fault] = field(default_factory=list)  # seeded faults, which test the checks
     # results of the seeded faults; None if they do not belong to the present state of the project
     outcomes: Sequence[Outcome] | None = None
-    # name of a test that takes too long to run in each build -> its last result
+    # name of a test that does not run in each build, because it takes too long -> its last result
     last: Mapping[str, LastRecord] = field(default_factory=dict)
     # kind of a test campaign -> its last published result
     campaigns: Mapping[str, Published] = field(default_factory=dict)

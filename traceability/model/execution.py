@@ -222,9 +222,9 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
 def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
     """Returns the data members that one context changes and that another context reads or changes.
 
-    A data member of a value type such as Velocity is left out. The result contains the data member
-    of the module that stores this value. References are left out, because only the context
-    "start" sets them.
+    A data member of a value type such as Velocity is left out. Instead, the result contains the
+    data member of the module that stores this value. References are left out, because only the
+    context "start" sets them.
     """
     fields = {
         f"{fact.name}::{member.name}": member

@@ -23,7 +23,7 @@ class Program:
     # address of an instruction -> its source line; if the code of this line was inlined, also the
     # source lines of the calls
     places: Mapping[int, list[Place]]
-    # The compiler can merge equal functions. name of such a function -> its key in ``codes``
+    # The compiler can merge equal functions: name of a merged function -> its key in ``codes``
     shared: Mapping[str, str]
 
 

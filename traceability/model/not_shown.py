@@ -130,8 +130,8 @@ def _times(model: Model) -> Iterator[tuple[str, str]]:
     if slow:
         yield (
             f"The control cycle misses its target in {len(slow)} of "
-            f"{_count(len(PAPER), 'scenario')}. The target is 1/{SHARE} of the paper's time, with "
-            "a slow flash.",
+            f"{_count(len(PAPER), 'scenario')}. The target is 1/{SHARE} of the paper's time. The "
+            "times are measured with the model of a slow flash.",
             "bench",
         )
 

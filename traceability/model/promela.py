@@ -1,8 +1,8 @@
 """The state machines of the design in Promela, the language of the model checker Spin.
 
 Each machine of ``design/fsm`` becomes a variable and an inline function. The variable contains the
-present state. The function is called the step of the machine. It receives an event and executes the
-first transition whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets the
+present state. The function is the step of the machine: it receives an event, and executes the first
+transition whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets the
 guards, calls the steps and reads the actions.
 """
 
@@ -21,7 +21,8 @@ HEAD = """\
 // Generated from design/fsm. Event 0 sets the initial state.
 #define machine_reset 0
 """
-# the comments in robot.pml before and after the observing variables
+# The comments in robot.pml before and after the observing variables. An observing variable records
+# a fact at the end of each round of the model. The properties use these variables.
 OBSERVED, OBSERVED_END = (
     "// ---- observed",
     "// ---- environment",
@@ -68,7 +69,7 @@ def observed(composition: str) -> dict[str, set[str]]:
 
 def without(composition: str, formula: str) -> str:
     """Returns the composition. Each observing variable that the formula does not need has the
-    keyword ``hidden``, which keeps it out of the state space."""
+    keyword ``hidden``, which keeps the variable out of the state space of Spin."""
     head, mark, rest = composition.partition(OBSERVED)
     block, end, rest = rest.partition(OBSERVED_END)
     needed = set(WORD.findall(formula))
@@ -121,7 +122,7 @@ def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
-    """Returns the Promela text of the transitions from one state at one event. The text tests the
+    """Returns the Promela text of the transitions from one state for one event. The text tests the
     guards in the order of the transitions. The first true guard selects the transition."""
     name, first = name_of(machine), steps[0]
     effects = [f"{name} = {name}_{first.target}"]

@@ -1,4 +1,4 @@
-"""The invocation trees. Each node contains whether the code can make the call of the node. Each
+"""The invocation trees. Each node shows whether the code can make the call of this node. Each
 requirement contains the recordings of tests that made all calls of its tree."""
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """Returns the tree. Each node contains, for each target, whether a recording on this target
+    """Returns the tree. Each node shows for each target whether a recording on this target
     contains the call of the node."""
     numbers = itertools.count()
 

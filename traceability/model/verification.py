@@ -33,7 +33,8 @@ def with_verification(model: Model, facts: Facts, coverage: dict[str, Coverage])
 
 
 def passing_recordings(model: Model, requirements: Iterable[str], binding: str) -> list[str]:
-    """Returns the recordings of the tests that verify requirements and passed on a target."""
+    """Returns the recordings of the tests that verify one of the requirements and passed on a
+    target."""
     tests = {test for name in requirements for test in model.requirements[name].verified_by}
     return [
         recording

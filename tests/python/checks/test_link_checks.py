@@ -1,4 +1,4 @@
-"""The dead links of a site, and the position of each link in the source files."""
+"""The check finds the dead links of a site, and the source line that contains each dead link."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""The numbers that requirements state, and the constants of the code that must have the same
-values."""
+"""Numbers with a unit in requirements are found, and are compared with constants of the code."""
 
 from fractions import Fraction
 

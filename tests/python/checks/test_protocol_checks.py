@@ -1,4 +1,4 @@
-"""The numbers of the protocol, its worked examples, and forbidden code in the sources."""
+"""The checks find wrong numbers of the protocol, wrong worked examples, and forbidden code."""
 
 from __future__ import annotations
 

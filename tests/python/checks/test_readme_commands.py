@@ -1,4 +1,5 @@
-"""The commands and folders that the README names."""
+"""The README and the pages may name only commands, folders, pins and programs that exist. The
+checks find all other names."""
 
 from pathlib import Path
 

@@ -1,4 +1,5 @@
-"""req-attribute and req-source: level, product, method and source of each requirement."""
+"""The checks req-attribute and req-source. They check the level, the products, the verification
+method and the source of each requirement."""
 
 from __future__ import annotations
 
@@ -37,7 +38,7 @@ def changed(root: Path, **changes: Any) -> Model:
         ("products", [], "FR-1 has no @product (all, or names of products)"),
         ("products", ["mower"], "FR-1 has a @product mower, which does not exist"),
         ("method", "inspection", ""),
-        ("method", "measurement", ""),  # A test makes the measurement.
+        ("method", "measurement", ""),  # A test of FR-1 makes the measurement.
         ("method", "belief", "FR-1 has no @method (test, analysis, measurement, inspection)"),
     ],
 )
@@ -52,7 +53,8 @@ def test_an_attribute_has_a_known_value(
 @pytest.mark.parametrize(
     ("method", "evidence", "found"),
     [
-        ("test", True, 1),  # A test must verify the requirement.
+        # With the method "test", evidence cannot replace a test.
+        ("test", True, 1),
         ("analysis", False, 1),
         ("analysis", True, 0),
         ("measurement", False, 1),

@@ -1,4 +1,5 @@
-"""hazard-*: the bounds, results and names for which tests/drift has no seeded fault."""
+"""The checks hazard-*, in cases for which tests/drift has no seeded fault: limits, test results and
+names."""
 
 from __future__ import annotations
 
@@ -112,7 +113,7 @@ def test_a_scenario_passes_in_this_run(
     ("test", "played", "found"),
     [
         ("TEST(Safety, FR1_Stops) {\n}\n", [], True),
-        (FOLDER, [], False),  # A test that has not run may play each scenario.
+        (FOLDER, [], False),  # A test that has not run counts for all scenarios.
         (FOLDER, ["Files_Safety.FR1_Stops_lost"], False),
         (FOLDER, ["Files_Safety.FR1_Stops_found"], True),
     ],

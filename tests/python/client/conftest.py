@@ -1,4 +1,4 @@
-"""The robot in Python, which the tests of the client use."""
+"""Fixtures for the tests of the client: a robot in Python, and its control socket."""
 
 import importlib.util
 import sys

@@ -1,5 +1,5 @@
-"""The worked examples of the protocol. This script rewrites their file in the present layout of the
-frames.
+"""The worked examples of the protocol. This script rewrites the file with the examples in the
+present layout of the frames.
 
 New fields at the end of a payload get the value 0. The schema hash is replaced by the present hash.
 """
@@ -21,8 +21,8 @@ def examples() -> list[list[str]]:
 
 
 def with_present_layout(name: str, sender: str, old: str) -> str:
-    """Returns the text line of an example in the present layout. It is computed from the old body
-    of the example."""
+    """Converts an example to the present layout. Returns the text line for the file of examples.
+    ``old`` is the body of the example in the previous layout."""
     version, kind, sequence, *values = bytes.fromhex(old)
     layout = BY_KIND[kind]
     payload = bytearray(values).ljust(layout.size, b"\0")

@@ -1,5 +1,6 @@
-"""A robot in Python at the other end of a pseudo-terminal. The robot supports protocol version 2,
-arming, protective stop, remote control and emergency stop. Its four wheels turn freely."""
+"""A robot in Python, which a client controls through a pseudo-terminal. The robot supports protocol
+version 2, arming, protective stop, remote control and emergency stop. Its four wheels turn freely.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +56,7 @@ class FakeRobot:
     schema: int = SCHEMA_HASH
     start: tuple[int, int, int, int] = (1, 0, 0, 0)
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
-    # Offset in the report -> the byte that replaces the computed byte.
+    # offset in the report -> byte that the robot sends there instead of the computed byte
     numbers: dict[int, int] = field(default_factory=dict)
     more: bytes = b""  # bytes that a later version appends to Report and Welcome
     noise: bytes = b""
@@ -64,7 +65,8 @@ class FakeRobot:
     angle: int = 0
     enable: str = "pc"
     transmitter: bool = True
-    hold_last: bool = False  # If true, the receiver has no fail-safe.
+    # If true, the receiver repeats the last pulses when the transmitter is off.
+    hold_last: bool = False
     estop: bool = False
     estop_wired: bool = True
     stop: bool = False
@@ -128,7 +130,7 @@ class FakeRobot:
                 return f"there is no action '{words}'"
         return "ok"
 
-    # ---- its cycle -----------------------------------------------------------
+    # ---- cycle of the robot -----------------------------------------------------------
 
     def _run(self) -> None:
         decoder = Decoder()
@@ -243,7 +245,8 @@ class FakeRobot:
 
 
 class FakeControl:
-    """The control socket of the simulator. It passes the actions to a fake robot."""
+    """A control socket like the control socket of the simulator. It passes each action to the robot
+    in Python."""
 
     def __init__(self, path: Path, robot: FakeRobot) -> None:
         self._robot = robot

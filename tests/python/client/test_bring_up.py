@@ -48,7 +48,7 @@ def images(tmp_path: Path) -> Path:
 
 
 class First(BringUp):
-    """The first steps of the bring-up, up to a given step."""
+    """The bring-up with its first steps only, up to the step ``last``."""
 
     last = ""
 
@@ -67,7 +67,7 @@ def go(
     volts: float = 24.0,
     last: str = "",
 ) -> Record:
-    """Executes all steps, or the steps up to a named step. The simulated operator answers."""
+    """Executes all steps, or the steps up to the step ``last``. A simulated operator answers."""
     record = Record("2026-01-01T00:00:00", str(mcu.path), simulated=True)
     operator = SimulatedOperator(Control(control), volts)
     with Link(mcu.path) as link:
@@ -318,7 +318,7 @@ def test_the_port_of_the_only_board_is_chosen(
 
 
 class Person:
-    """A person at a terminal in which the command runs."""
+    """A person at the terminal in which ``./wr bring-up`` runs."""
 
     def __init__(self, mcu: Any, folder: Path) -> None:
         self.keys, self._inner = pty.openpty()
@@ -331,7 +331,7 @@ class Person:
         self.shown = b""
 
     def reads(self, text: str, seconds: float = 15.0) -> None:
-        """Reads until a text is shown. Output that was read before is not searched again."""
+        """Reads until a text is shown. The search begins after the text that was found last."""
         end = time.monotonic() + seconds
         while text.encode() not in self.shown:
             assert time.monotonic() < end, self.shown.decode()

@@ -23,8 +23,8 @@ tshark = pytest.mark.skipif(not shutil.which("tshark"), reason="tshark is not in
 
 
 def frames_shown(capture: Path, folder: Path) -> list[dict[str, str]]:
-    """Returns the fields that the dissector adds to each packet, as pairs of filter name and
-    value."""
+    """Returns a dictionary for each packet. It contains the fields that the dissector adds to the
+    packet: filter name -> value."""
     script = folder / "dissector.lua"
     write_dissector(script)
     done = subprocess.run(
@@ -46,7 +46,8 @@ def frames_shown(capture: Path, folder: Path) -> list[dict[str, str]]:
 
 
 def value_of(field: ET.Element) -> str:
-    """Returns the text of a value. If the value has no text, returns the value itself."""
+    """Returns the text that the dissector shows for a value. If the dissector shows no text,
+    returns the value itself."""
     words = str(field.get("showname"))
     _, _, named = words.partition(": ")
     text = named.rpartition(" (")[0] if named.endswith(")") else "Unknown"
@@ -140,7 +141,8 @@ def test_a_bad_frame_is_marked(line: bytes, error: str, tmp_path: Path) -> None:
 
 
 def packets_of(path: Path) -> list[tuple[int, bytes]]:
-    """Returns the direction and the bytes of each packet. The packets are read block by block."""
+    """Returns the direction and the bytes of each packet. Skips the blocks of the file that contain
+    no packet."""
     data = path.read_bytes()
     found = []
     while data:

@@ -1,4 +1,4 @@
-"""The table of frames as the client reads it."""
+"""The client reads the table of frames, and refuses a table with an error."""
 
 import zlib
 

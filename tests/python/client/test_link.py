@@ -1,4 +1,4 @@
-"""The link of the client to a microcontroller in Python on a pseudo-terminal."""
+"""The link of the client. A robot in Python answers at the other end of a pseudo-terminal."""
 
 import fcntl
 import itertools

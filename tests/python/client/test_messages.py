@@ -29,7 +29,7 @@ SEED = int(os.environ.get("WR_SEED", "1"))
 
 
 def example(start: str) -> Frame:
-    """Returns the frame of the worked example whose name starts with a text."""
+    """Returns the frame of the worked example with a name that begins with ``start``."""
     (line,) = (line for name, *_, line in examples() if name.startswith(start))
     (frame,) = Decoder().feed(bytes.fromhex(line))
     return frame
@@ -132,7 +132,7 @@ def test_report_of_the_worked_example_with_conditions() -> None:
     assert (report.report_cycles, report.awake_cycles, report.start_cycles) == (27354, 158211, 1043)
 
 
-# The report in the order of the protocol. Each field has a name, an offset and a format.
+# name of a field of the report -> offset in the payload [byte], and format for ``struct``
 FIELDS = {
     "cycle": (0, "<I"),
     "flags": (11, "<B"),

@@ -1,5 +1,5 @@
-"""The client with the firmware, which runs in real time on a pseudo-terminal. The tests run with
-the firmware for the host, and with the firmware image for the K64 on the virtual board.
+"""The client and the firmware, connected by a pseudo-terminal. The firmware runs in real time. Each
+test runs twice: with the firmware for the host, and with the firmware image on the virtual K64.
 """
 
 import itertools
@@ -38,7 +38,8 @@ def program(request: pytest.FixtureRequest, build: Callable[..., None]) -> list[
 
 @pytest.fixture
 def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
-    """Starts a robot that was just switched on. Its remote control sends no pulses."""
+    """Starts a simulated robot, and yields the path of its serial port. The remote control sends no
+    pulses."""
     path = tmp_path / "pc-link"
     words = [*program, "--link", path, "--control", tmp_path / "control"]
     process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
@@ -226,8 +227,8 @@ def brought_up(robot: Path, world: Control, images: Path) -> Record:
 
 @pytest.fixture
 def images(program: list[Path | str], tmp_path: Path) -> Path:
-    """Returns a folder with the program that runs. The bring-up uses this program in place of the
-    built firmware image."""
+    """Returns a folder with a link to the running program, in place of the firmware image. The
+    bring-up searches this file for the build id that the robot reports."""
     folder = tmp_path / "images"
     folder.mkdir()
     (folder / "weeding_robot.bin").symlink_to(program[-1])

@@ -1,5 +1,5 @@
-"""Recordings in MCAP, their schema, and the page of curves that the client draws from a
-recording."""
+"""Recordings in CSV and MCAP, the schema of MCAP recordings, and the page with curves that
+``./wr plot`` draws from a recording."""
 
 import json
 import re
@@ -27,7 +27,7 @@ SCENARIO = ROOT / "sim" / "scenario" / "examples" / "velocity_step.scenario"
 
 @pytest.fixture
 def recorded(mcu: Any, tmp_path: Path) -> tuple[Path, Path]:
-    """Returns recordings of the same drive in both formats."""
+    """Returns two recordings of the same drive: a CSV file and an MCAP file."""
     script = tmp_path / "script"
     script.write_text("at 0s velocity 50 rpm\nat 1s steering 10 deg\nat 2s end\n")
     table, mcap = tmp_path / "a.csv", tmp_path / "a.mcap"
@@ -80,8 +80,8 @@ def test_a_full_disk_ends_only_its_recording(
 @pytest.mark.parametrize("format_", [0, 1])
 def test_a_recording_becomes_one_page(recorded: tuple[Path, Path], format_: int) -> None:
     page = recording_page(recorded[format_])
-    # The page shows velocity and voltage of each wheel, and the steering. This robot measures no
-    # current.
+    # The page shows the velocity and the current of each wheel, and the steering. The robot in
+    # Python reports no voltages.
     assert page.count('<ul class="plot-key">') == 9
     assert "Wheel 3, velocity [rpm]" in page
     assert "set-point" in page
@@ -100,7 +100,7 @@ def test_the_table_of_a_scenario_is_drawn_in_units(
     reports = read_recording(table)
     velocity = plots(reports)[0]
     ordered, measured = velocity.curves
-    # The value is in rpm. In the frame, its unit is 0.1 rpm.
+    # The plot has the unit rpm. The column of the table has the unit 0.1 rpm.
     assert 0 < max(value for _, value in ordered.points) <= 300
     last = measured.points[-1][1]
     assert max(value for _, value in measured.points) >= last

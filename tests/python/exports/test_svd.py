@@ -59,7 +59,7 @@ def test_each_block_is_where_the_manual_has_it(device: SVDDevice) -> None:
     shown = {block.name: block.base_address for block in device.peripherals}
     common = shown.keys() & of_manual.keys()
     assert {"PORTE", "UART4", "ADC1", "FTM0", "WDOG"} < common
-    upper = {"SIM": 0x1000}  # The registers in use are in the second half of the block.
+    upper = {"SIM": 0x1000}  # The firmware uses only registers in the second half of this block.
     for name in common:
         assert shown[name] == of_manual[name] + upper.get(name, 0), name
 

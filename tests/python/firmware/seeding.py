@@ -12,7 +12,7 @@ from pathlib import Path
 from tests.python.firmware.contents import BUILD, ROOT
 
 BOARD = ROOT / "build" / "host" / "sim" / "weeding_robot_board"
-FOUND = 4  # exit code of the board program that means that the run ended with a finding
+FOUND = 4  # exit code of the board program if the run ends with a finding
 SOURCES = ROOT / "src" / "k64"
 
 # A drive of two seconds, in which the robot sends reports and receives orders.
@@ -43,7 +43,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Program:
-    """The firmware image under test, which is linked once. After a change of a driver, only this
+    """The commands that build the firmware image again after a change of a driver. Only the changed
     driver is compiled, because the drivers take no part in the optimisation at link time."""
 
     compiled: dict[str, list[str]]  # source of src/k64 -> the command that compiles it
@@ -74,7 +74,8 @@ class Program:
 
 
 def link_once(folder: Path) -> Program:
-    """Compiles the drivers without optimisation at link time. The other parts are optimised."""
+    """Compiles the drivers without optimisation at link time. All other parts of the firmware are
+    optimised at link time, once for all changes of drivers."""
     link = link_command()
     compiled = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
@@ -85,8 +86,8 @@ def link_once(folder: Path) -> Program:
             link[link.index(original)] = made
             words[words.index("-o") + 1] = made
             compiled[str(source.relative_to(SOURCES))] = words
-    # -g0 omits the debug information, because this would refer to intermediate files of the
-    # compiler.
+    # -g0 omits the debug information, because this information would refer to intermediate files
+    # of the compiler.
     linked_to(f"{folder / 'all'}.elf", [*link, "-g0", "-save-temps"])
     (optimised,) = folder.glob("all.elf.*.ltrans.o")
     link.insert(link.index("-o"), str(optimised))  # This object must be before the libraries.
@@ -127,7 +128,7 @@ def link_command() -> list[str]:
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
     words = shlex.split(line[: line.index(" && ")])
-    # This option makes the compiler keep intermediate files.
+    # With this option, the compiler would write intermediate files into the folder of the build.
     place = words.index("-dumpdir")
     del words[place : place + 2]
     return [word for word in words if not word.startswith("-Wl,-Map=")]

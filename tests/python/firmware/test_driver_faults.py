@@ -1,4 +1,4 @@
-"""Mistakes of drivers. Each mistake is made in a copy of the sources. On the virtual K64, the
+"""Mistakes in drivers. Each mistake is made in a copy of the sources. On the virtual K64, the
 firmware with the mistake stops with a finding."""
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ CALCULATION = Change(
     "  stop();\n  volatile float ratio = 1.5F;\n  ratio = ratio * ratio;\n  const auto ticks",
 )
 
-# For each fault: its finding and its changes. The first change names the driver.
+# fault -> the expected finding, and the changes of the sources. The first change is in the driver
+# with the fault.
 FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     "clock gate of UART0 left closed": (
         "clock-gate",
@@ -277,8 +278,8 @@ def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
 
 
 def test_an_image_that_is_linked_again_has_no_finding(tmp_path: Path, program: Program) -> None:
-    """Verifies that the change causes the finding, and that the method of applying the change does
-    not cause the finding."""
+    """Verifies that linking again causes no finding. The findings in the other tests therefore come
+    from the changes of the drivers."""
     run = driven(program.seeded(tmp_path, ()), tmp_path)
     assert (run.code, run.finding) == (0, ""), run.text
 

@@ -145,7 +145,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
 
 
 def test_the_binary_holds_what_the_program_does(image: bytes, tmp_path: Path) -> None:
-    """All loaded data are in the flash. They end at the end of the binary."""
+    """The binary contains all data that are loaded into the flash, and nothing else."""
     copy = tmp_path / "copy.bin"
     output("arm-none-eabi-objcopy", "-O", "binary", ELF, copy)
     assert copy.read_bytes() == image

@@ -38,8 +38,8 @@ REFUSED = "module switch does not depend on a module exporting 'bulb/Bulb.hpp'"
 
 
 def build(root: Path, file: str, before: str, after: str) -> str:
-    """Builds the small project of a lamp after one change of a file. Returns the messages of the
-    build."""
+    """Builds the small project of a lamp after one change of a file. Returns the messages of a
+    failed build. Returns an empty text if the build does not fail."""
     for name, text in TREE.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")

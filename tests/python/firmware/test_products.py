@@ -29,8 +29,8 @@ from traceability.reading.products import (
 )
 
 ROOT = Path(__file__).parents[3]
-# If only the remote control calls a method of a template, the method must not be in the firmware
-# images of other variants.
+# Templates. If only the remote control calls a method of such a template, this method may be
+# missing in the firmware images of variants without a remote control.
 INLINED = {"Pipe"}
 
 
@@ -69,8 +69,8 @@ def test_all_else_is_the_same_in_all_products(product: str) -> None:
 
 @pytest.mark.parametrize("product", PRODUCTS)
 def test_an_intruder_is_found(product: str) -> None:
-    """If the image of a variant contained a part that it must not have, the check would find this
-    part."""
+    """If the firmware image of a variant contained a part that it must not have, the check would
+    find this part."""
     for module in HAS[product]:
         assert intruders(held(product), HAS[product] - {module}) == {module}
 

@@ -82,7 +82,7 @@ TEST = '/// @brief It stops.\nTEST(Safety, FR1_Stops) {\n  playScenario("lost");
 
 
 def write_case(root: Path, *changes: tuple[str, str]) -> None:
-    """Writes the case. Parts of its text can be replaced."""
+    """Writes the files of the safety case. Each change replaces a text in ``CASE``."""
     text = CASE
     for old, new in changes:
         assert old in text, old
@@ -98,7 +98,7 @@ def write_case(root: Path, *changes: tuple[str, str]) -> None:
 
 
 def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:
-    """Returns a model with the case, and a test that plays its scenario."""
+    """Returns a model with the safety case, and with a test that plays the scenario ``lost``."""
     entries = Entries(root)
     declared = Declared(entries=entries, safety=read_safety_case(root, entries))
     run = BindingResult(result, 1.0, stale=not fresh)
@@ -122,8 +122,8 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
 
 
 def report_of(model: Model, states: Mapping[str, str] | None = None) -> Report:
-    """Returns the report of a model with these states of its requirements. By default, FR-1 is
-    verified."""
+    """Returns the report of a model. ``states`` contains the states of the requirements. Without a
+    state in ``states``, FR-1 is verified."""
     verdicts = {
         name: Verdict(state) for name, state in {"FR-1": "verified", **(states or {})}.items()
     }

@@ -1,5 +1,5 @@
-"""A small folder of sources with the same structure as the real sources. It has two modes, two
-states and one test."""
+"""A small folder of sources with the same structure as the real sources. It has two reading
+modes, two operation states and one test."""
 
 from __future__ import annotations
 

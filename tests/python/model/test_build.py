@@ -1,4 +1,4 @@
-"""The model of a small tree of sources."""
+"""The model that is built from a small folder of sources."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ def test_evidence_holds_or_says_why_not(text: str, wrong: list[str]) -> None:
     verdict = make_report(model, [], {}, measured).requirements["NFR-9"]
     assert verdict.reasons == wrong
     assert verdict.state == ("unverified" if wrong else "verified")
-    # Other checks report the other findings.
+    # The findings that this metric counts are already reported by their own check.
     own = [] if text.startswith("checks.module-name ") else wrong
     assert [one.check for one in unmet(model, measured, found)] == ["req-evidence"] * len(own)
 

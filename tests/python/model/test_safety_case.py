@@ -49,7 +49,8 @@ def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
 
 
 def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() -> None:
-    """Each step of one of the three estimates raises the level by one, as in the standard."""
+    """As in the standard, the level is QM for S0, for C0, and up to a sum of 5. Each further step
+    of an estimate raises the level by one."""
     case = read_safety_case(ROOT, Entries(ROOT))
     for s, e, c in product(range(4), range(5), range(4)):
         rises = s > 0 and c > 0
@@ -121,7 +122,7 @@ def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
 def test_an_instance_of_a_test_decides_about_its_scenario(
     tmp_path: Path, own: str, state: str
 ) -> None:
-    """Other failed tests do not affect this scenario."""
+    """A failed instance for another scenario does not affect this scenario."""
     write_case(tmp_path)
     model = settled(tmp_path, "failed")
     runs = model.tests["Safety.FR1_Stops"].results

@@ -65,7 +65,7 @@ def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
         (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
         ("Off::press Lamp::changeState / / On::wait /", []),  # No lamp calls the state.
         (f"{ON} Lamp::tick Blinking::wait / /", []),
-        # The states belong to another lamp.
+        # The constructor begins a new lamp. The change of the first lamp is forgotten.
         (
             f"{ON} Lamp::Lamp / Lamp::tick Off::press / /",
             [STAYS_OFF],

@@ -34,7 +34,7 @@ START = """
     .global run
 run:
 """
-# Ten iterations. Each has two additions of one cycle, and the jump back.
+# Ten iterations. Each iteration has an addition, a subtraction, and the jump back.
 LOOP = """
     movs r0, #10
 1:  adds r1, r1, #1
@@ -42,7 +42,7 @@ LOOP = """
     bne 1b
     bx lr
 """
-# One path has an additional division.
+# One path has a division, and the other path has an addition.
 FORK = """
     cmp r0, #0
     beq 1f
@@ -84,7 +84,7 @@ ASSERTED = """
 2:  udf #0
     bx lr
 """
-# Copies four registers, and loads and stores one register.
+# Loads four registers, loads and stores one register, and uses the stack.
 MEMORY = """
     ldm r0, {r1, r2, r3, r4}
     ldr r5, [r0]
@@ -228,7 +228,8 @@ def test_a_loop_that_nothing_bounds_has_no_longest_path(tmp_path: Path) -> None:
 
 
 def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
-    """Each iteration of the loop uses one of seven units. The exit from the loop uses two units."""
+    """The fact limits a sum to 7. Each iteration of the loop adds 1 to the sum, and the exit from
+    the loop adds 2."""
     code = code_of(tmp_path, LOOP)
     cost = {start: block.cycles for start, block in code.blocks.items()}
     (loop,) = code.loops
@@ -265,11 +266,11 @@ def context(name: str, cycles: int, priority: int, entries: int | None = None) -
 
 def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
-    # The cycle lasts longer than a tick. A request that already waits when the cycle begins came at
-    # most one greatest response time earlier. All these requests therefore came within two time
-    # windows, each as long as a tick.
+    # The cycle lasts longer than a tick. Requests can already wait when the cycle begins. The
+    # longest waiting time is therefore added to the cycle. The sum is longer than one tick and
+    # shorter than two ticks, so the requests of two ticks count.
     assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
-    # With noise, the handler of the first tick may be late.
+    # With noise, two further ticks count, because the handler of the first tick may be late.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
 
@@ -289,8 +290,8 @@ def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
-    """The cycle is shorter than a tick. The sum of the cycle and the waiting time may be longer
-    than a tick."""
+    """The cycle is shorter than a tick. A second request counts only if the sum of the cycle and
+    the waiting time is longer than a tick."""
     waits = context("edge", 20_000, 1, entries=1)
     alone = [context("thread", 70_000, 12), waits]
     assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)
@@ -308,7 +309,8 @@ def test_an_activation_does_not_cost_the_methods_that_it_does_not_call(tmp_path:
 
 
 def test_a_fact_limits_the_rounds_of_a_callee(tmp_path: Path) -> None:
-    """An iteration costs a subtraction and a jump. The call itself has no iteration."""
+    """An iteration costs a subtraction and a jump. All other costs are the same for 0 and for 5
+    iterations."""
     costs = []
     for rounds in (0, 5):
         spread = Spread("Halt::execute", "Thread::run", counter="rounds")

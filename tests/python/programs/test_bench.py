@@ -1,5 +1,5 @@
-"""The bench with the firmware image. If a module is slowed down, its row shows this. A board is
-measured through its serial line."""
+"""The bench measures the firmware image. If a module becomes slower, the row of this module shows
+more instructions. The bench measures a board through the serial line."""
 
 import json
 import shlex
@@ -44,8 +44,8 @@ def slowed(folder: Path) -> Path:
     link = link_command()
     image = folder / "weeding_robot"
     link[link.index("-o") + 1] = f"{image}.elf"
-    link.insert(link.index("-o"), str(compiled))  # before the library, which also contains the
-    # module
+    # The slower module must be before the library, because the library also contains this module.
+    link.insert(link.index("-o"), str(compiled))
     subprocess.run(link, check=True, cwd=BUILD, timeout=60)
     words = ["arm-none-eabi-objcopy", "-O", "binary", f"{image}.elf", f"{image}.bin"]
     subprocess.run(words, check=True, timeout=60)

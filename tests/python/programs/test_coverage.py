@@ -1,4 +1,5 @@
-"""Two measurements of coverage agree: gcovr on the whole run, and the records of each test."""
+"""Two measurements of coverage agree: the count of gcovr for the whole test run, and the sum of the
+records of all tests."""
 
 import json
 from pathlib import Path
@@ -14,7 +15,7 @@ from traceability.schema import HOST, VIRTUAL_K64
 
 ROOT = Path(__file__).parents[3]
 
-# line -> the records of gcovr, with a record for each function
+# source line -> the records of gcovr: one record for each function that shares the line
 Lines = dict[int, list[dict[str, Any]]]
 
 
@@ -75,8 +76,8 @@ def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: C
     """The test compares only source files. Functions of headers are in several object files, and
     gcov counts their branches separately.
 
-    If several functions share a source line, gcov reports the branches of each function, or no
-    branches.
+    A source line that several functions share is left out, because gcov reports for it the branches
+    of each function, or no branches.
     """
     taken = recorded.all
     compared = 0

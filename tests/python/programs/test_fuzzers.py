@@ -83,7 +83,8 @@ def faulty(fault: Fault, folder: Path) -> Path:
     changed = folder / source.name
     changed.write_text(text.replace(fault.find, fault.put), encoding="utf-8")
     commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
-    # The files of an extension are also compiled for the library of the extension.
+    # The files of an extension are compiled twice: for the fuzzer, and for the library of the
+    # extension. ``part`` selects the command for the fuzzer.
     part = "fuzz_frames.dir" if fault.file.startswith("extensions/") else ""
     (command,) = (
         one["command"] for one in commands if one["file"] == str(source) and part in one["command"]

@@ -1,5 +1,5 @@
-"""The page runs the robot in a browser in three ways: to a time of a scenario, by hand, and step by
-step."""
+"""The page runs the robot in a browser in three ways: up to a given time of a scenario, driven by
+hand, and step by step."""
 
 from __future__ import annotations
 

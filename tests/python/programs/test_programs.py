@@ -44,22 +44,24 @@ def program(request: pytest.FixtureRequest) -> Words:
 
 
 Row = dict[str, str]
-# Columns that depend on the time of a measurement, or on the run time of the firmware. The firmware
-# decides all other columns of a report.
+# Columns with values that depend on the time of a measurement, or on the run time of the firmware.
+# The values in all other columns of a report are decisions of the firmware.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
 # Orders of the remote control are also measured. Each order is the width of a pulse. The steering
-# follows these orders. In one of the two runs, the steering may therefore turn by one more step.
+# follows these orders. The steering may therefore turn by one more step in the run on the host than
+# in the run on the virtual K64, or the other way round.
 REMOTE_CONTROL = "0"
 SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
 # For each column, the greatest value that can be ordered, in the unit of the report.
 RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
 WHEELS = "0123"
-# The greatest difference of a value in one cycle, and the greatest difference in 94 of 100 cycles
-# [%]. In one of the two runs, a wheel may reverse one cycle earlier, and no report shows this
-# difference. A wheel at rest keeps the voltage of the last velocity that was measured. If only one
-# of the two runs measures a velocity such as 2.3 rpm, the current at rest changes by 0.13 A.
+# The greatest permitted differences between the two runs, in percent of the range: ONCE in any
+# cycle, USUALLY in at least 94 of 100 cycles. Differences have two causes. A wheel may reverse one
+# cycle earlier in one run, and no report shows this. A wheel at rest keeps the voltage that belongs
+# to the last measured velocity. If only one run measures a low velocity such as 2.3 rpm, the
+# currents at rest differ by 0.13 A.
 ONCE = 8
 USUALLY = 1.3
 # A wheel with one Hall sensor measures no usable velocity. Its values are random.
@@ -92,10 +94,11 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     """Both runs make the same decisions. If a decision depends on a measured value, one run may
     make this decision one cycle later.
 
-    Measured and applied values differ by at most 1.3 % of the range in 94 of 100 cycles. The values
-    differ by more than 8 % only in a cycle next to a decision that one run makes later. While
-    pulses of the remote control are the orders, the values differ by at most 8 %. At the end of a
-    connection and of the scenario, one program may have sent one more report.
+    Measured and applied values differ by at most 1.3 % of the range in 94 of 100 cycles. In cycles
+    with orders of the remote control, only the limit of 8 % applies. The values may differ by more
+    than 8 % at a decision that one run makes later: in the cycle of the decision, in the cycle
+    before, and in the cycle after. At the end of a connection and of the scenario, one program may
+    have sent one more report.
     """
     reports = []
     for binding in ("host", "board"):
@@ -122,8 +125,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """Returns the cycles in which the two runs decide differently. In these cases, one run makes
-    the decision one cycle later.
+    """Returns the indices of the cycles in which the two runs decide differently. Checks that each
+    such decision of the host is made on the virtual K64 one cycle earlier or one cycle later.
     """
     found = []
     for index, (first, second) in enumerate(common):
@@ -227,8 +230,8 @@ def test_without_link_the_same_run_gives_the_same_trace(tmp_path: Path) -> None:
 
 
 def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
-    """The vector table has no handler for the cycle timer. The first clock pulse therefore has no
-    handler."""
+    """The vector table has no handler for the cycle timer. The first clock pulse therefore causes a
+    finding."""
     image = tmp_path / "broken.bin"
     content = bytearray(IMAGE.read_bytes())
     content[CYCLE_TIMER_VECTOR : CYCLE_TIMER_VECTOR + 4] = bytes(4)
@@ -248,7 +251,8 @@ def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def alone(build: Callable[..., None]) -> Path:
-    """Returns a raw image that is not part of the firmware."""
+    """Builds a program for the K64 that is not the firmware. Returns the path of the binary
+    file."""
     build("host", "alone_program")
     return ROOT / "build" / "host" / "guest" / "alone.bin"
 

@@ -2,9 +2,10 @@
 fault stops.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
-the number of drives that ended with a stop, the distance until the stop, and the greatest velocity.
-The name of a series is the fault of a scenario, such as "leads 0". The series "none" has drives
-without a fault. The exceptions in design/safety_case.toml are the results of these series.
+the number of drives that did not end with a stop, the number of drives that stopped after more than
+0.3 m, the longest distance until a stop, and the greatest velocity. The name of a series is the
+fault of a scenario, such as "leads 0". The series "none" has drives without a fault. The exceptions
+in design/safety_case.toml are the results of these series.
 """
 
 import csv
@@ -28,7 +29,7 @@ PROTECTIVE_STOP = "4"
 SPEEDS = (0, 200, 500, 1000, 2000, 3000, -300, -1000)  # 0.1 rpm
 ANGLES = (0, 0, 5, -5, 12, -12, 20, -20)  # degrees
 FAULT_AT, DRIVE_END = 6040, 16040  # in ms; the fault occurs between two cycles
-LIMIT = 3300  # 0.1 rpm
+LIMIT = 3300  # greatest permitted velocity, in 0.1 rpm
 WITHOUT_FAULT = (*range(1, 81), *range(1000, 1120))  # seeds
 SERIES = tuple(itertools.product((100, 200, 500, 1000, 2000, 3000), (0, 20), (-10, 0, 10)))
 
@@ -43,7 +44,7 @@ class Outcome:
 
 
 def wheels(velocity: int, degrees: int) -> str:
-    """Returns set-points that match the steering angle. Each wheel rolls on its own circle."""
+    """Returns the set-points of the four wheels. In a curve, each wheel rolls on its own circle."""
     if degrees == 0:
         return str(velocity)
     middle = WHEELBASE / math.tan(math.radians(abs(degrees)))

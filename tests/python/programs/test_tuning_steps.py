@@ -1,7 +1,7 @@
 """The steps of the page "Values to tune" find the parameters of the simulated robot.
 
 The expected values are the values of the simulated robot in docs/plant.rst. The assumptions of the
-firmware are not used.
+firmware about the robot are not used.
 """
 
 import csv
@@ -27,8 +27,8 @@ from 17150 to 22050 every 100 order velocity 0 steering 2500
 at 22100 end
 """
 WINDING = 1.42  # [ohm]
-MOTOR_CONSTANT = 0.52 * 10.472  # at 100 rpm [V]
-STEP_RATE = 500  # greatest rate of the steering motor [1/s]
+MOTOR_CONSTANT = 0.52 * 10.472  # induced voltage at 100 rpm [V]
+STEP_RATE = 500  # greatest number of steps of the steering motor in a second
 
 Rows = list[dict[str, str]]
 

@@ -1,4 +1,4 @@
-"""Records of tasks, in the form that the task graph writes."""
+"""Records of tasks, in the form in which the task runner doit writes them."""
 
 import json
 from pathlib import Path
@@ -10,8 +10,8 @@ from traceability.reading.task_record import RECORD
 
 
 def record_task(root: Path, task: str, *folders: str) -> None:
-    """Records that a task was done with the present files of some folders, or with some single
-    files."""
+    """Records that a task was done with the present contents of its input files. ``folders`` names
+    folders or single files."""
     found = [path for name in folders for path in (root / name, *(root / name).rglob("*"))]
     files = {
         str(path.relative_to(root)): MD5Checker().get_state(str(path), None)

@@ -1,4 +1,4 @@
-"""Constants of the code have their value and their unit, under the names that texts use."""
+"""The value and the unit of each constant of the code, under the name that texts use for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A result is valid only for its sources."""
+"""A result is valid only for the sources from which it was made."""
 
 from __future__ import annotations
 
@@ -33,7 +33,8 @@ def writer(path: Path, content: object) -> Callable[[Path], object]:
 
 
 class Case(NamedTuple):
-    """A result of a task, with its writer, its reader, and the value that the reader returns."""
+    """A result of a task, its writer and its reader. The reader returns ``known`` for a valid
+    result, and ``unknown`` otherwise."""
 
     task: str
     write: Callable[[Path], object]

@@ -89,8 +89,8 @@ def test_each_line_of_a_damaged_tree_is_a_node_or_an_error(copy: Path, data: st.
 
 
 def below_doubled(text: str, name: str, declared: Declared) -> int:
-    """Returns the number of text lines in invocation trees whose requirement already has another
-    tree. For these trees, the error is reported at the first line."""
+    """Returns the number of lines of ``text`` if a requirement has two trees, and 0 otherwise. The
+    reader keeps only one of the two trees, so the lines of the other tree are not counted."""
     doubled = any(
         "already" in said for place, said, _ in declared.tree_errors if place.file == name
     )

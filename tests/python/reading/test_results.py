@@ -1,4 +1,4 @@
-"""Results and sizes, in the form that the tools write."""
+"""The results of tests, read from files in the form in which the test programs write them."""
 
 from __future__ import annotations
 

@@ -25,9 +25,9 @@ def commit(root: Path, **files: str) -> str:
 
 @pytest.fixture
 def project(tmp_path: Path) -> tuple[Path, str]:
-    """Returns a project with two commits, and the first commit. The second commit edits modules, of
-    which one edit may count as a correction. It also adds a new module of the robot and an
-    extension."""
+    """Returns a project with two commits, and the hash of the first commit. The second commit edits
+    modules. The edit in ``src/sensing`` may count as a correction. The second commit also adds a
+    module of the robot and a module of an extension."""
     git(tmp_path, "init", "-q")
     base = commit(
         tmp_path,
