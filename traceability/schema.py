@@ -798,7 +798,7 @@ class BuildEvidence:
 
 @dataclass(frozen=True)
 class LastRecord:
-    """The recorded result of a test that takes too long to run in each build.
+    """The recorded result of a test that does not run in each build, because it takes too long.
 
     There are three such tests: the mutation test of the tests, the mutation test of the checks, and
     a second build of the release, which must give equal files.

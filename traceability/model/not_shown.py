@@ -103,8 +103,8 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     )
     if short:
         yield (
-            f"{_count(short, 'tree')} of one node show that a method ran, but show no sequence of "
-            "calls.",
+            f"{_count(short, 'tree')} of one node: such a tree shows that a method ran, but shows "
+            "no sequence of calls.",
             "trees",
         )
 
