@@ -242,8 +242,9 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Returns whether other modules can call a function and receive a register as the result.
-    Returns false for `word` "param"."""
+    """Returns whether other modules can call a function and receive a register as the result. If
+    `word` is "param", a parameter of the function receives the register, and the result is
+    false."""
     if word == "param" or body.local:
         return False
     methods = facts.classes[body.owner].methods if body.owner in facts.classes else []
