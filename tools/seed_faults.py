@@ -62,8 +62,8 @@ def seed(root: Path, checks: list[str]) -> list[Outcome]:
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
-    """Yields the outcome of each fault. Copies of the project share the groups of faults of a
-    stage."""
+    """Yields the outcome of each fault. For each stage, the groups of faults are divided among
+    several copies of the project, which are checked in parallel."""
     tried.value = 0
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,
