@@ -226,7 +226,7 @@ class Welcome:
         return (
             f"The frames of the robot have the layout 0x{self.schema_hash:08x}, but this client "
             f"uses the layout 0x{SCHEMA_HASH:08x}. Fields that only one of the two layouts has are "
-            "ignored. To use all fields, use client and firmware of the same version of the project."
+            "ignored. To use all fields, use client and firmware of one version of the project."
         )
 
 
