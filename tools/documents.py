@@ -1,5 +1,5 @@
-"""Makes the documents in a separate process. The documents are the model, the checks, the site and
-the links."""
+"""Makes the documents in a separate process, in four steps: the model, the checks, the site, and
+the check of the links."""
 
 from __future__ import annotations
 

@@ -352,7 +352,10 @@ class BringUp:
         assert self.link.welcome is not None
         start = self.link.welcome.start
         if start.faulted or str(start) not in GOOD_RESETS:
-            raise FailError(str(start), "Find the cause first. docs/protocol.rst explains it.")
+            raise FailError(
+                str(start),
+                "Find the cause of this reset first. docs/protocol.rst explains the causes.",
+            )
         return str(start)
 
     def _supply(self) -> str:

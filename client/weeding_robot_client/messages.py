@@ -272,7 +272,7 @@ class Report:
     armed: bool
     inhibit: str  # reason why the robot does not follow its set-points
     stop_cause: str  # cause of the latched protective stop
-    stop_wheel: int | None  # wheel of the cause
+    stop_wheel: int | None  # wheel that caused the protective stop
     stop_sources: tuple[str, ...]  # sources that order stop
     order_id: int
     sent_at_ms: int  # sending time that the order in force contains
@@ -313,7 +313,7 @@ class Report:
 
     @property
     def ready(self) -> bool:
-        """Returns whether the robot would now execute an order of the PC that moves it."""
+        """Returns whether the robot would move now if the PC ordered a motion."""
         return self.armed or (self.inhibit == "none" and self.order_read and self.source == "PC")
 
 

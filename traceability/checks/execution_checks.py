@@ -23,8 +23,8 @@ from traceability.schema import ExecutionContext, Finding, Place
 from traceability.sources import DESIGN as SOURCES
 from traceability.sources import SRC, files_below
 
-MASKED = "interrupts masked"  # a protection
-LOCK = "InterruptLock"  # masks the interrupts
+MASKED = "interrupts masked"  # name of a protection in design/execution.toml
+LOCK = "InterruptLock"  # class whose objects mask the interrupts
 DECLARED = Place("design/execution.toml", 1)
 HEAP = re.compile(
     r"\bnew\s+[A-Za-z(]|\bdelete\s*(?:\[\]\s*)?[A-Za-z_]|\b(?:malloc|calloc|realloc|free)\s*\(\s*\w"
