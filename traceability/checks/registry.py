@@ -280,7 +280,7 @@ _FIXED = [
     ),
     Check(
         "pattern-role-missing",
-        "All roles bound",
+        "Every assigned role has a tag",
         "If the design assigns a module to a role of a pattern application, the comment of the "
         "module contains this @role.",
         "The check does not find a role that the design does not list. `pattern-role-required` "
@@ -289,7 +289,7 @@ _FIXED = [
     ),
     Check(
         "pattern-role-required",
-        "Every role of the pattern",
+        "Every role of the pattern has a module",
         "Every application in design/applications.toml assigns each role of its pattern to modules "
         "that exist. It assigns no other role.",
         "The check cannot judge whether the module has the function of the role. The clauses of "
@@ -479,9 +479,9 @@ _FIXED = [
     Check(
         "stack-call",
         "Each indirect call of the firmware image is known",
-        "The compiler lists the indirect calls of the firmware image. For each of these calls, "
-        "the possible targets are known: it is a call of a virtual method, and a builder passed "
-        "the object; or design/stack.toml declares the targets.",
+        "The compiler lists the indirect calls of the firmware image. The possible targets of each "
+        "of these calls are known in one of two ways. A builder passed the object whose virtual "
+        "method is called, or design/stack.toml declares the targets.",
         "The check does not read firmware images with extensions, or a firmware image that was not "
         "built from the present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
@@ -536,9 +536,9 @@ _FIXED = [
         "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application. Each event refers to an operation of the State. The "
-        "states, the event and the requirement of each transition exist. A method of one of the "
-        "two states serves the requirement. Each event occurs in a transition. If a state has "
-        "several transitions at the same event, guards distinguish these transitions. If a "
+        "states, the event and the requirement of each transition exist. A method of the old state "
+        "or of the new state serves the requirement. Each event occurs in a transition. If a state "
+        "has several transitions at the same event, guards distinguish these transitions. If a "
         "transition contains a number with a unit, such as 2 s, a requirement of the transition "
         "states the same number.",
         "The check cannot judge the meaning of guards and actions.",
@@ -834,8 +834,8 @@ _FIXED = [
     Check(
         "req-stale",
         "Results belong to the present sources",
-        "The last test run used exactly the present sources. The check compares the size and the "
-        "stack use of the image; the build of this image also used the present sources.",
+        "The last test run used exactly the present sources. The firmware image whose size and "
+        "stack use are checked was also built from the present sources.",
         "The check has no known limits, because it compares contents and not dates.",
         "run ./wr test.",
     ),
@@ -882,7 +882,7 @@ _FIXED = [
         "hazard-time",
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
-        "10 %. The reaction time of the firmware is at most this time.",
+        "10 %. The reaction time of the firmware is at most the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It cannot judge whether the tests measure the right reaction.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
@@ -934,8 +934,8 @@ _FIXED = [
         "suspect-method",
         "Satisfying methods are as in the baseline",
         "These texts are unchanged since the baseline: the specifications of the methods that "
-        "satisfy a requirement, the bodies of these methods and of the methods in its tree, and "
-        "the constants of their files.",
+        "satisfy a requirement, the bodies of these methods and of the methods in the invocation "
+        "tree of the requirement, and the constants in the files of these methods.",
         "The check does not find changes of comments in a body, of formatting, or of names of "
         "local variables.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
