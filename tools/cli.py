@@ -65,7 +65,8 @@ def parser(names: Iterable[str] = MODULES) -> argparse.ArgumentParser:
 
 
 def main(arguments: list[str]) -> int:
-    # The import of all modules takes longer than most commands.
+    # Only the module of the named command is imported, because the import of all modules takes
+    # longer than most commands.
     named = [name for name in arguments[:1] if name in MODULES]
     options, rest = parser(named or MODULES).parse_known_args(arguments)
     if rest:

@@ -130,7 +130,8 @@ def gdb_for_arm() -> str:
 
 
 def gdb_of_board(elf: Path, port: int) -> list[str]:
-    """Returns the command of GDB with the symbols of a firmware image, for a board that waits."""
+    """Returns the command that starts GDB with the symbols of a firmware image. GDB then connects
+    to the board that waits at the port."""
     commands = (f"directory {elf.parent}", f"target remote :{port}")
     words = [gdb_for_arm(), "-q", str(elf)]
     return [*words, *(word for command in commands for word in ("-ex", command))]

@@ -1,5 +1,5 @@
-"""Makes the documents in a separate process. The documents are the model, the checks, the site and
-the links."""
+"""Makes the documents in a separate process, in four steps: the model, the checks, the site, and
+the check of the links."""
 
 from __future__ import annotations
 
@@ -33,7 +33,8 @@ PARTS = ("model", "checks", "site", "links")
 
 
 def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
-    """Builds the documents, and prints each line of output of the four steps at once.
+    """Builds the documents in four steps. Prints each output line of a step as soon as the step
+    prints it.
 
     The process frees its memory when it ends. A long command therefore does not occupy this memory.
     """
@@ -75,7 +76,8 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 
 
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
-    """Adds numbers that were measured later to the metrics of the documents."""
+    """Adds numbers that were measured after the documents were built to the metrics of the
+    documents."""
     for path in (root / name for name in files or (METRICS,)):
         metrics = read_json(path)
         text = json.dumps((metrics or {}) | value, indent=1, sort_keys=True)
@@ -95,8 +97,8 @@ def main(root: Path) -> int:
 
 @contextmanager
 def no_collection() -> Iterator[None]:
-    """Disables garbage collection, which would take a fifth of the time. The model exists until the
-    end of the process.
+    """Disables garbage collection, which would take a fifth of the time. The process keeps the
+    model until its end. There is therefore nothing to collect earlier.
     """
     gc.disable()
     try:
@@ -175,7 +177,7 @@ def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> 
 
 
 def is_unreadable(built: Built | None) -> bool:
-    """Returns whether a part of the design is missing. Every page would then be incomplete."""
+    """Returns whether a file of design/ could not be read. Every page would then be incomplete."""
     return bool(built and built.facts.declared.entries.unreadable)
 
 

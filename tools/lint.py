@@ -149,8 +149,8 @@ def check_format(root: Path, log: TextIO) -> str:
 
 
 def build_with_clang(root: Path, log: TextIO) -> None:
-    """Compiles all sources with clang. The tests of the firmware are not part of the preset
-    host."""
+    """Compiles all sources with clang. The preset sanitize compiles the tests of the firmware,
+    because the preset host does not contain them."""
     build(root, "host", log)
     build(root, "sanitize", log, TESTS)
     words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
@@ -164,7 +164,8 @@ def check_headers(root: Path, log: TextIO) -> str:
     """Compiles each header alone. A header of a driver is compiled for the K64, and each other
     header for this computer.
 
-    A header that a source of the design includes first was compiled alone with this source.
+    A header is left out if the source with its name includes it first. The compilation of this
+    source has already shown that the header needs no other header before it.
     """
     headers = 0
     for preset in ("host", "k64"):
@@ -246,7 +247,8 @@ def units_of(root: Path, paths: list[Path]) -> list[tuple[Path, ...]]:
 def joined(root: Path, unit: tuple[Path, ...]) -> Path:
     """Writes the sources of a unit into one file, and copies the settings of their folder.
 
-    The file contains copies of the sources, because several checks do not examine included files.
+    The file contains copies of the sources, because several checks of clang-tidy do not examine
+    included files.
     """
     folder = root / "build" / "lint" / "units"
     file = folder / unit[0].relative_to(root)

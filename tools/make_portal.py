@@ -103,7 +103,7 @@ class Pages(AbstractContextManager["Pages"]):
         self.write(over=True)
 
     def end(self) -> None:
-        """Waits until all rebuilds have ended. The run itself continues."""
+        """Starts no further rebuild, and waits until the present rebuild has ended."""
         self.over = True
         self.wanted.set()
         self.thread.join()

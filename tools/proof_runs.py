@@ -29,7 +29,8 @@ RECORD = "proofs"  # name of the record of complete runs, with the hash of the m
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 300  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps
-# Depths at which a shorter counterexample is searched, because it is easier to read.
+# Depths to which Spin searches for a counterexample, one after the other. A short counterexample is
+# easier to read.
 SHORT = (100, 200, 300, 400, 600, 800, 1200, 2000, 4000)
 MEMORY_MB = 6000
 WORKERS = 2

@@ -83,8 +83,8 @@ def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
 
 
 def prose_of(path: Path) -> str:
-    """Returns the text of a file in which blanks replace everything except prose. The lines do not
-    move.
+    """Returns the text of a file in which blanks replace everything except prose. The line numbers
+    do not change.
     """
     text = path.read_text(encoding="utf-8")
     if path.suffix not in PROSE:
@@ -97,8 +97,8 @@ def _blank(pattern: re.Pattern[str], text: str) -> str:
 
 
 def _remarks(path: Path, text: str) -> str:
-    """Returns the comments of code, and its strings of several words. A phrase ends where code
-    begins."""
+    """Returns the comments of code, and its strings of several words. Null characters replace all
+    other text. A phrase is therefore never found across code."""
     name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
     try:
         tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)

@@ -15,12 +15,12 @@ from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 from traceability.whole_file import write_whole
 
-# These tests mostly wait for a robot in real time. More tests than processors therefore run in
-# parallel.
 TESTS = Path("tests/python")
 PYTHON = ("tests/python/", "tools/", "traceability/", "site/portal/", "client/")
 COMMANDS = "tools/cli.py"  # It imports the module of a command when this command runs.
 RUNS_TOOLS = "pytest.mark.runs_tools"
+# The tests of this folder mostly wait for a robot in real time. Therefore, more of these tests run
+# in parallel than the computer has processors.
 WAITING = "client"
 WAITING_JOBS = "8"
 
@@ -123,8 +123,8 @@ def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str])
 def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str] | None:
     """Returns the test files of a folder that a change of these files can affect.
 
-    Returns nothing if one of these files is not a Python file of the project. All tests of the
-    folder may read such a file.
+    Returns None if one of these files is not a Python file of the project. All tests of the folder
+    may read such a file.
     """
     python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
     if python != set(changed):

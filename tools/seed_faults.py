@@ -20,8 +20,8 @@ from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_rec
 from traceability.reading.seeded_faults import COMPILER, Fault, read_faults
 from traceability.schema import Finding
 
-# Greatest distance from the expected line to the line of the finding. A comment is above its
-# declaration.
+# Greatest distance from the expected line to the line of the finding, in source lines. A finding
+# about a declaration may point to the comment above the declaration.
 NEAR = 2
 WORKERS = 2
 PROGRESS = 30.0  # time between two messages about the progress [s]
@@ -40,7 +40,8 @@ PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
 
 def seed_all(root: Path) -> list[Outcome]:
-    """Inserts every fault whose results or pages exist, and writes the record."""
+    """Inserts every fault that can be tried, and writes the record. Some faults need test results
+    of the present sources, and others need built pages."""
     faults = read_faults(root)
     fresh = not build(root).model.results_stale
     stages = {"sources"} | ({"results"} if fresh else set())
@@ -62,8 +63,8 @@ def seed(root: Path, checks: list[str]) -> list[Outcome]:
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
-    """Yields the outcome of each fault. Copies of the project share the groups of faults of a
-    stage."""
+    """Yields the outcome of each fault. For each stage, the groups of faults are divided among
+    several copies of the project, which are checked in parallel."""
     tried.value = 0
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,

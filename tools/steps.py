@@ -88,8 +88,9 @@ def run(
 def heed_interrupts() -> None:
     """Makes SIGTERM end the command in the same way as SIGINT.
 
-    A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM. A pool ends
-    its processes with SIGTERM. A process that was forked therefore ends without an exception.
+    A command that a shell starts in the background ignores SIGINT, and a time limit sends SIGTERM.
+    A pool ends its processes with SIGTERM. In a forked process, SIGTERM therefore keeps its usual
+    effect: the process ends without an exception.
 
     Python ignores an exception in the callback of a weak reference, for example during an import.
     If an interrupt is ignored there, a timer repeats it.

@@ -32,7 +32,7 @@ from traceability.sources import files_below
 from traceability.whole_file import write_whole
 
 SECONDS = "seconds of tasks"  # key of the duration of each task
-WAKE = 0.2  # [s]
+WAKE = 0.2  # period at which a waiting main thread wakes up, so that it receives Ctrl-C [s]
 LONG = 10  # If a task is expected to take longer than this, a line is printed when it starts [s].
 
 

@@ -216,7 +216,7 @@ class BringUp:
             Step("connection", "the robot answers, and the versions match", self._connection),
             Step(
                 "image",
-                "build/k64 contains an image with this build id",
+                "build/k64 contains a firmware image with the build id that the robot reports",
                 self._image,
                 ("connection",),
             ),
@@ -291,7 +291,8 @@ class BringUp:
     def _wait(
         self, condition: Callable[[Report], bool], missing: str, advice: str = ""
     ) -> tuple[Report, float]:
-        """Waits for a report that meets the condition. Returns the report and its time.
+        """Waits for a report that meets the condition. Returns the report and the time of its
+        arrival.
 
         Raises FailError when no such report arrives.
         """
@@ -351,7 +352,10 @@ class BringUp:
         assert self.link.welcome is not None
         start = self.link.welcome.start
         if start.faulted or str(start) not in GOOD_RESETS:
-            raise FailError(str(start), "Find the cause first. docs/protocol.rst explains it.")
+            raise FailError(
+                str(start),
+                "Find the cause of this reset first. docs/protocol.rst explains the causes.",
+            )
         return str(start)
 
     def _supply(self) -> str:
@@ -392,8 +396,9 @@ class BringUp:
         if any(map(reached, self._observe(self._wish, OBSERVE_S / 4))):
             raise FailError(
                 f"the {side} end stop is reached although nobody presses it",
-                "Turn the steering to the middle. If the report stays, check the wire: the contact "
-                "is closed at rest, and a broken wire has the same effect as a reached end stop.",
+                "Turn the steering to the middle. If the robot still reports the end stop, check "
+                "the wire: the contact is closed at rest, and a broken wire has the same effect as "
+                "a reached end stop.",
             )
         self._do(f"{side} end press", f"press the {side} end stop by hand and keep it pressed")
         self._wait(reached, f"the {side} end stop was not seen", "Check its wire and its pin.")
@@ -451,7 +456,7 @@ class BringUp:
         try:
             _, seen = self._wait(
                 lambda report: "RC" in report.stop_sources,
-                "no stop followed: the receiver keeps the last pulses",
+                "no stop followed: the receiver still sends the last pulses",
                 "Set the fail-safe of the receiver: no pulses, or the enable channel at 'stop'.",
             )
         finally:
@@ -643,7 +648,7 @@ class Motion:
 
 
 def perform(bring_up: BringUp, record: Record) -> None:
-    """Executes the steps. At the end, it sends a neutral order, or stop orders after an error."""
+    """Executes the steps. Then sends a neutral order. After an error, sends stop orders instead."""
     steps = bring_up.steps()
     outcomes = [Outcome(step.name, step.expected) for step in steps]
     record.steps = outcomes
@@ -732,7 +737,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="folder of the records (default: build/bring-up)",
     )
     parser.add_argument(
-        "--no-rc", action="store_true", help="the product has no remote control: skip these steps"
+        "--no-rc",
+        action="store_true",
+        help="skip the steps of the remote control, because the product has none",
     )
     parser.add_argument(
         "--simulated",

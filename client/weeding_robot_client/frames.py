@@ -1,6 +1,6 @@
 """Frames of the PC protocol, with CRC, byte stuffing and a decoder.
 
-The decoder resynchronises at each zero.
+The decoder resynchronises at each zero byte.
 """
 
 from __future__ import annotations

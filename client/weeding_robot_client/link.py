@@ -62,7 +62,7 @@ def open_line(path: Path) -> serial.Serial:
 
 
 def clock_ms(seconds: float) -> int:
-    """Returns a time of this computer in ms, as an order contains it."""
+    """Converts a time of this computer [s] to the time that an order contains [ms]."""
     return int(seconds * 1000) % CLOCK_MS
 
 
@@ -147,10 +147,11 @@ class Link:
             self._send(Confirm(welcome.session))
 
     def _timed(self, report: Report) -> Report:
-        """Returns the report with the round trip: the time from the sending of its order to the
-        report.
+        """Returns the report with the round trip: the time from the sending of the order to the
+        arrival of the report.
 
-        The round trip is only added if the robot has read an order of the PC in this cycle.
+        The round trip is only added if the robot has read an order of the PC in the cycle of the
+        report.
         """
         if not (report.order_read and report.source == "PC"):
             return report

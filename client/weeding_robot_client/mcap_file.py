@@ -60,7 +60,7 @@ class McapFile:
     """An MCAP file to which reports are written.
 
     The log time of a message is the time of this computer. The publish time of a message is the
-    time of the clock of the robot.
+    time that the clock of the robot showed.
     """
 
     def __init__(self, path: Path) -> None:

@@ -13,7 +13,7 @@ from weeding_robot_client.layout import FRAMES, LAYOUTS, SCHEMA_HASH, Layout, sc
 WHEELS = ("front left", "front right", "rear left", "rear right")
 STEERING = LAYOUTS["Order"].of("steering_set_point")
 UNITS = {entry.shown: entry.unit for entry in FRAMES.enumerations["quantity"].entries}
-CLOCK_MS = 1 << 32  # the clock of the sender restarts at 0 after this value
+CLOCK_MS = 1 << 32  # the sending time in an order restarts at 0 when it reaches this value [ms]
 
 
 class MessageError(ValueError):
@@ -224,9 +224,9 @@ class Welcome:
         if self.incompatible or self.schema_hash in (SCHEMA_HASH, None):
             return None
         return (
-            f"The robot's frames have the layout 0x{self.schema_hash:08x}, this client's "
-            f"0x{SCHEMA_HASH:08x}. Fields that only one side has are ignored. To use all fields, "
-            "use client and firmware of the same version of the project."
+            f"The frames of the robot have the layout 0x{self.schema_hash:08x}, but this client "
+            f"uses the layout 0x{SCHEMA_HASH:08x}. Fields that only one of the two layouts has are "
+            "ignored. To use all fields, use client and firmware of one version of the project."
         )
 
 
@@ -272,10 +272,10 @@ class Report:
     armed: bool
     inhibit: str  # reason why the robot does not follow its set-points
     stop_cause: str  # cause of the latched protective stop
-    stop_wheel: int | None  # wheel of the cause
+    stop_wheel: int | None  # wheel that caused the protective stop
     stop_sources: tuple[str, ...]  # sources that order stop
     order_id: int
-    sent_at_ms: int  # sending time of the order in force, as in this order
+    sent_at_ms: int  # sending time that the order in force contains
     steering_set_point_degrees: float
     steering_degrees: float | None
     turn: int | None  # -1 right, 0 none, 1 left
@@ -284,7 +284,8 @@ class Report:
     right_end: bool
     wheels: tuple[WheelReport, WheelReport, WheelReport, WheelReport]
     counters: dict[str, int]
-    # Processor cycles, in three fields; 0 if the platform does not count them.
+    # The next three fields are numbers of processor cycles, or 0 if the platform does not count
+    # them.
     report_cycles: int
     awake_cycles: int
     start_cycles: int
@@ -312,7 +313,7 @@ class Report:
 
     @property
     def ready(self) -> bool:
-        """Returns whether the robot would now execute an order of the PC that moves it."""
+        """Returns whether the robot would move now if the PC ordered a motion."""
         return self.armed or (self.inhibit == "none" and self.order_read and self.source == "PC")
 
 

@@ -26,7 +26,7 @@ PATIENCE_S = 0.1
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add_link(parser)
-    parser.add_argument("--lines", action="store_true", help="one line for each report")
+    parser.add_argument("--lines", action="store_true", help="print one line for each report")
     parser.add_argument(
         "--reports", type=positive, metavar="N", help="end after this number of reports"
     )

@@ -164,7 +164,7 @@ ACTIONS = {
     "estop release": ("estop release",),
     "lift": ("grip 0",),
 }
-TURNS_LEAST = 5  # 0.1 rpm
+TURNS_LEAST = 5  # smallest velocity of a wheel that turns [0.1 rpm]
 TURNS_MOST = 100_000
 
 

@@ -24,7 +24,9 @@ def add_link(parser: argparse.ArgumentParser) -> None:
         metavar="PATH",
         help="serial port, or the path that ./wr sim printed (default: build/pc-link)",
     )
-    parser.add_argument("--csv", type=Path, metavar="FILE", help="write each report to this file")
+    parser.add_argument(
+        "--csv", type=Path, metavar="FILE", help="write each report to this file, in CSV"
+    )
     parser.add_argument(
         "--mcap", type=Path, metavar="FILE", help="write each report to this file, in MCAP"
     )

@@ -14,9 +14,9 @@ from weeding_robot_client.script import Wish
 
 ARM = """\
 Sends neutral orders (all wheels at 0) until the robot reports that it is armed. Shows the reason
-while the robot is not armed. Releases an earlier stop of the PC. The robot needs neutral orders
-for 0.5 s. A program that drives must then send orders, because the robot does not stay armed
-without orders.
+while the robot is not armed. Releases an earlier stop that the PC ordered. The robot needs
+neutral orders for 0.5 s. A program that drives must then send orders, because the robot does not
+stay armed without orders.
 
 Exit code 1: not armed, or no connection."""
 ACKNOWLEDGE = """\

@@ -58,7 +58,8 @@ class Store:
 
     @contextmanager
     def only_one(self) -> Iterator[None]:
-        """Locks the chunks. A second campaign with the same chunks would run the chunks again."""
+        """Locks the chunks. Without the lock, a second campaign could run the same chunks at the
+        same time."""
         self.folder.mkdir(parents=True, exist_ok=True)
         with (self.folder / "lock").open("a", encoding="utf-8") as file:
             try:

@@ -20,7 +20,8 @@ _CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
 
 
 class Places:
-    """The modules of the addresses in flash or RAM. A module is the innermost class or the source
+    """The module to which each address in flash or RAM belongs. This is the innermost class at the
+    address that is a module. If there is none, it is the module with the name of the source
     file."""
 
     def __init__(self, root: Path, elf: Path) -> None:

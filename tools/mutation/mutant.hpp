@@ -1,5 +1,6 @@
-// The operations of the mutated copies of the sources. An operation works as written if the
-// environment variable WR_MUTANT names none of its mutants.
+// The functions that replace operators in the mutated copies of the sources. The environment
+// variable WR_MUTANT contains the number of one mutant. A function computes the original value if
+// this number belongs to none of its mutants.
 
 #pragma once
 

@@ -18,7 +18,7 @@ from traceability.reading.results import plain_name
 
 SLOWER = 10  # A test counts as hanging after this multiple of its time without a mutant.
 LEAST_SECONDS = 2.0
-ASLEEP = 30  # A program that waits without computing is ended after this multiple of its limit.
+ASLEEP = 30  # A program that only waits is ended after this multiple of its processor time limit.
 HANGS = 2  # number of tests that may hang; the tests after them are not decided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
 

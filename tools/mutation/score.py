@@ -85,7 +85,8 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
     """Returns the functions that a test called. If the recording of the test is incomplete,
     returns all functions.
 
-    A death test runs in a separate process, which is not recorded.
+    The recording of a death test is always incomplete, because the test runs in a separate process
+    that is not recorded.
     """
     known = [name for name in test.results[HOST].recordings if name in traces.tests]
     if test.suite.endswith("DeathTest") or any(
@@ -148,8 +149,8 @@ def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str
     """Runs the tests of the groups. The short tests run first. The run ends when each group has a
     test that found the mutant, or has no tests left.
 
-    The tests run in parts. Each part takes a multiple of the time of the previous part.
-    Therefore only a few programs start.
+    The tests run in parts. Each part takes a multiple of the time of the previous part. Therefore,
+    the program starts only a few times.
     """
     outcome = Outcome()
     most = FIRST_PART
@@ -169,7 +170,7 @@ def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str
 
 
 def _found(outcome: Outcome, tests: set[str]) -> bool | None:
-    """Returns whether a test failed. Returns None if a test is not decided."""
+    """Returns true if a test failed, and false if all tests passed. Otherwise, returns None."""
     if tests & outcome.failed:
         return True
     return False if tests <= outcome.passed else None
@@ -206,7 +207,7 @@ def found_before(
     last: Mapping[str, Any], mutants: list[Mutant], files: Mapping[str, str], plan: Plan
 ) -> dict[int, Tried]:
     """Returns the last results of found mutants, by number. The file of the mutant must be
-    unchanged, and a test that found the mutant must still pass.
+    unchanged, and a test that found the mutant must still pass without a mutant.
 
     Equal changes of a method are one group. The result contains a group only if the last run found
     each of its mutants.

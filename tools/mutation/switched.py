@@ -83,7 +83,8 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # If one replaced part ends where another part begins, the end is inserted first.
+        # If one part ends where another part begins, the text behind the first part is inserted
+        # before the text in front of the second part.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:

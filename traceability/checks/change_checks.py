@@ -71,7 +71,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
             if role not in roles[name]:
                 yield recipe.place, role, f"{role} is not a role of {name}"
         for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
-            yield recipe.place, step, f"the model does not replace {{{word}}} in a step"
+            yield recipe.place, step, f"the model replaces no placeholder {{{word}}} in a step"
 
 
 def _particular(
@@ -89,7 +89,7 @@ def _particular(
             yield particular.place, module, f"{module} has no role in {name}"
     for module in particular.examples:
         if module in model.modules and not model.modules[module].extension:
-            text = f"{module} is part of the robot, so it is not an example"
+            text = f"{module} is a module of src, but an example must be a module of an extension"
             yield particular.place, module, text
 
     if application and particular.examples and bound.isdisjoint(particular.examples):

@@ -23,8 +23,8 @@ from traceability.schema import ExecutionContext, Finding, Place
 from traceability.sources import DESIGN as SOURCES
 from traceability.sources import SRC, files_below
 
-MASKED = "interrupts masked"  # a protection
-LOCK = "InterruptLock"  # masks the interrupts
+MASKED = "interrupts masked"  # name of a protection in design/execution.toml
+LOCK = "InterruptLock"  # class whose objects mask the interrupts
 DECLARED = Place("design/execution.toml", 1)
 HEAP = re.compile(
     r"\bnew\s+[A-Za-z(]|\bdelete\s*(?:\[\]\s*)?[A-Za-z_]|\b(?:malloc|calloc|realloc|free)\s*\(\s*\w"
@@ -55,7 +55,7 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
     declared, findings = _handlers(model, facts)
     lines = handler_lines(facts)
     for handler in sorted(set(lines) - set(declared)):
-        text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
+        text = f"the handler {handler} of interrupt line {lines[handler][0]} belongs to no context"
         findings.append(_declared(DECLARED, text))
     for handler, context in declared.items():
         if handler not in facts.bodies:
@@ -276,7 +276,8 @@ def _enabled(facts: Facts) -> Iterator[Finding]:
     for line, handler in silent_lines(facts).items():
         yield _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
-            f"the table of vectors has {handler} at line {line}, but no call enables this line",
+            f"the table of vectors has {handler} at interrupt line {line}, but no call enables "
+            "this line",
         )
 
 
@@ -328,5 +329,5 @@ def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
     for name, protection in facts.declared.protections.items():
         owner, _, last = name.rpartition("::")
         if name not in members and not (last == "*" and owner in owners):
-            text = f"{name} is declared as shared, but two contexts do not use it"
+            text = f"{name} is declared as shared, but no two contexts use it"
             yield _declared(protection.place, text)

@@ -36,7 +36,8 @@ PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
 CACHE = "pages-cache/links"  # the folder with this cache is next to the site
-# Up to this number of pages, a single process is used, because several processes are not faster.
+# If at most this number of pages changed, one process reads them. Several processes would not be
+# faster.
 FEW = 100
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
@@ -115,8 +116,8 @@ class _Site:
         return self.away(folder, link)
 
     def _away(self, folder: str, link: str) -> str:
-        """Returns the reason why a link is dead, or the empty string. All pages of a folder have
-        the same result, so a cache avoids the second computation."""
+        """Returns the reason why a link is dead, or the empty string. If two pages of a folder
+        contain the same link, the result is the same. A cache avoids the second computation."""
         path, _, fragment = link.partition("#")
         path = path.partition("?")[0]
         if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
@@ -204,8 +205,8 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """Returns the source line that contains a link as it is. Returns None if the link is
-        composed of several parts, because then no source text contains the whole link."""
+        """Returns the source line that contains the complete text of a link. Returns None if the
+        link is composed of several parts, because then no source text contains the whole link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""

@@ -28,7 +28,8 @@ IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
 PLACEHOLDER = "Class"  # In docs/, Class::method is an example that represents any method.
-# For each file of the design, the check that finds a wrong name in it.
+# File of design/ -> the check that reports wrong names in this file. For all other texts, this
+# check is doc-name.
 CHECKS = {"concordance": "paper-stale", "changes": "pattern-change"}
 
 

@@ -119,7 +119,7 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
     """Returns whether the target of an entry exists in the model, for example "module:Wheel". For a
-    generated page, always returns true, because check_pages() searches these pages in the site."""
+    generated page, always returns true, because check_pages() looks for these pages in the site."""
     kind, _, name = target.partition(":")
     if kind == "method":
         owner, _, method = name.partition("::")

@@ -291,9 +291,9 @@ def _has_subclass_role(subclass: str, binding: RoleBinding, model: Model, facts:
     """Returns whether a class has the role of a subclass. The role may belong to this pattern
     application, or to another application that is sufficient.
 
-    For most patterns, a role in any application of one of its base classes is sufficient, because
-    each subclass of a Command or of a Builder has its own application. For State, Strategy and
-    Abstract Class, the role must belong to this application. Decorators and the components that
+    For most patterns, a role in any application of one of the base classes is sufficient. Each
+    subclass of a Command or of a Builder, for example, has its own application. For State, Strategy
+    and Abstract Class, the role must belong to this application. Decorators and the components that
     they decorate are an exception: they need no second role.
     """
     module = model.modules.get(subclass)

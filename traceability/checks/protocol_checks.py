@@ -68,7 +68,7 @@ def _examples(facts: Facts) -> Iterator[Finding]:
         body, crc, coded = (bytes.fromhex(part) for part in parts[2:])
         wrong = [
             *(["check sum"] if _crc(body).to_bytes(2, "big") != crc else []),
-            *(["bytes on the line"] if _stuffed(body + crc[::-1]) + b"\0" != coded else []),
+            *(["bytes on the serial line"] if _stuffed(body + crc[::-1]) + b"\0" != coded else []),
         ]
         if wrong:
             text = f"the {' and the '.join(wrong)} of this example do not belong to its body"

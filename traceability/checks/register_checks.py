@@ -16,12 +16,12 @@ from traceability.schema import Finding, Place
 from traceability.sources import DESIGN
 
 REGISTERS = "src/k64/registers.hpp"  # the file with the table of all blocks
-REGISTER = "src/k64/Register.hpp"  # an expression that converts a number to an address
+REGISTER = "src/k64/Register.hpp"  # the only file that may convert a number to an address
 CLASS = "Register"
 PERIPHERALS = 0x4000_0000  # the first address of the peripherals' registers
 CORE = 0xE000_0000  # the first address of the core's registers
 OWNERS = "design/register_owners.toml"
-START_UP = "/start_up/"  # only these folders contain drivers
+START_UP = "/start_up/"  # folders whose assembler instructions may access memory
 # an instruction that reads or writes memory
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')
 
@@ -242,8 +242,9 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Returns whether other modules can call a function and receive a register as the result.
-    Returns false for `word` "param"."""
+    """Returns whether other modules can call a function and receive a register as the result. If
+    `word` is "param", a parameter of the function receives the register, and the result is
+    false."""
     if word == "param" or body.local:
         return False
     methods = facts.classes[body.owner].methods if body.owner in facts.classes else []

@@ -84,8 +84,8 @@ WHY = {
     "req": "A requirement is fulfilled only when the code, the tests and the test results show "
     "this.",
     "suspect": (
-        "A verdict is valid only for the texts that were judged. By comparison with the baseline, "
-        "the checks find the texts that changed since."
+        "A verdict is valid only for the texts that were judged. The checks compare the present "
+        "texts with the baseline, and find the texts that have changed."
     ),
     "hazard": (
         "The safety case leads from each hazard to tests that ran. If a link in this chain is "
@@ -134,7 +134,7 @@ _FIXED = [
         "design-entry",
         "The files of the design can be read",
         "Every file of design/ exists and is valid TOML. Each entry has all keys that it needs, "
-        "and no other keys. No needed text is empty. Each name has one entry. Each baseline and "
+        "and no other keys. No required text is empty. No name has two entries. Each baseline and "
         "each review has a date.",
         "The check cannot judge whether an entry is true. The other checks compare the entries "
         "with the code. They do not run while a file cannot be read.",
@@ -170,18 +170,19 @@ _FIXED = [
         "Each design module has exactly one secret",
         "The comment above every design module has exactly one @secret, which differs from the "
         "@function. No two modules have the same @secret.",
-        "The check cannot judge whether the code hides the subject of the secret.",
+        "The check cannot judge whether the code really hides this change from the other modules.",
         "write @secret above the class, and state the one likely change that only this module "
         "hides.",
     ),
     Check(
         "module-spec",
         "Each public method has a specification",
-        "Every public method of a design module has a brief, a text for each parameter, and a "
-        "text for its result. Every method except a constructor has @isr, which states whether "
+        "Every public method of a design module has a brief, a text for each parameter, and a text "
+        "for its result. Every method except a constructor has @isr, which states whether "
         "interrupts may call it. The texts are in the comment of the method, or in the comment of "
-        "the method that it overrides. The text of a plain number states its unit or the counted "
-        "items. The text of a parameter with a unit states this unit, and each unit equals the "
+        "the method that it overrides. If a parameter or a result is a plain number, its text "
+        "states the unit or the counted items. If the type of a parameter has a unit (for example "
+        "Velocity), the text of the parameter states this unit. Each unit in a text equals the "
         "unit of the type. Every other public part of a header has a brief: classes, types, "
         "functions, members, constants and friends. If one value of an enumeration has a brief, "
         "all its values have a brief.",
@@ -225,10 +226,11 @@ _FIXED = [
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has a title, @why, @changes, and the id and the pattern of an entry in "
-        "design/applications.toml. The tag is above the abstract class of the pattern. Every "
-        "entry of design/applications.toml has exactly one @patternapp. Every clause that a "
-        "function of the checks decides is declared in design/clauses.toml with its pattern and "
-        "its roles.",
+        "design/applications.toml. The tag is above the abstract class of the pattern. If several "
+        "applications share one abstract class, each tag is above a subclass. Every entry of "
+        "design/applications.toml has exactly one @patternapp. Every clause in design/clauses.toml "
+        "has a function that checks it, and every such function has a clause. A clause names its "
+        "pattern, and only roles of this pattern.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
@@ -250,18 +252,18 @@ _FIXED = [
         "the subclasses that a change adds or alters, and their base classes. An entry for an "
         "application names this application, modules with a role in it, and modules of extensions "
         "as examples. All these parts exist. Each name in backticks in a step exists.",
-        "The check cannot judge whether the steps are sufficient. The extensions show this for "
-        "some steps.",
+        "The check cannot judge whether the steps are sufficient. For some steps, the extensions "
+        "show that they are sufficient.",
         "correct the name.",
     ),
     Check(
         "change-kit",
-        "Likely changes are made",
+        "Each likely change has an example",
         "For each application of a pattern, changes/ contains a folder with the id of the "
         "application. The files in the folder make the likely change. The folder names a class "
         "that derives from a base class of the recipe, or it edits a module that the recipe "
-        "alters. The folder names tests on the host and on the virtual K64, and these tests "
-        "exist. If the change alters existing lines, the folder states the reason.",
+        "alters. The folder names tests on the host and on the virtual K64, and these tests exist. "
+        "If the change alters existing source lines, the folder states the reason.",
         "The check cannot judge whether the change is likely, or whether the tests of the change "
         "find a fault in it.",
         "complete the folder of the change as changes/README.md explains.",
@@ -269,16 +271,16 @@ _FIXED = [
     Check(
         "pattern-role-unknown",
         "Known roles",
-        "Every @role names an application that is declared, and a role of its pattern. The tag is "
-        "written once. It is above a module that the design binds to that role, or above a module "
-        "of an extension.",
+        "Every @role names an application that is declared, and a role of its pattern. No tag is "
+        "written twice. The tag is above a module to which design/applications.toml assigns this "
+        "role, or above a module of an extension.",
         "The check does not find a class that plays a role in a pattern but has no @role. The "
         "clauses of the pattern find some of these classes.",
         "correct the application or the role in the tag, or change design/applications.toml.",
     ),
     Check(
         "pattern-role-missing",
-        "All roles bound",
+        "Every assigned role has a tag",
         "If the design assigns a module to a role of a pattern application, the comment of the "
         "module contains this @role.",
         "The check does not find a role that the design does not list. `pattern-role-required` "
@@ -287,7 +289,7 @@ _FIXED = [
     ),
     Check(
         "pattern-role-required",
-        "Every role of the pattern",
+        "Every role of the pattern has a module",
         "Every application in design/applications.toml assigns each role of its pattern to modules "
         "that exist. It assigns no other role.",
         "The check cannot judge whether the module has the function of the role. The clauses of "
@@ -310,8 +312,8 @@ _FIXED = [
         "subclass has the role of a subclass (for example Concrete Strategy). For a State, a "
         "Strategy or an Abstract Class, the subclass needs this role in each application of the "
         "base class. There are two exceptions. A decorator, or a component that is decorated, "
-        "needs no second role. A Command that is nested in a module contains only the code of a "
-        "thread, and needs no role.",
+        "needs a role in only one application. A Command that is nested in a module contains only "
+        "the code of a thread, and needs no role.",
         "The check cannot judge whether the subclass has the right role.",
         "give the subclass a role, or derive the subclass from another class.",
     ),
@@ -373,11 +375,12 @@ _FIXED = [
     Check(
         "board-belief",
         "Each belief of the virtual K64 has a source",
-        "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
-        "file of sim/emulator that contains this register, and a declared source. Every register "
-        "of src/k64/registers.hpp has a belief.",
-        "The check does not detect that a value of a register is missing in the list. It cannot "
-        "judge whether the source confirms the belief.",
+        "A belief is an assumption of the virtual K64 about the hardware. Every belief in "
+        "design/board_beliefs.toml names a register of src/k64/registers.hpp, a file of "
+        "sim/emulator that contains this register, and a declared source. Every register of "
+        "src/k64/registers.hpp has a belief.",
+        "The check does not detect that design/board_beliefs.toml lacks a value of a register. It "
+        "cannot judge whether the source confirms the belief.",
         "correct the entry or add it, with its source.",
     ),
     Check(
@@ -466,8 +469,8 @@ _FIXED = [
         "Shared data of contexts is protected",
         "A member that one context changes and another context uses is a Pipe, or "
         "design/execution.toml declares its protection. A member that is declared as atomic is "
-        "atomic. Each use of a member that is declared as masked is under an InterruptLock. One "
-        "context writes a pipe, and one context reads it.",
+        "atomic. Each use of a member that is declared as masked is under an InterruptLock. Only "
+        "one context writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It cannot judge whether the protection is sufficient. It does not "
         "compare two threads of the same kind, such as the threads of two wheels.",
@@ -475,17 +478,17 @@ _FIXED = [
     ),
     Check(
         "stack-call",
-        "Each indirect call of the image is known",
-        "The compiler lists the indirect calls of the firmware image. For each of these calls, "
-        "the possible targets are known: it is a call of a virtual method, and a builder passed "
-        "the object; or design/stack.toml declares the targets.",
-        "The check does not read images with extensions, or an image that was not built from the "
-        "present sources.",
+        "Each indirect call of the firmware image is known",
+        "The compiler lists the indirect calls of the firmware image. The possible targets of each "
+        "of these calls are known in one of two ways. A builder passed the object whose virtual "
+        "method is called, or design/stack.toml declares the targets.",
+        "The check does not read firmware images with extensions, or a firmware image that was not "
+        "built from the present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
     ),
     Check(
         "stack-recursion",
-        "No function of the image calls itself",
+        "No function of the firmware image calls itself",
         "No function calls itself, directly or through functions of its file. No chain of calls "
         "from a handler enters a function twice. A chain of decorators passes at most once through "
         "each Concrete Decorator of its application.",
@@ -505,10 +508,11 @@ _FIXED = [
     ),
     Check(
         "time-bound",
-        "Each loop of the image has a bound",
-        "Each loop that a handler of the image reaches has a bound. Each copy of unknown size that "
-        "a handler reaches has a bound too. The bound is the constant in the head of the loop, or "
-        "a declared number next to the loop or copy. The target of each indirect call is known.",
+        "Each loop of the firmware image has a bound",
+        "Each loop that a handler of the firmware image reaches has a bound. Each memory copy of "
+        "unknown size that a handler reaches has a bound too. The bound is the constant in the "
+        "head of the loop, or a declared number above the loop or the copy. The target of each "
+        "indirect call is known.",
         "The check cannot judge whether a declared bound is right. It does not read loops that run "
         "only before the first interrupt.",
         "write the bound above the loop.",
@@ -516,9 +520,11 @@ _FIXED = [
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "Two measured times are at most the computed bound of the control cycle: the longest time "
-        "to the report in the runs of the bench, and the longest time to the end of the main "
-        "thread in the published random drives. The recorded time of each path is at most the "
+        "No measured control cycle took longer than the computed bound of the control cycle. In "
+        "the runs of the bench and in the tests of the firmware image, the measured time of a "
+        "cycle ends with the report. In the published random drives, it ends with the end of the "
+        "main thread. Random drives with noise at the inputs have a larger bound, which includes "
+        "the interrupts that the noise causes. The recorded time of each path is at most the "
         "computed bound of this path.",
         "The check does not detect that an interrupt can occur more often than design/times.toml "
         "states.",
@@ -530,26 +536,29 @@ _FIXED = [
         "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application. Each event refers to an operation of the State. The "
-        "states, the event and the requirement of each transition exist. A method of one of the "
-        "two states serves the requirement. Each event is used. If a state has several transitions "
-        "at the same event, guards distinguish these transitions. A number with a unit in a "
-        "transition equals a number of its requirement.",
+        "states, the event and the requirement of each transition exist. A method of the old state "
+        "or of the new state serves the requirement. Each event occurs in a transition. If a state "
+        "has several transitions at the same event, guards distinguish these transitions. If a "
+        "transition contains a number with a unit, such as 2 s, a requirement of the transition "
+        "states the same number.",
         "The check cannot judge the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
     Check(
         "fsm-code",
         "Declared transitions agree with the code",
-        "In each operation of a state, the code contains as many changes to each successor as the "
-        "machine declares transitions. To find these changes, the check searches all calls of the "
-        "operation that assigns the state of the Context. To find the successor, it searches the "
-        "object that the builder passed. The builder passes the initial state to the Context "
-        "first. If an operation always changes the state, the machine declares no transition that "
-        "stays in the state at this operation. If an operation has a single transition, this "
-        "transition has a guard exactly when the code makes the change conditional. Before each "
-        "change, the code checks the conditions that [guards] lists for the guard, and calls the "
-        "methods that [actions] lists for the action. The operation of a state calls no other "
-        "methods of [actions].",
+        "The file of a machine in design/fsm declares its transitions. For each operation of a "
+        "state and each successor, the number of state changes in the code equals the number of "
+        "declared transitions. A state change is a call of the operation of the Context that "
+        "assigns the state. The successor is the object that a builder passed to the state. The "
+        "builder passes the initial state to the Context. If an operation changes the state on "
+        "every path, no declared transition of this operation stays in the state. If an operation "
+        "has only one transition, this transition has a guard if the code makes the change on some "
+        "paths only, and has no guard otherwise. The table [guards] of the file lists the "
+        "conditions of each guard. Before each change, the code checks the conditions of the "
+        "guard. The table [actions] of the file lists the methods of each action. Before each "
+        "change, the code calls the methods of the action, and it calls no other method of this "
+        "table.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -558,10 +567,11 @@ _FIXED = [
     Check(
         "fsm-seen",
         "Each transition is made in a test",
-        "A passed test on the host made each transition. This is shown by its recorded calls: the "
-        "Context calls the operation of the state, and the next call of a state can only be a "
-        "call of the successor. For each requirement that a transition names, a test of the "
-        "requirement makes the transition. No test makes a change that is not declared.",
+        "Each transition was made in a test on the host that passed. The recorded calls of the "
+        "test show the transition: the Context calls the operation of the old state, and its "
+        "following calls can only be calls of the successor. For each requirement that a "
+        "transition names, a test of the requirement makes the transition. No test makes a change "
+        "that is not declared.",
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
@@ -609,15 +619,17 @@ _FIXED = [
         "module-file",
         "Every file belongs to a module",
         "Every file below src and extensions belongs to a module, contains data types, belongs to "
-        "a composition, or is listed as shared in design/modules.toml. Other files cannot use a "
-        "function or class next to a module without this module. All variables belong to objects.",
+        "a composition, or is listed as shared in design/modules.toml. If the file of a module "
+        "contains a function or a class outside the class of the module, other files cannot use "
+        "it. Every variable is a member of an object.",
         "The check does not limit the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
     Check(
         "module-preprocessor",
         "No macro, no condition",
-        "The preprocessor only includes named files, so every product compiles the same text.",
+        "The preprocessor is used only to include named files. Therefore, every product compiles "
+        "the same text.",
         "The check does not detect which files the build includes in a product. The tests of the "
         "products check this.",
         "use a constant, a template, or another module that the build chooses.",
@@ -724,10 +736,10 @@ _FIXED = [
         "req-source",
         "Sources are references",
         "Every @source has the form 'kind: name'; semicolons separate several sources. The name of "
-        "a paper is a place of design/paper.toml. The name of a goal is in "
-        "design/safety_case.toml and in a @goal of the requirement. The name of a protocol is a "
-        "heading of docs/protocol.rst. The name of a data sheet is in design/safety_case.toml. A "
-        "decision has its text.",
+        "a paper is a place of design/paper.toml. The name of a goal is in design/safety_case.toml "
+        "and in a @goal of the requirement. The name of a protocol is a heading of "
+        "docs/protocol.rst. The name of a data sheet is in design/safety_case.toml. A source of "
+        "the kind decision states the decision as a text.",
         "The check cannot judge whether the source supports the requirement. Only a reader can "
         "judge this.",
         "write the source in this form.",
@@ -781,10 +793,10 @@ _FIXED = [
     Check(
         "req-justified",
         "Justifications are needed",
-        "Every name in design/justified.toml is a method, a test or a line that needs a "
-        "justification. Every entry of design/mutants.toml quotes a line of its method. After all "
-        "mutants of these sources were tried, no test had found the changes that these entries "
-        "list.",
+        "Every name in design/justified.toml is a method, a test or a source line that needs a "
+        "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
+        "lists changes of this line. If all mutants of the present sources were tried, no test "
+        "found any of these changes.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
@@ -822,18 +834,19 @@ _FIXED = [
     Check(
         "req-stale",
         "Results belong to the present sources",
-        "The last test run used exactly the present sources. The check compares the size and the "
-        "stack use of the image; the build of this image also used the present sources.",
+        "The last test run used exactly the present sources. The firmware image whose size and "
+        "stack use are checked was also built from the present sources.",
         "The check has no known limits, because it compares contents and not dates.",
         "run ./wr test.",
     ),
     Check(
         "req-line",
-        "Each line serves a requirement",
-        "A passing test of a requirement executes each line of a method of the design, and the "
-        "method serves this requirement. A method serves a requirement in three cases: the tree of "
-        "the requirement contains the method, the method has the tag, or a caller of the method "
-        "serves the requirement. Other lines are justified in design/justified.toml.",
+        "Each source line serves a requirement",
+        "Each source line of a method of the design is executed by a passing test of a "
+        "requirement, and the method serves this requirement. A method serves a requirement in "
+        "three cases: the tree of the requirement contains the method, the method has the tag, or "
+        "a caller of the method serves the requirement. Other lines are justified in "
+        "design/justified.toml.",
         "The check does not read the drivers of the K64; the page of the virtual K64 lists their "
         "lines. It does not detect whether the test checks the effect of the line.",
         "execute the line in a test of its requirement, remove it, or justify it in "
@@ -869,7 +882,7 @@ _FIXED = [
         "hazard-time",
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
-        "10 %. The reaction time of the firmware is at most this time.",
+        "10 %. The reaction time of the firmware is at most the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It cannot judge whether the tests measure the right reaction.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
@@ -921,8 +934,8 @@ _FIXED = [
         "suspect-method",
         "Satisfying methods are as in the baseline",
         "These texts are unchanged since the baseline: the specifications of the methods that "
-        "satisfy a requirement, the bodies of these methods and of the methods in its tree, and "
-        "the constants of their files.",
+        "satisfy a requirement, the bodies of these methods and of the methods in the invocation "
+        "tree of the requirement, and the constants in the files of these methods.",
         "The check does not find changes of comments in a body, of formatting, or of names of "
         "local variables.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
@@ -937,7 +950,7 @@ _FIXED = [
     ),
     Check(
         "suspect-design",
-        "Reasons and code without a requirement are as in the baseline",
+        "Texts without a requirement are as in the baseline",
         "These texts are unchanged since the baseline: the sentences in the files of design/ and "
         "changes/, and the bodies and specifications that no requirement names. Examples of such "
         "sentences are reasons, deviations, steps and answers.",
@@ -947,7 +960,7 @@ _FIXED = [
     ),
     Check(
         "req-review",
-        "A record of a review is a review",
+        "Each recorded review is valid",
         "Each record in requirements/reviews.toml names a person with an address. According to "
         "git, this person wrote no line of the reviewed texts. The record has a remark and an "
         "answer to each question.",
@@ -991,8 +1004,8 @@ _FIXED = [
         "paper-alias",
         "Each name that differs from the paper has a reason",
         "If the name of a module, method or state differs from the name in the paper, the entry "
-        "has an alias with a reason. If the names are equal, the entry has no alias. The name of "
-        "an application is its title.",
+        "has an alias with a reason. If the names are equal, the entry has no alias. For a pattern "
+        "application, the check compares its title.",
         "The check cannot judge whether the reason is good.",
         "state why the name differs, or use the name of the paper.",
     ),
@@ -1036,7 +1049,7 @@ _FIXED = [
         "link-site",
         "Links of the site",
         "Every link of the site has a target page and anchor. This includes the links in diagrams. "
-        "Every click of design/questions.toml has a target page.",
+        "Every address that design/questions.toml lists in `clicks` has a page.",
         "The check does not follow links to other sites.",
         "correct the source of the page.",
     ),

@@ -212,7 +212,8 @@ def _unneeded(model: Model) -> Iterator[Finding]:
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds entries of design/mutants.toml whose source line does not exist in the method. If all
-    mutants were tried, also finds entries whose change was found by a test or was not tried."""
+    mutants were tried, also finds entries with a change that a test found, or that no mutant
+    makes."""
     bodies: dict[tuple[str, str], list[BodyFact]] = {}
     for body in facts.syntax.bodies:
         bodies.setdefault((body.place.file, body.id), []).append(body)

@@ -26,8 +26,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _open(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public data members and friend declarations. With both, another class can use members
-    without a call of the interface."""
+    """Finds public data members and friend declarations. Through such a member or such a friend,
+    another class can use a module without its interface."""
     for module in model.modules.values():
         if module.datatype:
             continue
@@ -46,7 +46,7 @@ def _open(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds public operations that return a non-const reference or pointer to a member of the
-    module. A caller could change the member with it."""
+    module. By means of this reference or pointer, a caller could change the member."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)

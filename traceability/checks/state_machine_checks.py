@@ -125,7 +125,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
 ) -> list[tuple[str, str, str]]:
-    """Yields the faults in the requirements of a transition. Each fault has a text, a fix, and the
+    """Returns the faults in the requirements of a transition. Each fault has a text, a fix, and the
     word to which the finding points."""
     requirements = [
         model.requirements[name] for name in step.requirements if name in model.requirements
@@ -266,8 +266,8 @@ def _rows(machine: StateMachine, state: str, operation: str) -> list[Transition]
 
 
 def _asked(machine: StateMachine, row: Transition) -> set[str]:
-    """Returns the conditions that the code must check for a transition. [guards] lists these
-    conditions for the guard and for the event."""
+    """Returns the conditions that the code must check for a transition. The table [guards] of the
+    machine's file lists these conditions for the guard and for the event."""
     return {*machine.guards.get(row.guard, ()), *machine.guards.get(row.event, ())}
 
 
@@ -291,7 +291,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
     declared guards."""
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
-            text = f"[guards] lists no condition for the guard '{row.guard}'"
+            text = f"the table [guards] lists no condition for the guard '{row.guard}'"
             yield Finding(row.place, "fsm-code", text, "write it, or correct the guard")
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):

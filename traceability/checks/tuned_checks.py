@@ -84,5 +84,8 @@ def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> It
             if computed.intersection((name, to) for name in _read_by(constant)):
                 computed.add((constant.name, to))
             if sign.search(constant.text) and (constant.name, to) not in computed | declared:
-                text = f"{constant.name} seems to depend on {to} only"
+                text = (
+                    f"{constant.name} seems to depend on {to}, but is neither computed from it nor "
+                    "declared in design/tuned.toml"
+                )
                 yield Finding(constant.place, "change-tuned", text)
