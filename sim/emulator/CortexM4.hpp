@@ -43,13 +43,13 @@ class CortexM4 {
     Exit      ///< exit() was called
   };
 
-  /// @brief Reason for the entry or the exit of an exception.
+  /// @brief Entry or exit of an exception.
   enum class Step { Entered, Left };
 
   /// @brief Constructs a processor without memory.
   /// @param lines number of interrupt lines, 1 to 240
   /// @param priorityBits number of bits of a priority, 3 to 8
-  /// @param timing cost of instructions
+  /// @param timing model of the duration of instructions
   explicit CortexM4(unsigned lines = 110, unsigned priorityBits = 4,
                     Timing timing = Timing::NoWaitStates);
   CortexM4(const CortexM4&) = delete;
@@ -85,8 +85,8 @@ class CortexM4 {
   /// @return reason of the return
   Stop run(std::uint64_t limit);
 
-  /// @brief Makes run() return at a given cycle, before the limit of run(). The functions that were
-  /// passed to mapWindow() may call this function.
+  /// @brief Makes run() return at a given cycle, if this cycle is before the limit of run(). The
+  /// functions that were passed to mapWindow() may call this function.
   void limitTo(std::uint64_t cycle);
 
   /// @brief Makes run() return before the next instruction. The functions that were passed to

@@ -20,7 +20,8 @@ namespace wr::emulator {
 /// identifiers. The duration of a frame is its number of bits in ISO 11898-1, without stuff bits.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
-/// loop-back, listen-only mode, wake-up or time stamps. Writing their bits causes a finding.
+/// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
+/// causes a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }

@@ -88,7 +88,7 @@ class Peripheral {
  protected:
   explicit Peripheral(Microcontroller& board) : board_(board) {}
 
-  /// @brief Reports an access of a register that the model does not have.
+  /// @brief Reports an access to a register that the model does not have.
   void unmodelled(std::string_view block, std::uint32_t offset);
 
   /// @brief Reports an access whose size differs from the size of the register.

@@ -67,7 +67,7 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
-// A level that differs from the filtered level must last for the width of the filter plus the clock
+// A new level passes the filter after it has lasted for the width of the filter plus the clock
 // cycles of the synchronizer.
 void Port::passLater(unsigned pin) {
   const std::uint32_t bit = 1U << pin;

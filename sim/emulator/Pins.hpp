@@ -14,8 +14,8 @@ struct PinState {
   std::uint32_t direction = 0;              ///< PDDR
   std::uint32_t driven = 0;                 ///< pins with a level from outside
   std::uint32_t outside = 0;                ///< levels from outside
-  std::uint32_t shown = 0;                  ///< levels of the outputs that were reported
-  std::uint32_t shownOutputs = 0;           ///< outputs that were reported
+  std::uint32_t shown = 0;                  ///< last reported levels of the outputs
+  std::uint32_t shownOutputs = 0;           ///< pins that were outputs at the last report
   std::uint32_t filters = 0;                ///< pins whose digital filter is on
   std::uint32_t passed = 0;                 ///< levels that the filters have passed
 

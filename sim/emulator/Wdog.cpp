@@ -217,7 +217,7 @@ void Wdog::refresh(std::uint32_t key) {
 }
 
 void Wdog::checkConfiguration() {
-  // The time-out must be longer than twice the configuration time plus 20 bus clocks (K20
+  // The time-out must be longer than the sum of twice the configuration time and 20 bus clocks (K20
   // Sub-Family Reference Manual, 23.9).
   const Time unit = source().at(countsFrom_ + divider() * timeOut()) - source().at(countsFrom_);
   const Clock& clock = board_.busClock();
@@ -260,8 +260,8 @@ Time Wdog::nextEvent() const {
 void Wdog::advance() {
   const std::uint64_t now = bus();
   if (lock_ == Lock::FreshlyReset && now > lockChanged_ + kConfigurationTime) {
-    // The first key must be written within the configuration time. The second key has another
-    // limit.
+    // The first key must be written within the configuration time. The second key must follow
+    // within kKeyTime after the first key.
     const bool keyGiven = unlockKeyAt_ && *unlockKeyAt_ <= lockChanged_ + kConfigurationTime;
     if (keyGiven && now <= *unlockKeyAt_ + kKeyTime) {
       lockChanged_ = *unlockKeyAt_ + kKeyTime - kConfigurationTime;

@@ -176,8 +176,8 @@ class Core {
   /// @return false in case of a trap
   [[nodiscard]] bool beginFp();
 
-  /// @brief Adds the cycles that the processor needs for a read from flash that is not part of an
-  /// instruction, for example the read of a vector.
+  /// @brief Adds the cycles of a read from flash. The read is not the fetch of an instruction, but
+  /// for example the read of a vector.
   void spendForRead(std::uint32_t address);
 
   /// @brief Records that the next instruction does not begin a block, for example after the entry

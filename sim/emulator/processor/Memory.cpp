@@ -48,8 +48,8 @@ Memory::Direct Memory::directOf(const Area& area) const {
 
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
-  for (const Area& area :
-       all_) {  // the load clears the decoded instructions; stores can then be direct again
+  // Clears the decoded instructions. Stores can then be direct again.
+  for (const Area& area : all_) {
     forget(area, area.address, area.size);
   }
   for (std::size_t i = 0; i < kMegabytes; ++i) {
