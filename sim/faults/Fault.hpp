@@ -57,14 +57,15 @@ struct Fault {
   return kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Returns true if the effect of a fault of this kind can disappear. After this, the memory
-/// has the same content as in a run without the fault.
+/// @brief Returns true if the effect of a fault of this kind can disappear. When it has
+/// disappeared, the memory has the same content as in a run without the fault.
 [[nodiscard]] inline bool passes(Kind kind) {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
 
 /// @brief Longest time of observation [ms]. The angle sensor may drift for 6.8 s before FR-227
-/// detects the drift. Implausible Hall edges need seconds to reach the count of FR-279.
+/// detects the drift. It takes seconds until the number of implausible Hall edges reaches the limit
+/// of FR-279.
 inline constexpr int kLongestWindow = 7000;
 
 /// @brief Returns the duration of the observation after the fault [ms]. It lasts at least until the

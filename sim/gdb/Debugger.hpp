@@ -59,7 +59,7 @@ class Debugger {
   /// @brief Removes all breakpoints and watchpoints, and resumes.
   void leave();
 
-  // Each change is repeated when another run passes its position.
+  // Each change is repeated when another run passes the position of the change.
   void write(std::size_t number, std::uint64_t value);
   [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
 

@@ -145,7 +145,7 @@ class Robot {
   void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }
 
   /// @brief Executes one step pulse of the steering.
-  /// @param left direction
+  /// @param left true: to the left; false: to the right
   void steeringStep(bool left) { steering_.step(left); }
 
   /// @brief Samples the sensors. Then simulates 1 ms with the present inputs.

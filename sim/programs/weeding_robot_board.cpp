@@ -322,7 +322,8 @@ std::FILE* messagesOf(const Settings& settings) {
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A run that is as fast as possible has no serial line for a client.
+    // A scenario needs no serial line, because it plays the PC. A client cannot follow a run that
+    // is as fast as possible, so this run has no pseudo-terminal.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }
@@ -518,8 +519,8 @@ Exit run(const Settings& settings) {
 int main(int count, char** arguments) try {
   wr::programs::Settings settings;
   CLI::App app(
-      "Runs a raw image of a K64 (MK64FN1M0) on the virtual board, in real time. The board is\n"
-      "alone, or in the simulated robot. It stops at the first finding.",
+      "Runs a raw firmware image for a K64 (MK64FN1M0) on the virtual board, in real time. The\n"
+      "board is alone, or in the simulated robot. The run stops at the first finding.",
       "weeding_robot_board");
   wr::programs::addImageOptions(app, settings);
   wr::programs::addLineOptions(app, settings);

@@ -39,8 +39,8 @@ namespace wr::scenario {
 /// digits. Orders are numbered from 1.
 ///
 /// The actions on the robot and its surroundings (actions of the world) are listed at
-/// readWorldAction(). After the action mark, the fields 'way' and 'max_velocity' are measured from
-/// this time.
+/// readWorldAction(). The action mark restarts the measurement of the fields 'way' and
+/// 'max_velocity'.
 ///
 /// 'seed N' selects the noise. With 'plant varied', the seed also selects the parameters of the
 /// robot. 'plant PARAMETER VALUE' sets one parameter. These lines have no time, and must be before

@@ -26,7 +26,7 @@ class ScenarioPlayer {
   };
 
   /// @brief Connects a PC to the serial line of a robot that was just switched on.
-  /// @param scenario the actions of the PC
+  /// @param scenario the scenario; it must outlive the player
   /// @param robot the robot
   /// @param reports receives each report as a text line of comma-separated values. The values are
   /// all fields of the report, the time [ms] at which the PC received the report, and the true
