@@ -57,13 +57,13 @@ class CortexM4 {
 
   /// @brief Adds memory.
   /// @param address first address, a multiple of 4096
-  /// @param size bytes, a multiple of 4096
-  /// @param access access of the program
+  /// @param size number of bytes, a multiple of 4096
+  /// @param access accesses that the program may make
   void mapMemory(std::uint32_t address, std::uint32_t size, Access access);
 
   /// @brief Adds a range of addresses. Each access to this range calls a function.
   /// @param address first address, a multiple of 4096
-  /// @param size bytes, a multiple of 4096
+  /// @param size number of bytes, a multiple of 4096
   /// @param read returns the value that the program reads
   /// @param write receives the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
@@ -105,7 +105,8 @@ class CortexM4 {
   /// @brief Returns the number of instructions since construction.
   [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
 
-  /// @brief Returns the address of the running or of the next instruction.
+  /// @brief Returns the address of the running instruction. Outside of run(), returns the address
+  /// of the next instruction.
   [[nodiscard]] std::uint32_t pc() const;
 
   /// @brief Returns a core register, 0 to 15.

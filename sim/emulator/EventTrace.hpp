@@ -27,8 +27,8 @@ class EventTrace {
   /// @return the number
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
-  /// @brief Returns the FNV-1a hash of all events. Runs with different events have different
-  /// hashes.
+  /// @brief Returns the FNV-1a hash of all events. Runs with different events almost certainly have
+  /// different hashes.
   /// @return the hash
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
 

@@ -78,7 +78,7 @@ class Peripheral {
   /// @brief Updates the state to the present time.
   virtual void advance() {}
 
-  /// @brief Returns the last result of nextEvent().
+  /// @brief Returns the result of nextEvent() at the last call of renewDue().
   [[nodiscard]] Time due() const { return due_; }
 
   /// @brief Updates due(). The board calls this function after each change that may affect the next

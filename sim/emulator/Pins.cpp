@@ -17,7 +17,7 @@ constexpr std::uint32_t kDfcr = 0xC4;
 constexpr std::uint32_t kDfwr = 0xC8;
 
 constexpr unsigned kPortWithFilters = 3;        // D
-constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins of the port
+constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins that have a filter
 constexpr std::uint32_t kWidth = 0x1F;
 constexpr std::uint64_t kClocksOfSynchronizer = 3;
 

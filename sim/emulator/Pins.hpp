@@ -86,7 +86,7 @@ class Port final : public Peripheral {
   std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
   std::uint32_t waiting_ = 0;                 ///< pins whose level differs from the filtered level
-  std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock
+  std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock at which a level passes
 };
 
 /// @brief Digital inputs and outputs of one port.

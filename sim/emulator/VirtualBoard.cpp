@@ -261,7 +261,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::bitset<128> held_;  ///< interrupt lines that are hidden from the processor
   std::optional<Reset> wantedReset_;
   bool debugs_ = false;        ///< the present access is from a debugger and causes no finding
-  bool debugRefused_ = false;  ///< the access was refused
+  bool debugRefused_ = false;  ///< the access of the debugger was refused
   DebugPort debugPort_{
       cpu_,
       {.read = [this](std::uint32_t address, unsigned size,
@@ -421,7 +421,7 @@ void VirtualBoard::Parts::clocksChanged() {
   knownTime_ = changed;
   renewAll();
   checkClocks();
-  cpu_.stop();  // the next events were computed with the old clock
+  cpu_.stop();  // the next events were computed with the old frequencies
 }
 
 void VirtualBoard::Parts::checkClocks() {

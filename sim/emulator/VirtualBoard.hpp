@@ -135,7 +135,7 @@ class VirtualBoard {
   /// @brief Returns the duty cycle at the pin of a timer's channel, as a fraction of the period.
   /// @param ftm 0 to 3
   /// @param channel 0 to 7
-  /// @return 0 to 1; 0 while no pin is connected to the channel or the timer is stopped.
+  /// @return 0 to 1; 0 while the timer is stopped or no pin is connected to the channel.
   [[nodiscard]] double pwmDuty(int ftm, int channel) const;
 
   /// @brief Puts a voltage on an input of an analog-to-digital converter. The initial voltage is 0

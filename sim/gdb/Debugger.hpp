@@ -66,7 +66,8 @@ class Debugger {
   /// @brief Returns the board. The result is valid only during a run.
   [[nodiscard]] const emulator::DebugPort& port() const { return *port_; }
 
-  /// @brief Returns the breakpoints and watchpoints. Call rulesChanged() after a change of them.
+  /// @brief Returns the breakpoints and watchpoints. After a change of a watchpoint, call
+  /// rulesChanged().
   [[nodiscard]] StopRules& rules() { return rules_; }
   void rulesChanged();
 

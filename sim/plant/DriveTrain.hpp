@@ -116,8 +116,8 @@ class DriveTrain {
   double current_ = 0;
   double speed_ = 0;
   double turns_ = 0;
-  double deflection_ = 0;  // force of the tyre's spring, along and across
-  double sideDeflection_ = 0;
+  double deflection_ = 0;      // force of the tyre's spring along the wheel
+  double sideDeflection_ = 0;  // force of the tyre's spring across the wheel
   double force_ = 0;
   double sideForce_ = 0;
 };

@@ -10,8 +10,8 @@ namespace wr::scenario {
 /// @brief A true value of the simulated robot. No sensor measures this value.
 struct TruthField {
   std::string_view name;
-  /// Reads the value. If the protocol has the same value, both have the same unit. The mark is the
-  /// distance [m] from which `way` is measured.
+  /// Reads the value. If a field of the protocol contains a measurement of this value, the field
+  /// has the same unit. The mark is the distance [m] from which `way` is measured.
   double (*valueOf)(const plant::Robot& robot, double mark);
 };
 

@@ -70,7 +70,7 @@ class RobotSession {
   [[nodiscard]] virtual plant::Robot& robot() = 0;
 
   /// @brief Returns the remote control.
-  /// @return the remote control; it is initially off
+  /// @return the remote control; at first, only its enable switch is connected
   [[nodiscard]] virtual plant::RemoteControl& remoteControl() = 0;
 
   /// @brief Resets the microcontroller. Throws std::runtime_error if this is not possible.

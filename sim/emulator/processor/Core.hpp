@@ -15,7 +15,8 @@
 
 namespace wr::emulator {
 
-/// @brief An event of an instruction. The event is handled outside of the normal program flow.
+/// @brief An event that an instruction causes. The event is handled outside of the normal program
+/// flow.
 enum class Trap : std::uint8_t {
   None,
   Sleep,

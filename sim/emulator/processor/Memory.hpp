@@ -137,7 +137,8 @@ class Memory {
     return value;
   }
 
-  /// @brief Returns the words of a stack; nullptr when a part of the stack cannot be written.
+  /// @brief Returns the bytes of a stack frame; nullptr when a part of the stack frame cannot be
+  /// written.
   [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
 
  private:

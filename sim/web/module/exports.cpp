@@ -78,7 +78,7 @@ void append(Bytes& bytes, Number number) {
 
 extern "C" {
 
-/// Returns memory for an argument.
+/// Returns new memory for an argument of a later call.
 std::uint8_t* liveAlloc(std::size_t size) {
   return static_cast<std::uint8_t*>(std::malloc(size));
 }
