@@ -31,14 +31,14 @@ std::vector<std::uint8_t> readImage(const std::filesystem::path& file) {
   const std::string content{std::istreambuf_iterator<char>(input),
                             std::istreambuf_iterator<char>()};
   if (content.empty()) {
-    throw std::runtime_error("no image at " + file.string() +
+    throw std::runtime_error("no firmware image at " + file.string() +
                              ": build it first, or check the path");
   }
   for (const Format& format : kOtherFormats) {
     if (content.starts_with(format.begin)) {
       throw std::runtime_error(
           file.string() + " is " + std::string(format.name) +
-          ", not a raw image: convert it with arm-none-eabi-objcopy -O binary");
+          ", not a raw firmware image: convert it with arm-none-eabi-objcopy -O binary");
     }
   }
   return {content.begin(), content.end()};

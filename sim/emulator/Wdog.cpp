@@ -174,7 +174,7 @@ void Wdog::configure(std::uint32_t offset, std::uint32_t value) {
     board_.refuse("watchdog-sequence", "configuration of the watchdog without unlock");
   } else if (now - lockChanged_ < 2) {
     board_.refuse("watchdog-sequence",
-                  "the watchdog was configured in the bus clock directly after its unlock");
+                  "the watchdog was configured in the bus clock cycle directly after its unlock");
   } else if ((written_ & place) != 0) {
     misuse("a register of the watchdog was written twice after one unlock");
   } else {

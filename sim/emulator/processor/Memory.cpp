@@ -106,7 +106,7 @@ void Memory::load(std::uint32_t address, std::span<const std::uint8_t> bytes) {
   const Area* area = find(address);
   if (area == nullptr || area->bytes == nullptr ||
       !area->holds(address, static_cast<std::uint32_t>(bytes.size()))) {
-    throw std::invalid_argument("there is no memory for the loaded image");
+    throw std::invalid_argument("there is no memory at the loaded addresses");
   }
   std::ranges::copy(bytes, area->at(address));
   forget(*area, address, static_cast<std::uint32_t>(bytes.size()));
