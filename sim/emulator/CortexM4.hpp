@@ -105,8 +105,8 @@ class CortexM4 {
   /// @brief Returns the number of instructions since construction.
   [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
 
-  /// @brief Returns the address of the running instruction. Outside of run(), returns the address
-  /// of the next instruction.
+  /// @brief Returns the address of the running instruction. Between two instructions, returns the
+  /// address of the next instruction.
   [[nodiscard]] std::uint32_t pc() const;
 
   /// @brief Returns a core register, 0 to 15.

@@ -22,7 +22,6 @@ class HostEdgeInput final : public EdgeInput {
   void connect(std::function<void()> vector);
 
   /// @brief Puts a level on the pin. After the start of the input, a change raises the interrupt.
-  /// @param level the level
   void drive(bool level);
 
   void start() override;

@@ -93,11 +93,9 @@ class HostFirmware {
   [[nodiscard]] Microseconds beatPeriod() const;
 
   /// @brief Returns the main controller.
-  /// @return the main controller.
   [[nodiscard]] MainController& controller();
 
   /// @brief Returns the pool of control systems.
-  /// @return the pool.
   [[nodiscard]] ControlSystemPool& systems();
 
   /// @brief Returns the watchdog.

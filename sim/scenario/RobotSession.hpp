@@ -37,7 +37,6 @@ class RobotSession {
   virtual ~RobotSession() = default;
 
   /// @brief Sends bytes to the robot, one after the other.
-  /// @param bytes the bytes
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
 
   /// @brief Sends bytes to the robot. The last byte is complete at a given time before the next

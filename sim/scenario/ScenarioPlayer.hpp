@@ -34,7 +34,6 @@ class ScenarioPlayer {
   ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports = nullptr);
 
   /// @brief Plays the scenario to its end.
-  /// @return the result
   [[nodiscard]] Outcome play();
 
   /// @brief Runs to the next instant at which the PC reads its serial line or has an action.
@@ -43,7 +42,6 @@ class ScenarioPlayer {
   bool step();
 
   /// @brief Executes an action now, in addition to the steps of the scenario.
-  /// @param action the action
   void perform(const Scenario::Action& action);
 
   /// @brief Returns the last report without its CRC; nothing before the first report.
