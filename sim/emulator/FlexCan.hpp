@@ -11,9 +11,9 @@
 
 namespace wr::emulator {
 
-/// @brief The CAN controller 0, and a bus with one other node that acknowledges each frame.
-/// See K64P144M120SF5RM, chapter CAN (FlexCAN). Registers and codes agree with the driver of Linux
-/// (drivers/net/can/flexcan).
+/// @brief The CAN controller 0, and a bus with one other node that acknowledges each frame. See
+/// K64P144M120SF5RM, chapter CAN (FlexCAN). The registers and codes are the same as in the driver
+/// of Linux (drivers/net/can/flexcan).
 ///
 /// The model has the modes disabled, freeze and normal, the bit timing, the global mask, and the
 /// flags with their interrupt. Its message buffers send and receive data frames with standard

@@ -31,7 +31,8 @@ constexpr unsigned kFromInternal = 1;
 constexpr unsigned kFromExternal = 2;
 constexpr unsigned kFromPll = 3;
 
-// In the manual, these times are at most a few cycles of the clocks that are involved.
+// The times that the clock generator needs for its changes. In the manual, they are at most a few
+// cycles of the clocks that are involved.
 constexpr Time kReferenceDelay = 60us;
 constexpr Time kSwitchDelay = 5us;
 constexpr Time kPllChosenDelay = 5us;

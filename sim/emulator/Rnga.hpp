@@ -7,8 +7,8 @@
 namespace wr::emulator {
 
 /// @brief The random number generator. Each run has the same numbers, so that a run can be
-/// repeated. See K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers
-/// and bits agree with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
+/// repeated. See K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). The
+/// registers and bits are the same as in the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
 class Rnga final : public Peripheral {
  public:
   explicit Rnga(Microcontroller& board) : Peripheral(board) {}

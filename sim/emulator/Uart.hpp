@@ -20,8 +20,8 @@ namespace wr::emulator {
 /// FIFO sets S1[OR]. OR and FE stop the receiver until they are cleared. UART0 has FIFOs of 8
 /// bytes. UART4 has buffers of 1 byte (chapter Chip Configuration, UART).
 ///
-/// The model has no noise on the line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN break,
-/// infrared, smart cards, DMA, or flag for an idle line.
+/// The model has no noise on the serial line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN
+/// break, infrared, smart cards, DMA, or flag for an idle line.
 class Uart final : public Peripheral {
  public:
   /// @brief Properties in which the UARTs differ (K64P144M120SF5RM, Chip Configuration, UART).

@@ -21,7 +21,7 @@ class Wdog final : public Peripheral {
 
  private:
   enum class Lock {
-    FreshlyReset,  ///< waits for the first key
+    FreshlyReset,  ///< waits for the first key of the unlock
     Locked,
     Open  ///< the configuration may be written
   };

@@ -32,7 +32,7 @@ inline constexpr std::uint32_t kKinds = 10;
 /// @brief Returns the kind with the given name; nothing if there is no such kind.
 [[nodiscard]] std::optional<Kind> kindOf(std::string_view name);
 
-/// @brief Memory and interrupts of the firmware that faults can affect.
+/// @brief The memory and the interrupts that faults can affect.
 struct Places {
   std::uint32_t codeBegin;
   std::uint32_t codeEnd;  ///< end of the program in RAM

@@ -131,12 +131,12 @@ class Robot {
   /// @param state state of the emergency stop's circuit
   void setEmergencyStop(EmergencyStop state);
 
-  /// @brief Sets the firmware's signals on the driver of a wheel.
+  /// @brief Sets the firmware's signals to the driver of a wheel.
   /// @param wheel 0 to 3
   /// @param drive duty, orientation, enable
   void setWheel(std::size_t wheel, const WheelDrive& drive);
 
-  /// @brief Returns the firmware's signals on the driver of a wheel.
+  /// @brief Returns the firmware's signals to the driver of a wheel.
   /// @param wheel 0 to 3
   [[nodiscard]] const WheelDrive& drive(std::size_t wheel) const { return drives_.at(wheel); }
 

@@ -309,7 +309,7 @@ void exchangeBytes(SerialLine& line, emulator::VirtualBoard& board) {
   for (std::size_t count = line.read(bytes); count != 0; count = line.read(bytes)) {
     board.receive(std::span(bytes).first(count));
   }
-  line.write(board.takeSent());  // bytes that no client reads are lost, as on a real line
+  line.write(board.takeSent());  // bytes that no client reads are lost, as on a real board
 }
 
 // Returns the stream for messages. Messages must not be mixed with the bytes of UART0.
@@ -318,7 +318,7 @@ std::FILE* messagesOf(const Settings& settings) {
 }
 
 /// @brief The serial line of UART0, and the pace of a run. When a debugger restarts the run, the
-/// new run uses the same line and the same pace.
+/// new run uses the same serial line and the same pace.
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
@@ -448,7 +448,8 @@ Exit runAsAsked(Machine& machine, const Settings& settings, Outside& outside) {
   return runBoard(machine, settings, outside);
 }
 
-// Runs under a debugger. For each step back, the program starts another run from the start.
+// Runs the board under a debugger. For each step back, starts another run of the board from the
+// beginning.
 Exit runDebugged(const Settings& settings) {
   catchEndRequests();
   const std::unique_ptr<SerialLine> door = openLine("tcp:" + std::to_string(settings.gdb));

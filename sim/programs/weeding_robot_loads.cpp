@@ -95,7 +95,7 @@ class LoadedRobot {
   [[nodiscard]] bool noisy() const { return noisy_; }
 
  private:
-  // The kinds of bytes with which the PC loads its serial line.
+  // The kinds of bytes that the PC sends to keep its serial line busy.
   enum Style : std::uint32_t {
     Quiet,
     Hellos,

@@ -36,8 +36,8 @@ class ScenarioPlayer {
   /// @brief Plays the scenario to its end.
   [[nodiscard]] Outcome play();
 
-  /// @brief Runs to the next instant at which the PC reads its serial line or has an action.
-  /// Executes this action.
+  /// @brief Executes the next action if it is due. Otherwise, runs to the next instant at which the
+  /// PC reads its serial line or an action is due.
   /// @return false when the scenario has ended
   bool step();
 
