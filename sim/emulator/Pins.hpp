@@ -66,8 +66,8 @@ class Port final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Reports changed outputs and raises interrupts. It is called when levels may have
-  /// changed.
+  /// @brief Reports changed outputs and raises interrupts. This function is called when levels may
+  /// have changed.
   /// @param which pins whose levels or control may have changed
   void settle(std::uint32_t which = ~std::uint32_t{0});
 

@@ -68,9 +68,9 @@ struct Fault {
 /// of FR-279.
 inline constexpr int kLongestWindow = 7000;
 
-/// @brief Returns the duration of the observation after the fault [ms]. It lasts at least until the
-/// firmware must have reported the fault. For example, the firmware reports a wheel without Hall
-/// edges 1 s after the wheel got voltage.
+/// @brief Returns the duration of the observation after the fault [ms]. The observation lasts at
+/// least until the latest time at which the firmware must report the fault. For example, the
+/// firmware reports a wheel without Hall edges 1 s after the wheel got voltage.
 [[nodiscard]] int windowOf(const Fault& fault);
 
 /// @brief Chooses a kind of fault. The most frequent kinds change a bit in RAM, which belongs to an

@@ -21,8 +21,8 @@ struct BeginsAgain {};
 /// @brief A debugger that stops the program and can return to an earlier time.
 ///
 /// A position is a number of executed instructions. The same input causes the same run. To go back
-/// to an earlier position, the debugger starts a second run from the beginning. It need not restore
-/// any state.
+/// to an earlier position, the debugger starts a second run from the beginning. Therefore the
+/// debugger need not restore any state.
 class Debugger {
  public:
   /// @brief Serves the user while the program is stopped.

@@ -8,8 +8,8 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief An edge input on the host. By default, its initial level is high, as with a pull-up
-/// resistor.
+/// @brief An edge input on the host. By default, the initial level of the input is high, as with a
+/// pull-up resistor.
 class HostEdgeInput final : public EdgeInput {
  public:
   /// @brief Binds the input to the scheduler that serves its interrupt.

@@ -40,7 +40,7 @@ class DriveTrain {
   DriveTrain() { configure({}); }
 
   /// @brief Sets the properties of the motor.
-  /// @param motor its parameters
+  /// @param motor parameters of the motor
   void configure(const MotorParameters& motor);
 
   /// @brief Sets the inputs of the driver.
@@ -73,7 +73,7 @@ class DriveTrain {
   /// @return A, positive when the current drives the robot forwards
   [[nodiscard]] double current() const { return current_; }
 
-  /// @brief Returns the current in the driver, as its sensor measures it.
+  /// @brief Returns the current in the driver, as the current sensor measures it.
   /// @return A, positive when the driver drives the current forwards
   [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
 

@@ -61,7 +61,7 @@ class RemoteControl {
   void set(const std::optional<Sticks>& sticks);
 
   /// @brief Turns the enable switch.
-  /// @param position its position from now on
+  /// @param position position of the switch from now on
   void setEnable(EnablePosition position) { enable_ = position; }
 
   /// @brief Sets the output of the receiver while the transmitter is off. The initial output is

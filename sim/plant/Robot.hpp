@@ -65,8 +65,8 @@ enum class EmergencyStop : std::uint8_t {
   Brake      ///< the circuit removes the power, and short-circuits the motors of the wheels
 };
 
-/// @brief The physics of the robot. The inputs are the signals to its actuators, and the outputs
-/// are the values of its sensors.
+/// @brief The physics of the robot. The inputs are the signals to the actuators, and the outputs
+/// are the values of the sensors.
 ///
 /// Time is divided into steps of 1 ms. A step uses the present inputs, and returns the edges that
 /// occur during the step. Noise depends only on the seed and the step. It is therefore equal for
@@ -92,7 +92,7 @@ class Robot {
   void setSeed(std::uint32_t seed);
 
   /// @brief Sets the properties of the robot's parts.
-  /// @param plant its parameters
+  /// @param plant properties of the parts
   void setPlant(const Plant& plant);
 
   /// @brief Sets random or nominal properties of the robot's parts. The seed chooses the random
