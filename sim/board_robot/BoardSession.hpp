@@ -36,7 +36,6 @@ class BoardSession final : public scenario::RobotSession {
   [[nodiscard]] std::optional<scenario::SessionFinding> finding() const override;
 
   /// @brief Sets the callback for each event of the board.
-  /// @param call the callback
   void onEvent(std::function<void(const emulator::Event&)> call);
 
   /// @brief Returns the times of the clock pulses, oldest first.

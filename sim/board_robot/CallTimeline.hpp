@@ -10,13 +10,13 @@
 
 namespace wr::board_robot {
 
-/// @brief A writer of the calls and events in a part of a run, each with its time.
+/// @brief A writer that lists the calls and events of a part of a run, each with its time.
 ///
 /// Each line of the output has the time in ns, the name of the event, a number and a value. For a
 /// call, the number is the address of the function. For an exception, the value is its priority.
 class CallTimeline {
  public:
-  /// @brief A part of a run, in time of the board.
+  /// @brief A part of a run. Both limits are times since the board was switched on.
   struct Window {
     std::chrono::nanoseconds from;
     std::chrono::nanoseconds to;

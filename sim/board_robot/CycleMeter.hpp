@@ -48,7 +48,7 @@ class CycleMeter {
     unsigned priority = 0;       ///< 0 to 15; 0 is the highest
     std::uint64_t entries = 0;   ///< number of entries
     Cost whole;                  ///< costs, without the interrupts that preempt the exception
-    Cost toReport;               ///< costs between the clock pulses and the reports
+    Cost toReport;               ///< costs from each clock pulse until its report is handed over
     std::uint64_t requests = 0;  ///< number of times that a device raised the interrupt line
     std::uint64_t worstLatency =
         0;  ///< greatest number of cycles from a request to the first instruction of the handler
@@ -78,9 +78,9 @@ class CycleMeter {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }
 
-  /// @brief Returns the greatest depth of the stack since the board was switched on. The depth
-  /// reaches down to the lowest word that has changed since the meter was constructed.
-  /// @return bytes of the stack
+  /// @brief Returns the greatest depth of the stack. The depth is the distance from the start of
+  /// the stack to the lowest word that has changed since the meter was constructed.
+  /// @return depth [byte]
   [[nodiscard]] std::size_t stackBytes() const;
 
   /// @brief Writes all measurements as JSON.

@@ -11,23 +11,24 @@
 namespace wr::emulator {
 
 /// @brief An analog-to-digital converter and the voltages at its inputs. See K64P144M120SF5RM,
-/// chapter Analog-to-Digital Converter (ADC). For the limits of the clock, see data sheet
-/// K64P144M120SF5, 16-bit ADC operating conditions.
+/// chapter Analog-to-Digital Converter (ADC). For the limits of the conversion clock, see data
+/// sheet K64P144M120SF5, 16-bit ADC operating conditions.
 ///
-/// A conversion uses the voltage at its beginning. At an open input, the capacitor of the converter
-/// keeps the charge of the previous conversion. The model has the single-ended conversions that the
-/// program starts, and the calibration. It has no hardware triggers, differential inputs,
-/// continuous conversions, compare function, DMA, or other clocks than the bus clock.
+/// A conversion returns the voltage that the input has when the conversion begins. At an open
+/// input, the capacitor of the converter keeps the charge of the previous conversion. The model has
+/// the single-ended conversions that the program starts, and the calibration. It has no hardware
+/// triggers, differential inputs, continuous conversions, compare function, DMA, or other clocks
+/// than the bus clock.
 class Adc final : public Peripheral {
  public:
-  /// @brief State of the pin of a channel.
+  /// @brief Mode of the pin of a channel; None if the channel has no separate pin.
   enum class Input { None, Digital, Analog };
 
   /// @param number 0 or 1
   /// @param calibrates true if the calibration succeeds
   Adc(Microcontroller& board, unsigned number, bool calibrates);
 
-  /// @brief Sets the function that returns the pin of a channel.
+  /// @brief Sets the function that returns the mode of the pin of a channel.
   void connectPins(std::function<Input(unsigned channel)> input);
 
   /// @brief Puts a voltage on an input.
@@ -74,7 +75,7 @@ class Adc final : public Peripheral {
 
   std::array<std::uint32_t, kWords> words_{};
   Doing doing_ = Doing::Nothing;
-  std::uint64_t endsAt_ = 0;  ///< count of the bus clock
+  std::uint64_t endsAt_ = 0;  ///< count of the bus clock at which doing_ becomes Nothing
   std::uint32_t sample_ = 0;
   bool calibrated_ = false;
 };

@@ -17,7 +17,8 @@ struct Block {
 inline constexpr std::uint32_t kBlockSize = 0x1000;
 
 /// @brief The blocks of the K64. See K64P144M120SF5RM, chapters Memory Map (peripheral bridge
-/// memory maps) and SIM (SCGC1 to SCGC7). The second half of SIM and the GPIO ports have no row.
+/// memory maps) and SIM (SCGC1 to SCGC7). The second half of SIM and the GPIO ports are not in this
+/// table.
 inline constexpr auto kBlocks = std::to_array<Block>({
     {"DMA", 0x40008000, 7, 1},    {"DMA_TCD", 0x40009000, 7, 1}, {"FB", 0x4000C000, 7, 0},
     {"SYSMPU", 0x4000D000, 7, 2}, {"FMC", 0x4001F000, 6, 0},     {"FTFE", 0x40020000, 6, 0},

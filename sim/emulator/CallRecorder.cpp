@@ -39,8 +39,8 @@ void CallRecorder::leave() {
 }
 
 void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32_t link) {
-  // A function has returned when a block begins at its return address with the stack pointer of its
-  // call.
+  // A function has returned when a block begins at the return address of the function, and the
+  // stack pointer is at least the stack pointer at the call.
   while (!calls_.empty() && calls_.back().returnsTo == address && calls_.back().stack <= stack) {
     leave();
   }

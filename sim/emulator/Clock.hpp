@@ -31,7 +31,8 @@ class Clock {
 
   [[nodiscard]] std::uint64_t hz() const { return hz_; }
 
-  /// @brief Returns the number of edges up to a time. The time must not be before the last change.
+  /// @brief Returns the number of edges up to a time. The time must not be before the last change
+  /// of the frequency.
   [[nodiscard]] std::uint64_t count(Time time) const {
     return count_ +
            scale(static_cast<std::uint64_t>((time - from_).count()), edges_, 0, picoseconds_);

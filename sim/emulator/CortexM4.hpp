@@ -43,13 +43,13 @@ class CortexM4 {
     Exit      ///< exit() was called
   };
 
-  /// @brief Reason for the entry or the exit of an exception.
+  /// @brief Entry or exit of an exception.
   enum class Step { Entered, Left };
 
   /// @brief Constructs a processor without memory.
   /// @param lines number of interrupt lines, 1 to 240
   /// @param priorityBits number of bits of a priority, 3 to 8
-  /// @param timing cost of instructions
+  /// @param timing model of the duration of instructions
   explicit CortexM4(unsigned lines = 110, unsigned priorityBits = 4,
                     Timing timing = Timing::NoWaitStates);
   CortexM4(const CortexM4&) = delete;
@@ -57,13 +57,13 @@ class CortexM4 {
 
   /// @brief Adds memory.
   /// @param address first address, a multiple of 4096
-  /// @param size bytes, a multiple of 4096
-  /// @param access access of the program
+  /// @param size number of bytes, a multiple of 4096
+  /// @param access accesses that the program may make
   void mapMemory(std::uint32_t address, std::uint32_t size, Access access);
 
   /// @brief Adds a range of addresses. Each access to this range calls a function.
   /// @param address first address, a multiple of 4096
-  /// @param size bytes, a multiple of 4096
+  /// @param size number of bytes, a multiple of 4096
   /// @param read returns the value that the program reads
   /// @param write receives the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
@@ -85,8 +85,8 @@ class CortexM4 {
   /// @return reason of the return
   Stop run(std::uint64_t limit);
 
-  /// @brief Makes run() return at a given cycle, before the limit of run(). The functions that were
-  /// passed to mapWindow() may call this function.
+  /// @brief Makes run() return at a given cycle, if this cycle is before the limit of run(). The
+  /// functions that were passed to mapWindow() may call this function.
   void limitTo(std::uint64_t cycle);
 
   /// @brief Makes run() return before the next instruction. The functions that were passed to
@@ -105,7 +105,8 @@ class CortexM4 {
   /// @brief Returns the number of instructions since construction.
   [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
 
-  /// @brief Returns the address of the running or of the next instruction.
+  /// @brief Returns the address of the running instruction. Between two instructions, returns the
+  /// address of the next instruction.
   [[nodiscard]] std::uint32_t pc() const;
 
   /// @brief Returns a core register, 0 to 15.

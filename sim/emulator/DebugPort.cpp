@@ -35,7 +35,7 @@ constexpr auto kRegisters = std::to_array<DebugPort::Register>({
 static_assert(kRegisters.size() == kFpscr + 1);
 static_assert(kRegisters[DebugPort::kPc].name == "pc");
 
-// Returns the 32-bit register with a number from kMainStack to kControl, or kFpscr.
+// Returns the 32-bit register with the given number, which is kMainStack to kControl, or kFpscr.
 std::uint32_t& special(Registers& x, std::size_t number) {
   switch (number) {
     case kMainStack:
@@ -55,8 +55,8 @@ std::uint32_t& special(Registers& x, std::size_t number) {
   }
 }
 
-// Returns the size of the widest access that is possible at an address with the remaining number of
-// bytes.
+// Returns the size of the widest aligned access at an address. The size is at most the remaining
+// number of bytes.
 unsigned widest(std::uint32_t address, std::size_t left) {
   if (address % 4 == 0 && left >= 4) {
     return 4;

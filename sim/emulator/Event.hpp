@@ -15,10 +15,10 @@ struct Event {
     ExceptionLeft,     ///< number: number of the exception
     Reset,             ///< number: value of Reset
     PinChanged,        ///< number: 32 * port + pin; value: level that the program outputs
-    ByteSent,          ///< number: number of the UART; value: the byte, at the end of its stop bit
-    PwmChanged,        ///< number: 8 * FTM + channel; value: millionths of the period at high level
+    ByteSent,          ///< end of a stop bit; number: number of the UART; value: the byte
+    PwmChanged,        ///< number: 8 * FTM + channel; value: duty cycle in millionths
     LineRaised,        ///< number: number of the exception; a device has raised its interrupt line
-    ByteReceived       ///< number: number of the UART; value: the byte, at the end of its stop bit
+    ByteReceived       ///< end of a stop bit; number: number of the UART; value: the byte
   };
   Kind kind;
   std::chrono::nanoseconds at;

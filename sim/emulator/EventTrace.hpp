@@ -20,16 +20,13 @@ class EventTrace {
   explicit EventTrace(std::ostream* lines = nullptr);
 
   /// @brief Adds an event.
-  /// @param event the event
   void add(const emulator::Event& event);
 
   /// @brief Returns the number of events.
-  /// @return the number
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
-  /// @brief Returns the FNV-1a hash of all events. Runs with different events have different
-  /// hashes.
-  /// @return the hash
+  /// @brief Returns the FNV-1a hash of all events. Runs with different events almost certainly have
+  /// different hashes.
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
 
  private:

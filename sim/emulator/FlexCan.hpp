@@ -11,16 +11,17 @@
 
 namespace wr::emulator {
 
-/// @brief The CAN controller 0, and a bus with one other node that acknowledges each frame.
-/// See K64P144M120SF5RM, chapter CAN (FlexCAN). Registers and codes agree with the driver of Linux
-/// (drivers/net/can/flexcan).
+/// @brief The CAN controller 0, and a bus with one other node that acknowledges each frame. See
+/// K64P144M120SF5RM, chapter CAN (FlexCAN). The registers and codes are the same as in the driver
+/// of Linux (drivers/net/can/flexcan).
 ///
 /// The model has the modes disabled, freeze and normal, the bit timing, the global mask, and the
 /// flags with their interrupt. Its message buffers send and receive data frames with standard
-/// identifiers. The duration of a frame is its number of bits in ISO 11898-1, without stuff bits.
+/// identifiers. A frame lasts for its number of bits in ISO 11898-1. Stuff bits are not counted.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
-/// loop-back, listen-only mode, wake-up or time stamps. Writing their bits causes a finding.
+/// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
+/// causes a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }

@@ -15,8 +15,9 @@ struct Format {
   std::string_view name;
 };
 
-// A raw image begins with the initial stack pointer. On a K64, the top byte of this pointer is 0x1F
-// or 0x20.
+// A raw image begins with the initial stack pointer, lowest byte first. This pointer is a multiple
+// of 4. On a K64, its top byte is 0x1F or 0x20. Therefore no raw image begins like one of these
+// formats.
 constexpr std::array<Format, 3> kOtherFormats{{{"\x7f"
                                                 "ELF",
                                                 "an ELF file"},
@@ -30,14 +31,14 @@ std::vector<std::uint8_t> readImage(const std::filesystem::path& file) {
   const std::string content{std::istreambuf_iterator<char>(input),
                             std::istreambuf_iterator<char>()};
   if (content.empty()) {
-    throw std::runtime_error("no image at " + file.string() +
+    throw std::runtime_error("no firmware image at " + file.string() +
                              ": build it first, or check the path");
   }
   for (const Format& format : kOtherFormats) {
     if (content.starts_with(format.begin)) {
       throw std::runtime_error(
           file.string() + " is " + std::string(format.name) +
-          ", not a raw image: convert it with arm-none-eabi-objcopy -O binary");
+          ", not a raw firmware image: convert it with arm-none-eabi-objcopy -O binary");
     }
   }
   return {content.begin(), content.end()};

@@ -31,7 +31,8 @@ constexpr unsigned kFromInternal = 1;
 constexpr unsigned kFromExternal = 2;
 constexpr unsigned kFromPll = 3;
 
-// In the manual, these times are at most a few cycles of the clocks that are involved.
+// The times that the clock generator needs for its changes. In the manual, they are at most a few
+// cycles of the clocks that are involved.
 constexpr Time kReferenceDelay = 60us;
 constexpr Time kSwitchDelay = 5us;
 constexpr Time kPllChosenDelay = 5us;
@@ -254,7 +255,8 @@ void Mcg::checkFllReference() {
   // The reference of the FLL (C1.FRDIV) must be between 31.25 kHz and 39.0625 kHz.
   const std::uint64_t reference = kExternalHz / fllDivider();
   if (reference < 31'250 || reference > 39'062) {
-    misuse("the reference clock of the FLL has " + std::to_string(reference) + " Hz");
+    misuse("the reference clock of the FLL has " + std::to_string(reference) +
+           " Hz, not 31250 Hz to 39062 Hz");
   }
 }
 
@@ -264,9 +266,10 @@ void Mcg::checkPll() {
   const std::uint64_t reference = kExternalHz / ((c5_ & 0x1FU) + 1);
   const std::uint64_t output = reference * ((c6_ & 0x1FU) + 24);
   if (reference < 2'000'000 || reference > 4'000'000) {
-    misuse("the reference clock of the PLL has " + std::to_string(reference) + " Hz");
+    misuse("the reference clock of the PLL has " + std::to_string(reference) +
+           " Hz, not 2 MHz to 4 MHz");
   } else if (output > 120'000'000) {
-    misuse("the output of the PLL has " + std::to_string(output) + " Hz");
+    misuse("the output of the PLL has " + std::to_string(output) + " Hz, more than 120 MHz");
   }
 }
 

@@ -13,8 +13,8 @@ class Mcg final : public Peripheral {
   static constexpr std::uint64_t kExternalHz = 50'000'000;
 
   /// @param externalClock true if the external clock is present
-  /// @param failingStep step that never ends. 0: no step; 2: the change to the external clock; 3:
-  /// the lock of the PLL; 4: the change to the PLL
+  /// @param failingStep step that is never completed. 0: no step; 2: the change to the external
+  /// clock; 3: the lock of the PLL; 4: the change to the PLL
   Mcg(Microcontroller& board, bool externalClock, unsigned failingStep)
       : Peripheral(board), external_(externalClock), failingStep_(failingStep) {}
 

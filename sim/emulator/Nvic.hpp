@@ -18,8 +18,8 @@ class Nvic {
 
   Nvic(unsigned lines, unsigned priorityBits);
 
-  /// @brief Disables all exceptions, and clears their pending and active states. The levels of the
-  /// interrupt lines do not change.
+  /// @brief Disables the interrupts and the exceptions 4 to 6. Clears the pending and active states
+  /// of all exceptions. The levels of the interrupt lines do not change.
   void reset();
 
   void pend(unsigned exception) { pending_.set(exception); }
@@ -66,7 +66,8 @@ class Nvic {
   void setPriorityGroup(unsigned group) { priorityGroup_ = group; }
   [[nodiscard]] unsigned priorityGroup() const { return priorityGroup_; }
 
-  /// @brief Enables an exception. The exceptions below 16, except 4, 5 and 6, are always enabled.
+  /// @brief Enables or disables an exception. The exceptions below 16, except 4, 5 and 6, are
+  /// always enabled.
   void enable(unsigned exception, bool enabled) { enabled_.set(exception, enabled); }
   [[nodiscard]] bool isEnabled(unsigned exception) const { return enabled_[exception]; }
 

@@ -78,7 +78,7 @@ class Peripheral {
   /// @brief Updates the state to the present time.
   virtual void advance() {}
 
-  /// @brief Returns the last result of nextEvent().
+  /// @brief Returns the result of nextEvent() at the last call of renewDue().
   [[nodiscard]] Time due() const { return due_; }
 
   /// @brief Updates due(). The board calls this function after each change that may affect the next
@@ -88,7 +88,7 @@ class Peripheral {
  protected:
   explicit Peripheral(Microcontroller& board) : board_(board) {}
 
-  /// @brief Reports an access of a register that the model does not have.
+  /// @brief Reports an access to a register that the model does not have.
   void unmodelled(std::string_view block, std::uint32_t offset);
 
   /// @brief Reports an access whose size differs from the size of the register.

@@ -17,7 +17,7 @@ constexpr std::uint32_t kDfcr = 0xC4;
 constexpr std::uint32_t kDfwr = 0xC8;
 
 constexpr unsigned kPortWithFilters = 3;        // D
-constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins of the port
+constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins that have a filter
 constexpr std::uint32_t kWidth = 0x1F;
 constexpr std::uint64_t kClocksOfSynchronizer = 3;
 
@@ -67,7 +67,7 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
-// A level that differs from the filtered level must last for the width of the filter plus the clock
+// A new level passes the filter after it has lasted for the width of the filter plus the clock
 // cycles of the synchronizer.
 void Port::passLater(unsigned pin) {
   const std::uint32_t bit = 1U << pin;

@@ -14,8 +14,8 @@ struct PinState {
   std::uint32_t direction = 0;              ///< PDDR
   std::uint32_t driven = 0;                 ///< pins with a level from outside
   std::uint32_t outside = 0;                ///< levels from outside
-  std::uint32_t shown = 0;                  ///< levels of the outputs that were reported
-  std::uint32_t shownOutputs = 0;           ///< outputs that were reported
+  std::uint32_t shown = 0;                  ///< last reported levels of the outputs
+  std::uint32_t shownOutputs = 0;           ///< pins that were outputs at the last report
   std::uint32_t filters = 0;                ///< pins whose digital filter is on
   std::uint32_t passed = 0;                 ///< levels that the filters have passed
 
@@ -66,8 +66,8 @@ class Port final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Reports changed outputs and raises interrupts. It is called when levels may have
-  /// changed.
+  /// @brief Reports changed outputs and raises interrupts. This function is called when levels may
+  /// have changed.
   /// @param which pins whose levels or control may have changed
   void settle(std::uint32_t which = ~std::uint32_t{0});
 
@@ -86,7 +86,7 @@ class Port final : public Peripheral {
   std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
   std::uint32_t waiting_ = 0;                 ///< pins whose level differs from the filtered level
-  std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock
+  std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock at which a level passes
 };
 
 /// @brief Digital inputs and outputs of one port.

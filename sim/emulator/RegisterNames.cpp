@@ -330,6 +330,7 @@ std::string registerName(std::uint32_t address) {
   for (const Row& row : kRows) {
     if (const auto place = placeIn(row, offset); place && isOfKind(block->name, row.kind)) {
       // The three comparators share one block. The descriptors of DMA are in a separate block.
+      // Therefore the names of these registers do not begin with the name of their block.
       const bool whole = row.kind == "CMP" || row.kind == "DMA_TCD";
       return (whole ? "" : std::string(block->name) + "_") + nameIn(row, *place);
     }

@@ -7,8 +7,8 @@
 namespace wr::emulator {
 
 /// @brief The random number generator. Each run has the same numbers, so that a run can be
-/// repeated. See K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers
-/// and bits agree with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
+/// repeated. See K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). The
+/// registers and bits are the same as in the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
 class Rnga final : public Peripheral {
  public:
   explicit Rnga(Microcontroller& board) : Peripheral(board) {}
@@ -26,7 +26,7 @@ class Rnga final : public Peripheral {
       0;  // number of drawn words; a reset does not clear this number, so the sequence continues
   std::uint32_t control_ = 0;
   bool underflow_ = false;
-  std::uint64_t since_ = 0;  // count of the bus clock at the beginning of the present word
+  std::uint64_t since_ = 0;  // count of the bus clock at which the present word began
 };
 
 }  // namespace wr::emulator

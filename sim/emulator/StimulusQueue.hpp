@@ -24,7 +24,8 @@ class StimulusQueue {
   /// @brief Adds a level. Levels with the same time are applied in the order of the calls of add().
   void add(const Level& level);
 
-  /// @brief Adds a function that is called at each multiple of a period after the present time.
+  /// @brief Adds a function. From now on, it is called at each time that is a multiple of the
+  /// period.
   void every(Time period, Time now, std::function<void()> call);
 
   /// @brief Returns the time of the next stimulus; kNever when there is no stimulus.
@@ -46,7 +47,7 @@ class StimulusQueue {
 
   std::function<void(const Level&)> drive_;
   std::deque<Level> levels_;
-  std::deque<Call> calls_;  // a function may add functions, and a deque does not move its elements
+  std::deque<Call> calls_;  // a function may add functions; a deque does not move its elements then
   Time next_ = kNever;
 };
 

@@ -17,7 +17,7 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief Returns a part of the file as an object of a type.
+// Returns the bytes from an offset of the file on as an object of type Part.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};
@@ -95,8 +95,8 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   // The command is part of the toolchain. Its arguments are a path of the project and a number.
   // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  // The last line is the position in the function itself. The lines before it are positions in
-  // inlined functions.
+  // The last line of the output is the position in the function itself. The earlier lines are
+  // positions in inlined functions.
   std::array<char, 1024> line{};
   while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {
   }

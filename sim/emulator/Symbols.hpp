@@ -30,7 +30,8 @@ class Symbols {
   [[nodiscard]] std::uint32_t addressOf(const std::string& name) const;
 
   /// @brief Returns the source file and line of an instruction. Calls the program
-  /// arm-none-eabi-addr2line. The result is empty when this program is not installed.
+  /// arm-none-eabi-addr2line. The result is empty when this program is not installed, or when the
+  /// source line is unknown.
   [[nodiscard]] std::string placeOf(std::uint32_t address) const;
 
  private:

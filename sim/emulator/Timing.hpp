@@ -6,7 +6,7 @@ namespace wr::emulator {
 
 /// @brief Model of the duration of an instruction.
 enum class Timing : std::uint8_t {
-  NoWaitStates,  ///< the cycles of the processor's manual, with memory without wait states
+  NoWaitStates,  ///< the cycles of the processor's manual; the memory has no wait states
   SlowFlash      ///< in addition, each read from flash takes kFlashCycles; there is no cache and no
                  ///< prefetch
 };
@@ -16,7 +16,8 @@ enum class Timing : std::uint8_t {
 // table 7-1 (floating-point unit). If the manual contains a range, the constant is the upper end of
 // the range.
 
-/// @brief P in the manual, 1 to 3. The pipeline is refilled after each branch that is taken.
+/// @brief The manual calls this number P, and its range is 1 to 3. The pipeline is refilled after
+/// each branch that is taken.
 inline constexpr std::uint32_t kRefillCycles = 3;
 /// @brief Load or store of one register. Successive accesses do not overlap.
 inline constexpr std::uint32_t kAccessCycles = 1;
@@ -24,8 +25,8 @@ inline constexpr std::uint32_t kAccessCycles = 1;
 inline constexpr std::uint32_t kDivideCycles = 11;
 /// @brief CPS, MRS and MSR. They take 1 or 2 cycles.
 inline constexpr std::uint32_t kSpecialCycles = 1;
-/// @brief B in the manual, for ISB. DMB and DSB need no additional cycles, because no access is
-/// pending.
+/// @brief Additional cycles of ISB. The manual calls this number B. DMB and DSB need no additional
+/// cycles, because no access is pending.
 inline constexpr std::uint32_t kBarrierCycles = kRefillCycles;
 /// @brief VDIV and VSQRT.
 inline constexpr std::uint32_t kFpDivideCycles = 13;
@@ -37,8 +38,8 @@ inline constexpr std::uint32_t kEntryCycles = 12;
 inline constexpr std::uint32_t kExitCycles = 10;
 inline constexpr std::uint32_t kTailCycles = 6;
 
-// Timing::SlowFlash models a flash of 24 MHz at a core clock of 120 MHz. The flash is read in
-// phrases.
+// Timing::SlowFlash models a flash of 24 MHz at a core clock of 120 MHz. Each read from flash
+// returns a phrase of kPhrase bytes.
 inline constexpr std::uint32_t kFlashCycles = 5;
 inline constexpr std::uint32_t kPhrase = 8;
 

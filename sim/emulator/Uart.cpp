@@ -39,8 +39,8 @@ constexpr std::uint32_t kReceived = 1U << 5;
 constexpr std::uint32_t kComplete = 1U << 6;
 constexpr std::uint32_t kEmpty = 1U << 7;
 
-// At the stop bit, after ten bits, the error may be half a bit. This is a tolerance of 5 % for both
-// sides together. The PC uses a part of this tolerance.
+// A receiver tolerates an error of half a bit at the stop bit, which is the tenth bit. This is a
+// tolerance of 5 % for both sides together. The PC uses a part of this tolerance.
 constexpr double kMostDeviation = 0.03;
 
 constexpr std::int64_t kBits = 10;
@@ -92,7 +92,7 @@ bool Uart::baudFits() {
     return true;
   }
   board_.report("uart-baud", name_ + " at " + std::to_string(std::lround(own)) +
-                                 " baud on a line of " + std::to_string(lineBaud_));
+                                 " baud on a serial line of " + std::to_string(lineBaud_));
   return false;
 }
 

@@ -13,15 +13,15 @@ namespace wr::emulator {
 /// @brief A UART, and the serial line at its pins. See K64P144M120SF5RM, chapter Universal
 /// Asynchronous Receiver/Transmitter (UART).
 ///
-/// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO.
-/// PFIFO is written only while receiver and transmitter are off. S1[RDRF] is set when at least
-/// RWFIFO bytes wait. A read of S1 and then of D clears RDRF if fewer bytes wait after the read of
-/// D. S1[TDRE] is set while at most TWFIFO bytes wait. A byte that does not fit into the FIFO sets
-/// S1[OR]. OR and FE stop the receiver until they are cleared. UART0 has FIFOs of 8 bytes. UART4
-/// has buffers of 1 byte (chapter Chip Configuration, UART).
+/// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO. The
+/// program may write PFIFO only while receiver and transmitter are off. S1[RDRF] is set when at
+/// least RWFIFO bytes wait. A read of S1 and then of D clears RDRF if fewer bytes wait after the
+/// read of D. S1[TDRE] is set while at most TWFIFO bytes wait. A byte that does not fit into the
+/// FIFO sets S1[OR]. OR and FE stop the receiver until they are cleared. UART0 has FIFOs of 8
+/// bytes. UART4 has buffers of 1 byte (chapter Chip Configuration, UART).
 ///
-/// The model has no noise on the line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN break,
-/// infrared, smart cards, DMA, or flag for an idle line.
+/// The model has no noise on the serial line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN
+/// break, infrared, smart cards, DMA, or flag for an idle line.
 class Uart final : public Peripheral {
  public:
   /// @brief Properties in which the UARTs differ (K64P144M120SF5RM, Chip Configuration, UART).
@@ -29,7 +29,7 @@ class Uart final : public Peripheral {
     unsigned number;
     bool coreClock;     ///< true: the UART has the core clock; false: the bus clock
     std::uint8_t fifo;  ///< PFIFO after a reset: 0x22 for FIFOs of 8 bytes, 0 for 1 byte
-    unsigned line;      ///< interrupt line for bytes; the next line is the interrupt for errors
+    unsigned line;      ///< interrupt line for bytes; the next interrupt line is for errors
   };
 
   Uart(Microcontroller& board, const Kind& kind);

@@ -118,7 +118,7 @@ class VirtualBoard::Parts final : public Microcontroller {
           drive(level.port, level.pin, level.high);
         }) {
     if (image_.size() > kFlashSize) {
-      throw std::runtime_error("the image is larger than the flash");
+      throw std::runtime_error("the firmware image is larger than the flash");
     }
     build();
     connect();
@@ -261,7 +261,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::bitset<128> held_;  ///< interrupt lines that are hidden from the processor
   std::optional<Reset> wantedReset_;
   bool debugs_ = false;        ///< the present access is from a debugger and causes no finding
-  bool debugRefused_ = false;  ///< the access was refused
+  bool debugRefused_ = false;  ///< the access of the debugger was refused
   DebugPort debugPort_{
       cpu_,
       {.read = [this](std::uint32_t address, unsigned size,
@@ -421,7 +421,7 @@ void VirtualBoard::Parts::clocksChanged() {
   knownTime_ = changed;
   renewAll();
   checkClocks();
-  cpu_.stop();  // the next events were computed with the old clock
+  cpu_.stop();  // the next events were computed with the old frequencies
 }
 
 void VirtualBoard::Parts::checkClocks() {
@@ -442,7 +442,7 @@ void VirtualBoard::Parts::checkClocks() {
   check("flash", dividers.flash, 25'000'000);
   if (dividers.bus % dividers.core != 0 || dividers.flash % dividers.core != 0) {
     report("register-misuse",
-           "with SIM_CLKDIV1, a bus clock is not the core clock divided by an integer");
+           "SIM_CLKDIV1 selects a bus clock that is not the core clock divided by an integer");
   }
 }
 
@@ -601,7 +601,8 @@ void VirtualBoard::Parts::advance() {
   }
 }
 
-// Advances the core to a time. The core runs, sleeps, or is stopped.
+// Advances the core to a time. The core runs, sleeps, or has no clock. Returns false if a problem
+// has stopped the program.
 bool VirtualBoard::Parts::runCore(Time until) {
   if (core_.hz() == 0) {
     standsAt_ = until;
@@ -646,7 +647,7 @@ void VirtualBoard::Parts::report(std::string id, std::string what) {
   }
 }
 
-// Adds a warning about an access that is not modelled, if such accesses are not findings.
+// Adds a warning about an access that is not modelled. Returns false if such accesses are findings.
 bool VirtualBoard::Parts::warn(const std::string& what) {
   if (options_.unmodelledIsFinding) {
     return false;
@@ -684,7 +685,7 @@ bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
     }
     const Time next = std::min(nextEvent(), limit);
     if (next > time() && runCore(next) && sleeps_ && core_.hz() != 0 && !done()) {
-      // The program may have caused an event that is earlier than the next event that was computed.
+      // The program may have caused an event that is earlier than the time `next`.
       const std::uint64_t before = cpu_.cycles();
       cpu_.skipTo(core_.reach(std::min(nextEvent(), limit)));
       sleptCycles_ += cpu_.cycles() - before;

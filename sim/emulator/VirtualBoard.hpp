@@ -26,11 +26,11 @@ struct Options {
   std::filesystem::path elf{};  ///< file with the names of functions for findings; may be empty
   bool externalClock = true;    ///< the clock of 50 MHz is present
   unsigned failingClockStep =
-      0;  ///< step of the clock generator that never ends. 0: no step; 2: the change to the
+      0;  ///< step that the clock generator never completes. 0: no step; 2: the change to the
           ///< external clock; 3: the lock of the PLL; 4: the change to the PLL
   std::array<bool, 2> calibrates{true, true};  ///< for each converter: the calibration succeeds
   bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
-  Timing timing = Timing::NoWaitStates;        ///< cost of instructions
+  Timing timing = Timing::NoWaitStates;        ///< model of the duration of instructions
   bool faultsAreFindings = true;  ///< a fault stops the run; false: the program handles it
   bool unmodelledIsFinding =
       true;  ///< an access that is not modelled stops the run. false: the access causes a warning,
@@ -79,7 +79,7 @@ class VirtualBoard {
   /// causes one warning.
   [[nodiscard]] std::vector<Finding> takeWarnings();
 
-  /// @brief Sends bytes from the PC at 115200 baud, after the bytes that are still being sent.
+  /// @brief Sends bytes from the PC, after the bytes that are still being sent.
   void receive(std::span<const std::uint8_t> bytes);
 
   /// @brief Sends bytes from the PC. The first bit begins at a given time. In successive calls, the
@@ -95,7 +95,7 @@ class VirtualBoard {
   /// @brief Returns the bytes that the board has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
-  /// @brief Sends bytes to another serial port, after the bytes that are still being sent.
+  /// @brief Sends bytes to a serial port of the board, after the bytes that are still being sent.
   /// @param uart number of the UART: 0 (the serial line to the PC) or 4
   /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
@@ -135,7 +135,7 @@ class VirtualBoard {
   /// @brief Returns the duty cycle at the pin of a timer's channel, as a fraction of the period.
   /// @param ftm 0 to 3
   /// @param channel 0 to 7
-  /// @return 0 to 1; 0 while no pin is connected to the channel or the timer is stopped.
+  /// @return 0 to 1; 0 while the timer is stopped or no pin is connected to the channel.
   [[nodiscard]] double pwmDuty(int ftm, int channel) const;
 
   /// @brief Puts a voltage on an input of an analog-to-digital converter. The initial voltage is 0
@@ -203,7 +203,7 @@ class VirtualBoard {
   /// the exception must be 16 or more.
   [[nodiscard]] unsigned priority(unsigned exception) const;
 
-  /// @brief Returns the frequency of the core.
+  /// @brief Returns the frequency of the core clock [Hz].
   [[nodiscard]] std::uint32_t clockHz() const;
 
   /// @brief Returns a word of flash or RAM.

@@ -174,7 +174,7 @@ void Wdog::configure(std::uint32_t offset, std::uint32_t value) {
     board_.refuse("watchdog-sequence", "configuration of the watchdog without unlock");
   } else if (now - lockChanged_ < 2) {
     board_.refuse("watchdog-sequence",
-                  "the watchdog was configured in the bus clock directly after its unlock");
+                  "the watchdog was configured in the bus clock cycle directly after its unlock");
   } else if ((written_ & place) != 0) {
     misuse("a register of the watchdog was written twice after one unlock");
   } else {
@@ -217,7 +217,7 @@ void Wdog::refresh(std::uint32_t key) {
 }
 
 void Wdog::checkConfiguration() {
-  // The time-out must be longer than twice the configuration time plus 20 bus clocks (K20
+  // The time-out must be longer than the sum of twice the configuration time and 20 bus clocks (K20
   // Sub-Family Reference Manual, 23.9).
   const Time unit = source().at(countsFrom_ + divider() * timeOut()) - source().at(countsFrom_);
   const Clock& clock = board_.busClock();
@@ -260,8 +260,8 @@ Time Wdog::nextEvent() const {
 void Wdog::advance() {
   const std::uint64_t now = bus();
   if (lock_ == Lock::FreshlyReset && now > lockChanged_ + kConfigurationTime) {
-    // The first key must be written within the configuration time. The second key has another
-    // limit.
+    // The first key must be written within the configuration time. The second key must follow
+    // within kKeyTime after the first key.
     const bool keyGiven = unlockKeyAt_ && *unlockKeyAt_ <= lockChanged_ + kConfigurationTime;
     if (keyGiven && now <= *unlockKeyAt_ + kKeyTime) {
       lockChanged_ = *unlockKeyAt_ + kKeyTime - kConfigurationTime;

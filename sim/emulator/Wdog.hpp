@@ -21,7 +21,7 @@ class Wdog final : public Peripheral {
 
  private:
   enum class Lock {
-    FreshlyReset,  ///< waits for the first key
+    FreshlyReset,  ///< waits for the first key of the unlock
     Locked,
     Open  ///< the configuration may be written
   };
@@ -49,7 +49,7 @@ class Wdog final : public Peripheral {
   std::optional<std::uint64_t> refreshKeyAt_;
   std::uint64_t countsFrom_ = 0;  ///< count of the clock source at the last refresh
   Clock oscillator_;
-  std::optional<std::uint64_t> resetAt_;  ///< count of the bus clock at the next reset
+  std::optional<std::uint64_t> resetAt_;  ///< count of the bus clock at the watchdog's reset
   std::uint16_t resets_ = 0;
 };
 

@@ -94,7 +94,7 @@ void injectClock(const Injected& fault, emulator::VirtualBoard& board) {
     board.setExternalClock(false);
   } else if (fault.place == NoLock) {
     board.loseLock();
-  } else {  // the value is in thousandths
+  } else {  // the value is the deviation of the baud rate in thousandths
     board.setLineBaud(static_cast<std::uint32_t>(
         static_cast<int>(kNominalBaud) + static_cast<int>(kNominalBaud) / 1000 * fault.value));
   }

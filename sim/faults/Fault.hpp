@@ -32,7 +32,7 @@ inline constexpr std::uint32_t kKinds = 10;
 /// @brief Returns the kind with the given name; nothing if there is no such kind.
 [[nodiscard]] std::optional<Kind> kindOf(std::string_view name);
 
-/// @brief Memory and interrupts of the firmware that faults can affect.
+/// @brief The memory and the interrupts that faults can affect.
 struct Places {
   std::uint32_t codeBegin;
   std::uint32_t codeEnd;  ///< end of the program in RAM
@@ -57,19 +57,20 @@ struct Fault {
   return kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Returns true if the effect of a fault of this kind can disappear. After this, the memory
-/// has the same content as in a run without the fault.
+/// @brief Returns true if the effect of a fault of this kind can disappear. When it has
+/// disappeared, the memory has the same content as in a run without the fault.
 [[nodiscard]] inline bool passes(Kind kind) {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
 
 /// @brief Longest time of observation [ms]. The angle sensor may drift for 6.8 s before FR-227
-/// detects the drift. Implausible Hall edges need seconds to reach the count of FR-279.
+/// detects the drift. It takes seconds until the number of implausible Hall edges reaches the limit
+/// of FR-279.
 inline constexpr int kLongestWindow = 7000;
 
-/// @brief Returns the duration of the observation after the fault [ms]. It lasts at least until the
-/// firmware must have reported the fault. For example, the firmware reports a wheel without Hall
-/// edges 1 s after the wheel got voltage.
+/// @brief Returns the duration of the observation after the fault [ms]. The observation lasts at
+/// least until the latest time at which the firmware must report the fault. For example, the
+/// firmware reports a wheel without Hall edges 1 s after the wheel got voltage.
 [[nodiscard]] int windowOf(const Fault& fault);
 
 /// @brief Chooses a kind of fault. The most frequent kinds change a bit in RAM, which belongs to an

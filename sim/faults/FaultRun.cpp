@@ -340,7 +340,8 @@ Result FaultRun::observe(Robot& robot, const Choice& choice) const {
   Message message{};
   message.verdict.outcome = Outcome::Stopped;
   // On a real board, a byte that arrives while the firmware restarts is lost. On the virtual board,
-  // such a byte causes a finding. The fault is therefore run a second time with a silent PC.
+  // such a byte causes a finding. After this finding, the copy with the fault therefore runs a
+  // second time, with a silent PC.
   for (const bool silentPc : {false, true}) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) {

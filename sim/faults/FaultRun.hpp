@@ -31,8 +31,8 @@ struct Result {
 /// once.
 class FaultRun {
  public:
-  static constexpr int kFirst = 1500;  ///< ms of the drive before the first fault
-  static constexpr int kLast = 6500;   ///< ms of the drive before the last fault
+  static constexpr int kFirst = 1500;  ///< earliest injection [ms since the drive began]
+  static constexpr int kLast = 6500;   ///< latest injection [ms since the drive began]
 
   /// @brief Runs the drive without a fault. Throws std::runtime_error if the robot does not drive.
   /// @param image firmware image, which is the content of the flash

@@ -65,9 +65,9 @@ inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run that has a fault with the same run without the fault.
 /// @param faulty the run with the fault
-/// @param reference outputs of the run without the fault, from the same instant on; there are at
-/// least as many as in the run with the fault
-/// @return class of the fault
+/// @param reference outputs of the run without the fault, from the same instant on; their number is
+/// at least the number of outputs in the run with the fault
+/// @return class of the fault, and the times of its effects
 [[nodiscard]] Verdict judge(const Observation& faulty, const Outputs* reference);
 
 }  // namespace wr::faults

@@ -16,8 +16,8 @@ struct Killed {};
 class Commands {
  public:
   /// @param line the serial line to GDB; must outlive the object
-  /// @param ends returns true if this program shall end; it is also called while the board is
-  /// stopped
+  /// @param ends returns true if this process shall end; this function is also called while the
+  /// board is stopped
   /// @param goesBack true when the owner of the board can restart the run; otherwise the program
   /// cannot run backwards
   Commands(programs::SerialLine& line, std::function<bool()> ends, bool goesBack = true);

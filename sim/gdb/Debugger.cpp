@@ -114,7 +114,7 @@ void Debugger::endSearch() {
   throw BeginsAgain();
 }
 
-// Discards the later changes, because they belong to a discarded run.
+// Discards the changes after the present position, because they belong to a discarded run.
 void Debugger::stop(const std::string& why) {
   from_ = port_->instructions();
   std::erase_if(changes_, [this](const Change& each) { return each.position > from_; });

@@ -21,8 +21,8 @@ struct BeginsAgain {};
 /// @brief A debugger that stops the program and can return to an earlier time.
 ///
 /// A position is a number of executed instructions. The same input causes the same run. To go back
-/// to an earlier position, the debugger starts a second run from the beginning. It need not restore
-/// any state.
+/// to an earlier position, the debugger starts a second run from the beginning. Therefore the
+/// debugger need not restore any state.
 class Debugger {
  public:
   /// @brief Serves the user while the program is stopped.
@@ -59,14 +59,15 @@ class Debugger {
   /// @brief Removes all breakpoints and watchpoints, and resumes.
   void leave();
 
-  // Each change is repeated when another run passes its position.
+  // Each change is repeated when another run passes the position of the change.
   void write(std::size_t number, std::uint64_t value);
   [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
   /// @brief Returns the board. The result is valid only during a run.
   [[nodiscard]] const emulator::DebugPort& port() const { return *port_; }
 
-  /// @brief Returns the breakpoints and watchpoints. Call rulesChanged() after a change of them.
+  /// @brief Returns the breakpoints and watchpoints. After a change of a watchpoint, call
+  /// rulesChanged().
   [[nodiscard]] StopRules& rules() { return rules_; }
   void rulesChanged();
 

@@ -18,7 +18,8 @@ class StopRules {
   void addBreakpoint(std::uint32_t address) { breakpoints_.insert(address); }
   void removeBreakpoint(std::uint32_t address) { breakpoints_.erase(address); }
 
-  /// @brief Returns true if the program stops before an instruction.
+  /// @brief Returns true if there is a breakpoint at the address of an instruction. The program
+  /// then stops before this instruction.
   [[nodiscard]] bool stopsAt(std::uint32_t address) const { return breakpoints_.contains(address); }
 
   /// @brief Sets a watchpoint.

@@ -8,7 +8,8 @@ namespace wr::gdb {
 
 namespace {
 
-// Returns the feature whose first register is this register (GDB manual, ARM Features).
+// Returns the name of the feature that begins with this register; empty if no feature begins with
+// it (GDB manual, ARM Features).
 std::string_view featureFrom(std::string_view name) {
   if (name == "r0") {
     return "org.gnu.gdb.arm.m-profile";

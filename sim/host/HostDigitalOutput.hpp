@@ -17,7 +17,6 @@ class HostDigitalOutput final : public DigitalOutput {
   [[nodiscard]] bool isOn() const { return on_; }
 
   /// @brief Sets the callback for each change of the output from off to on.
-  /// @param call the callback
   void onRise(std::function<void()> call);
 
  private:

@@ -8,8 +8,8 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief An edge input on the host. By default, its initial level is high, as with a pull-up
-/// resistor.
+/// @brief An edge input on the host. By default, the initial level of the input is high, as with a
+/// pull-up resistor.
 class HostEdgeInput final : public EdgeInput {
  public:
   /// @brief Binds the input to the scheduler that serves its interrupt.
@@ -22,7 +22,6 @@ class HostEdgeInput final : public EdgeInput {
   void connect(std::function<void()> vector);
 
   /// @brief Puts a level on the pin. After the start of the input, a change raises the interrupt.
-  /// @param level the level
   void drive(bool level);
 
   void start() override;

@@ -27,7 +27,7 @@
 
 namespace wr::host {
 
-/// @brief Parts of the firmware in a robot on the host.
+/// @brief The parts of the firmware that a robot on the host contains.
 enum class HostEquipment {
   Whole,       ///< all control systems, without safety functions
   Safe,        ///< all control systems, with the safety functions
@@ -93,11 +93,9 @@ class HostFirmware {
   [[nodiscard]] Microseconds beatPeriod() const;
 
   /// @brief Returns the main controller.
-  /// @return the main controller.
   [[nodiscard]] MainController& controller();
 
   /// @brief Returns the pool of control systems.
-  /// @return the pool.
   [[nodiscard]] ControlSystemPool& systems();
 
   /// @brief Returns the watchdog.

@@ -26,7 +26,6 @@ class HostSerialPort final : public SerialPort {
 
   /// @brief Receives bytes from the serial line at the present time. Bytes that do not fit are lost
   /// and counted.
-  /// @param bytes the bytes
   void arrive(std::span<const std::uint8_t> bytes);
 
   /// @brief Removes all written bytes, and returns them as the bytes that were sent over the serial

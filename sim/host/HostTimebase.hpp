@@ -14,7 +14,6 @@ class HostTimebase final : public Timebase {
   [[nodiscard]] std::uint32_t awakeCycles() const override { return 0; }
 
   /// @brief Advances the time.
-  /// @param duration duration
   void advance(Microseconds duration) { now_ = now_ + duration; }
 
  private:

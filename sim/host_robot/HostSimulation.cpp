@@ -18,12 +18,13 @@ constexpr Microseconds kStartUp(5364);
 
 // The first time is from a tick to the start of the first wheel thread in the same cycle. The
 // second time is from one wheel thread to the next. Both times were measured with the firmware
-// image on the virtual K64. On the host, all other code takes no time. The clock pulse is therefore
-// at the start of the first wheel thread.
+// image on the virtual K64. On the host, all other code takes no time. Therefore the first time
+// delays the clock pulse to the start of the first wheel thread.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 
-// Rounds the time of an edge to microseconds, which are the resolution of the firmware's clock.
+// Rounds the time of an edge down to whole microseconds, which are the resolution of the firmware's
+// clock.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {
   return begin +
          Microseconds(std::chrono::duration_cast<std::chrono::microseconds>(offset).count());

@@ -36,7 +36,6 @@ class HostSimulation {
   void reset(ResetCause cause);
 
   /// @brief Advances to an instant, including the events of this instant.
-  /// @param instant the instant
   void runUntil(Instant instant);
 
   /// @brief Returns the instant of the next clock pulse.

@@ -40,7 +40,7 @@ class DriveTrain {
   DriveTrain() { configure({}); }
 
   /// @brief Sets the properties of the motor.
-  /// @param motor its parameters
+  /// @param motor parameters of the motor
   void configure(const MotorParameters& motor);
 
   /// @brief Sets the inputs of the driver.
@@ -73,7 +73,7 @@ class DriveTrain {
   /// @return A, positive when the current drives the robot forwards
   [[nodiscard]] double current() const { return current_; }
 
-  /// @brief Returns the current in the driver, as its sensor measures it.
+  /// @brief Returns the current in the driver, as the current sensor measures it.
   /// @return A, positive when the driver drives the current forwards
   [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
 
@@ -116,8 +116,8 @@ class DriveTrain {
   double current_ = 0;
   double speed_ = 0;
   double turns_ = 0;
-  double deflection_ = 0;  // force of the tyre's spring, along and across
-  double sideDeflection_ = 0;
+  double deflection_ = 0;      // force of the tyre's spring along the wheel
+  double sideDeflection_ = 0;  // force of the tyre's spring across the wheel
   double force_ = 0;
   double sideForce_ = 0;
 };

@@ -11,12 +11,12 @@ namespace wr::plant {
 class HallSensors {
  public:
   static constexpr double kEdgesPerTurn = 60.0;
-  /// Half of the hysteresis, in edges. The hysteresis is the distance by which the shaft must turn
-  /// back before an edge is reversed.
+  /// Half of the hysteresis, as a fraction of the distance between two edges. The hysteresis is the
+  /// distance by which the shaft must turn back before an edge is reversed.
   static constexpr double kHysteresis = 0.05;
 
   /// @brief Sets the positions of the sensors.
-  /// @param misplaced displacement of each sensor, in edges
+  /// @param misplaced displacement of each sensor, as a fraction of the distance between two edges
   void place(const std::array<double, 2>& misplaced) { misplaced_ = misplaced; }
 
   /// @brief Turns the shaft by less than the distance between two edges.

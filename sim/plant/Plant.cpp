@@ -47,10 +47,10 @@ void setRolling(Plant& plant, double share) {
 
 }  // namespace
 
-// Copper has 20 percent more resistance 50 K above the nominal temperature. Hot magnets lose a
-// tenth of their field. A lead battery of 24 V has 21 V when it is empty, and 29 V while it is
-// charged. The smallest mass is the mass of the robot without panels and sprayers. The greatest
-// mass is the mass of the robot with a load.
+// The ranges have these reasons. Copper that is 50 K hotter than nominal has 20 percent more
+// resistance. Hot magnets lose a tenth of their field. A lead battery of 24 V has 21 V when it is
+// empty, and 29 V while it is charged. The smallest mass is the mass of the robot without panels
+// and sprayers. The greatest mass is the mass of the robot with a load.
 Plant Plant::varied(const Noise& noise) {
   Bands bands(noise);
   Plant plant;

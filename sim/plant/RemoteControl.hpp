@@ -55,13 +55,13 @@ class RemoteControl {
   static constexpr std::chrono::microseconds kDeflection{500};
   static constexpr std::int64_t kJitter = 2;  ///< us
 
-  /// @brief Moves the sticks, and switches the transmitter on. The change takes effect with the
-  /// next pulses.
+  /// @brief Moves the sticks and switches the transmitter on, or switches it off. The change takes
+  /// effect with the next pulses.
   /// @param sticks positions of the sticks; nothing: the transmitter is off
   void set(const std::optional<Sticks>& sticks);
 
   /// @brief Turns the enable switch.
-  /// @param position its position from now on
+  /// @param position position of the switch from now on
   void setEnable(EnablePosition position) { enable_ = position; }
 
   /// @brief Sets the output of the receiver while the transmitter is off. The initial output is

@@ -20,8 +20,9 @@ constexpr double kJitter = 5'000;  // ns
 
 constexpr double kDegreesPerEdge = 90.0;  // electrical degrees
 constexpr std::chrono::nanoseconds kGlitch{30'000};
-constexpr double kOpenShare = 0.05;  // an open input changes by this fraction of the difference
-                                     // between its voltage and the neighbour's voltage
+// In each step, the voltage of an open input moves by this fraction of the way to the voltage of
+// the input that is converted before it.
+constexpr double kOpenShare = 0.05;
 constexpr double kNoPower =
     0.05;  // W; the power that noise and rounding cause is less than this limit
 constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes
@@ -328,8 +329,8 @@ void Robot::advance(double seconds) {
   distance_ += speed_ * seconds;
 }
 
-// Rolling resistance acts against the movement. A robot stays at rest until a greater force acts on
-// it.
+// Rolling resistance acts against the movement. A robot stays at rest until a force that is greater
+// than its static resistance acts on it.
 void Robot::advanceAlong(double force, double seconds) {
   if (speed_ == 0) {
     const double excess = std::abs(force) - plant_.staticResistance * weight_;

@@ -65,8 +65,8 @@ enum class EmergencyStop : std::uint8_t {
   Brake      ///< the circuit removes the power, and short-circuits the motors of the wheels
 };
 
-/// @brief The physics of the robot. The inputs are the signals to its actuators, and the outputs
-/// are the values of its sensors.
+/// @brief The physics of the robot. The inputs are the signals to the actuators, and the outputs
+/// are the values of the sensors.
 ///
 /// Time is divided into steps of 1 ms. A step uses the present inputs, and returns the edges that
 /// occur during the step. Noise depends only on the seed and the step. It is therefore equal for
@@ -92,7 +92,7 @@ class Robot {
   void setSeed(std::uint32_t seed);
 
   /// @brief Sets the properties of the robot's parts.
-  /// @param plant its parameters
+  /// @param plant properties of the parts
   void setPlant(const Plant& plant);
 
   /// @brief Sets random or nominal properties of the robot's parts. The seed chooses the random
@@ -131,12 +131,12 @@ class Robot {
   /// @param state state of the emergency stop's circuit
   void setEmergencyStop(EmergencyStop state);
 
-  /// @brief Sets the firmware's signals on the driver of a wheel.
+  /// @brief Sets the firmware's signals to the driver of a wheel.
   /// @param wheel 0 to 3
   /// @param drive duty, orientation, enable
   void setWheel(std::size_t wheel, const WheelDrive& drive);
 
-  /// @brief Returns the firmware's signals on the driver of a wheel.
+  /// @brief Returns the firmware's signals to the driver of a wheel.
   /// @param wheel 0 to 3
   [[nodiscard]] const WheelDrive& drive(std::size_t wheel) const { return drives_.at(wheel); }
 
@@ -145,7 +145,7 @@ class Robot {
   void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }
 
   /// @brief Executes one step pulse of the steering.
-  /// @param left direction
+  /// @param left true: to the left; false: to the right
   void steeringStep(bool left) { steering_.step(left); }
 
   /// @brief Samples the sensors. Then simulates 1 ms with the present inputs.

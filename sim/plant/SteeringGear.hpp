@@ -20,7 +20,7 @@ class SteeringGear {
   void stall(bool stalled) { stalled_ = stalled; }
 
   /// @brief Executes one step pulse.
-  /// @param left direction
+  /// @param left true: to the left; false: to the right
   void step(bool left);
 
   /// @brief Returns the position of the steering.

@@ -11,7 +11,7 @@ namespace {
 // because the last digit of std::tan differs between libraries. The native simulator and the
 // WebAssembly module need equal results.
 double tangent(double radians) {
-  constexpr int kDepth = 21;  // a further term does not change a double
+  constexpr int kDepth = 21;  // further terms do not change the result
   double rest = 0;
   for (int term = kDepth; term > 1; term -= 2) {
     rest = radians * radians / (term - rest);

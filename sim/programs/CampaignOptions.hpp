@@ -22,7 +22,7 @@ struct CampaignOptions {
         ->required()
         ->type_name("PATH")
         ->check(CLI::ExistingFile);
-    app.add_option("--elf", elf, "file with the symbols of the image")
+    app.add_option("--elf", elf, "ELF file with the symbols of the firmware image")
         ->required()
         ->type_name("PATH")
         ->check(CLI::ExistingFile);

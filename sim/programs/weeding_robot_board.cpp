@@ -309,7 +309,7 @@ void exchangeBytes(SerialLine& line, emulator::VirtualBoard& board) {
   for (std::size_t count = line.read(bytes); count != 0; count = line.read(bytes)) {
     board.receive(std::span(bytes).first(count));
   }
-  line.write(board.takeSent());  // bytes that no client reads are lost, as on a real line
+  line.write(board.takeSent());  // bytes that no client reads are lost, as on a real board
 }
 
 // Returns the stream for messages. Messages must not be mixed with the bytes of UART0.
@@ -318,11 +318,12 @@ std::FILE* messagesOf(const Settings& settings) {
 }
 
 /// @brief The serial line of UART0, and the pace of a run. When a debugger restarts the run, the
-/// new run uses the same line and the same pace.
+/// new run uses the same serial line and the same pace.
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A run that is as fast as possible has no serial line for a client.
+    // A scenario needs no serial line, because it plays the PC. A client cannot follow a run that
+    // is as fast as possible, so this run has no pseudo-terminal.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }
@@ -447,7 +448,8 @@ Exit runAsAsked(Machine& machine, const Settings& settings, Outside& outside) {
   return runBoard(machine, settings, outside);
 }
 
-// Runs under a debugger. For each step back, the program starts another run from the start.
+// Runs the board under a debugger. For each step back, starts another run of the board from the
+// beginning.
 Exit runDebugged(const Settings& settings) {
   catchEndRequests();
   const std::unique_ptr<SerialLine> door = openLine("tcp:" + std::to_string(settings.gdb));
@@ -518,8 +520,8 @@ Exit run(const Settings& settings) {
 int main(int count, char** arguments) try {
   wr::programs::Settings settings;
   CLI::App app(
-      "Runs a raw image of a K64 (MK64FN1M0) on the virtual board, in real time. The board is\n"
-      "alone, or in the simulated robot. It stops at the first finding.",
+      "Runs a raw firmware image for a K64 (MK64FN1M0) on the virtual board, in real time. The\n"
+      "board is alone, or in the simulated robot. The run stops at the first finding.",
       "weeding_robot_board");
   wr::programs::addImageOptions(app, settings);
   wr::programs::addLineOptions(app, settings);

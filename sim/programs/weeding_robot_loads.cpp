@@ -30,7 +30,7 @@ constexpr int kCycles = 60;                     // cycles of a drive: 6 s
 constexpr int kConnected = 3;                   // cycles after which the PC is connected
 constexpr int kNeutral = 12;                    // cycles with neutral orders, which arm the robot
 constexpr int kLineBytes = 1152;   // bytes that the serial line of the PC transfers in 100 ms
-constexpr int kMostPayload = 200;  // bytes of a frame
+constexpr int kMostPayload = 200;  // greatest number of payload bytes of a frame
 constexpr int kUpsets = 6;
 
 // The inputs whose edges cause interrupts. They are the Hall sensors and the signals of the remote
@@ -95,7 +95,7 @@ class LoadedRobot {
   [[nodiscard]] bool noisy() const { return noisy_; }
 
  private:
-  // The kinds of bytes with which the PC loads its serial line.
+  // The kinds of bytes that the PC sends to keep its serial line busy.
   enum Style : std::uint32_t {
     Quiet,
     Hellos,
@@ -176,8 +176,8 @@ class LoadedRobot {
     }
   }
 
-  // Generates edges at all inputs around the next clock pulse. The number of edges is greater than
-  // the limit for interrupts.
+  // Generates edges at all inputs around the next clock pulse. In each tick, each input has at
+  // least as many edges as FR-201 permits to cause interrupts.
   void disturb() {
     const nanoseconds pulse =
         session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;

@@ -10,8 +10,8 @@ namespace wr::scenario {
 /// @brief A true value of the simulated robot. No sensor measures this value.
 struct TruthField {
   std::string_view name;
-  /// Reads the value. If the protocol has the same value, both have the same unit. The mark is the
-  /// distance [m] from which `way` is measured.
+  /// Reads the value. If a field of the protocol contains a measurement of this value, the field
+  /// has the same unit. The mark is the distance [m] from which `way` is measured.
   double (*valueOf)(const plant::Robot& robot, double mark);
 };
 
@@ -21,7 +21,6 @@ struct TruthField {
 /// mark) [0.1 rpm], braking (1 while no driver puts power into its motor), yaw_rate [0.01
 /// degree/s], heading [0.01 degree], radius of the curve [mm, at most 1 km], supply [mV], torque0
 /// to 3 of the motors [mN m], side_slip0 to 3 (speed of the tyres across their wheels) [mm/s].
-/// @return the fields
 [[nodiscard]] const std::vector<TruthField>& truthFields();
 
 /// @brief Finds a true value by its name.

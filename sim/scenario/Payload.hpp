@@ -26,7 +26,7 @@ struct FrameField {
   unsigned bit = 0;  ///< number of the bit, if the form is Bit
 };
 
-/// A word of a scenario that is the name of a number in a field.
+/// A word that scenarios use instead of a number in a field.
 struct FrameWord {
   std::string_view field;
   std::string_view word;

@@ -25,7 +25,7 @@ enum class ResetKind : std::uint8_t {
   Power  ///< the supply was off; memory loses its content
 };
 
-/// @brief A robot in stepped time. The caller is at the PC's end of the serial line.
+/// @brief A robot in stepped time. The caller has the role of the PC on the serial line.
 class RobotSession {
  public:
   /// @brief Time since the robot was switched on.
@@ -37,7 +37,6 @@ class RobotSession {
   virtual ~RobotSession() = default;
 
   /// @brief Sends bytes to the robot, one after the other.
-  /// @param bytes the bytes
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
 
   /// @brief Sends bytes to the robot. The last byte is complete at a given time before the next
@@ -70,7 +69,7 @@ class RobotSession {
   [[nodiscard]] virtual plant::Robot& robot() = 0;
 
   /// @brief Returns the remote control.
-  /// @return the remote control; it is initially off
+  /// @return the remote control; at first, only its enable switch is connected
   [[nodiscard]] virtual plant::RemoteControl& remoteControl() = 0;
 
   /// @brief Resets the microcontroller. Throws std::runtime_error if this is not possible.

@@ -15,9 +15,9 @@ using Time = Scenario::Time;
 
 constexpr Time kCycle{100};
 constexpr Time kToFirstOrder{
-    200};  // time from Hello to the first order, because Welcome and Confirm take two cycles
-constexpr int kNeutralOrders =
-    13;  // seven cycles until an order is read, then five cycles of 0.1 s, and one more cycle
+    200};  // time from Hello to the first order: Welcome and Confirm take two cycles
+constexpr int kNeutralOrders = 13;  // seven cycles until an order is read, five cycles (0.5 s)
+                                    // until the robot is armed, and one more cycle
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {
   if (word == "velocity") {
@@ -70,7 +70,8 @@ Scenario::Action readBytes(Words& words) {
   return raw;
 }
 
-// Returns the number of a word in a field. A true value has no named values.
+// Returns the number that the next word means in a field. For a true value, the word must be a
+// number.
 std::int64_t readNumber(Words& words, const std::string& name, const FrameField* field) {
   const std::string word = words.take("the value of " + name);
   const auto number = numberOf(field != nullptr ? *field : FrameField{}, word);

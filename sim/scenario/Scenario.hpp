@@ -39,8 +39,8 @@ namespace wr::scenario {
 /// digits. Orders are numbered from 1.
 ///
 /// The actions on the robot and its surroundings (actions of the world) are listed at
-/// readWorldAction(). After the action mark, the fields 'way' and 'max_velocity' are measured from
-/// this time.
+/// readWorldAction(). The action mark restarts the measurement of the fields 'way' and
+/// 'max_velocity'.
 ///
 /// 'seed N' selects the noise. With 'plant varied', the seed also selects the parameters of the
 /// robot. 'plant PARAMETER VALUE' sets one parameter. These lines have no time, and must be before
@@ -104,7 +104,6 @@ class Scenario {
   Scenario(std::istream& text, std::string name);
 
   /// @brief Reads the scenario in a file. Throws Error.
-  /// @param file the file
   [[nodiscard]] static Scenario load(const std::filesystem::path& file);
 
   /// @brief Returns the steps in the order of time.
@@ -112,7 +111,6 @@ class Scenario {
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
 
   /// @brief Returns the time at which the scenario ends.
-  /// @return the time
   [[nodiscard]] Time end() const { return end_; }
 
   /// @brief Returns the seed of the noise.
@@ -124,7 +122,6 @@ class Scenario {
   [[nodiscard]] const std::vector<WorldAction>& plant() const { return plant_; }
 
   /// @brief Returns the name of the text.
-  /// @return the name
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:

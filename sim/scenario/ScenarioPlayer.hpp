@@ -26,7 +26,7 @@ class ScenarioPlayer {
   };
 
   /// @brief Connects a PC to the serial line of a robot that was just switched on.
-  /// @param scenario the actions of the PC
+  /// @param scenario the scenario; it must outlive the player
   /// @param robot the robot
   /// @param reports receives each report as a text line of comma-separated values. The values are
   /// all fields of the report, the time [ms] at which the PC received the report, and the true
@@ -34,16 +34,14 @@ class ScenarioPlayer {
   ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports = nullptr);
 
   /// @brief Plays the scenario to its end.
-  /// @return the result
   [[nodiscard]] Outcome play();
 
-  /// @brief Runs to the next instant at which the PC reads its serial line or has an action.
-  /// Executes this action.
+  /// @brief Executes the next action if it is due. Otherwise, runs to the next instant at which the
+  /// PC reads its serial line or an action is due.
   /// @return false when the scenario has ended
   bool step();
 
   /// @brief Executes an action now, in addition to the steps of the scenario.
-  /// @param action the action
   void perform(const Scenario::Action& action);
 
   /// @brief Returns the last report without its CRC; nothing before the first report.

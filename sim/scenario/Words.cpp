@@ -10,7 +10,8 @@ namespace wr::scenario {
 
 namespace {
 
-// Returns the number of a word, if it is a number. A number may begin with its base.
+// Returns the number that a word contains; nothing if the word is not a number. The optional
+// argument is the base of the number.
 template <class Number, class... Form>
 std::optional<Number> parse(std::string_view word, Form... form) {
   Number number{};

@@ -42,7 +42,7 @@ def camel(name: str) -> str:
 
 
 def stems(layout: Layout) -> dict[str, list[Field]]:
-    """Returns the fields of each member. The fields of the four wheels are one array."""
+    """Returns the members of the C++ structure. The fields of the four wheels are one member."""
     members: dict[str, list[Field]] = {}
     for one in layout.fields:
         members.setdefault(one.stem, []).append(one)

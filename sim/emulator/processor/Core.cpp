@@ -60,10 +60,10 @@ Trap Core::run() {
   return std::exchange(trap_, Trap::None);
 }
 
-// The address and the cycle count are local variables. They are copied to their members, but never
-// read from these members. The processor of the host then need not wait for the result of the
-// previous instruction. For the same reason, the next address is selected by a branch, because the
-// host can predict a branch.
+// The address and the cycle count are local variables. They are copied to members of this class,
+// but never read from these members. Therefore the processor of the host need not wait for the
+// result of the previous instruction. The next address is selected by a branch for the same
+// purpose, because the host can predict a branch.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
   std::uint32_t address = next;

@@ -15,7 +15,8 @@
 
 namespace wr::emulator {
 
-/// @brief An event of an instruction. The event is handled outside of the normal program flow.
+/// @brief An event that an instruction causes. The event is handled outside of the normal program
+/// flow.
 enum class Trap : std::uint8_t {
   None,
   Sleep,
@@ -176,8 +177,8 @@ class Core {
   /// @return false in case of a trap
   [[nodiscard]] bool beginFp();
 
-  /// @brief Adds the cycles that the processor needs for a read from flash that is not part of an
-  /// instruction, for example the read of a vector.
+  /// @brief Adds the cycles of a read from flash. The read is not the fetch of an instruction, but
+  /// for example the read of a vector.
   void spendForRead(std::uint32_t address);
 
   /// @brief Records that the next instruction does not begin a block, for example after the entry

@@ -35,7 +35,7 @@ constexpr std::size_t kWhats = 16;
 /// The form of the second operand.
 enum class Second : std::uint8_t {
   Number,         ///< value; the carry does not change
-  NumberAndFlag,  ///< value; the carry becomes its highest bit
+  NumberAndFlag,  ///< value; the carry becomes the highest bit of value
   Register,       ///< register m; the carry does not change
   Lsl,            ///< register m, shifted by value
   Lsr,            ///< shift by value, 1 to 32

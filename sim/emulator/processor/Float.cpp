@@ -129,8 +129,8 @@ std::uint32_t Float::round(bool negative, int exponent, std::uint64_t significan
                   : rounding == Rounding::Up    ? rest != 0 && !negative
                   : rounding == Rounding::Down  ? rest != 0 && negative
                                                 : false;
-  // The integer is added to the shifted exponent field. Its leading bit is not part of the
-  // fraction: it adds 1 to the exponent field, also when rounding has set this bit.
+  // The integer is added to the shifted exponent field. The leading bit of the integer is not part
+  // of the fraction: it adds 1 to the exponent field, also when rounding has set this bit.
   const std::uint32_t field = denormal ? 0 : static_cast<std::uint32_t>(leading - format.least);
   const std::uint32_t result =
       (field << format.fraction) + static_cast<std::uint32_t>(integer) + (up ? 1U : 0U);
@@ -163,7 +163,8 @@ std::uint32_t Float::sum(const Number& a, const Number& b) {
   }
   const Number& high = a.exponent >= b.exponent ? a : b;
   const Number& low = a.exponent >= b.exponent ? b : a;
-  // If the exponents differ by more than this value, the smaller number does not affect the result.
+  // If the exponents differ by more than this value, the magnitude of the smaller number does not
+  // affect the result.
   constexpr int kFarthest = 75;
   const int distance = std::min(high.exponent - low.exponent, kFarthest);
   const Wide left = Wide{high.significand} << static_cast<unsigned>(distance);
@@ -316,7 +317,7 @@ std::uint32_t Float::squareRoot(std::uint32_t a) {
       root >>= 1;
     }
   }
-  // The root gets additional low bits, which are not 0 if there is a remainder.
+  // The root gets an additional low bit, which is 1 if there is a remainder.
   return round(false, (x.exponent - shift) / 2 - 1, root << 1 | (rest != 0 ? 1U : 0U), rounding());
 }
 

@@ -4,8 +4,9 @@
 
 namespace wr::emulator {
 
-/// @brief Arithmetic on 32-bit floating-point numbers (ARMv7-M ARM, A2.5). Each bit of a result is
-/// as in the FPv4-SP extension. The results do not depend on the computer that runs the simulator.
+/// @brief Arithmetic on 32-bit floating-point numbers (ARMv7-M ARM, A2.5). Each result has the same
+/// bits as in the FPv4-SP extension. The results do not depend on the computer that runs the
+/// simulator.
 ///
 /// An operation reads the modes in FPSCR, and sets the cumulative flags in FPSCR.
 class Float {

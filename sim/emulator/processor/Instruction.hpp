@@ -16,7 +16,7 @@ struct Instruction {
   std::uint8_t d = 0;     ///< register that is written, loaded or stored
   std::uint8_t n = 0;     ///< register of the first operand, or of the address
   std::uint8_t m = 0;     ///< register of the second operand
-  std::uint8_t form = 0;  ///< the bits of the constants below, and the size; 0 before decoding
+  std::uint8_t form = 0;  ///< size [byte] and the bits of the constants below; 0 before decoding
 
   static constexpr std::uint8_t kDecoded = 1;
   static constexpr std::uint8_t kInBlock = 8;

@@ -48,8 +48,8 @@ Memory::Direct Memory::directOf(const Area& area) const {
 
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
-  for (const Area& area :
-       all_) {  // the load clears the decoded instructions; stores can then be direct again
+  // Clears the decoded instructions. Stores can then be direct again.
+  for (const Area& area : all_) {
     forget(area, area.address, area.size);
   }
   for (std::size_t i = 0; i < kMegabytes; ++i) {
@@ -106,7 +106,7 @@ void Memory::load(std::uint32_t address, std::span<const std::uint8_t> bytes) {
   const Area* area = find(address);
   if (area == nullptr || area->bytes == nullptr ||
       !area->holds(address, static_cast<std::uint32_t>(bytes.size()))) {
-    throw std::invalid_argument("there is no memory for the loaded image");
+    throw std::invalid_argument("there is no memory at the loaded addresses");
   }
   std::ranges::copy(bytes, area->at(address));
   forget(*area, address, static_cast<std::uint32_t>(bytes.size()));

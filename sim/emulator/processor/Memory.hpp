@@ -63,7 +63,7 @@ class Memory {
     std::uint32_t loads = 0;    ///< number of bytes that can be loaded
     std::uint32_t stores = 0;   ///< number of bytes that can be stored
 
-    /// @brief Returns true if an access is within the first `count` bytes.
+    /// @brief Returns true if an access is aligned and within the first `count` bytes.
     [[nodiscard]] bool holds(std::uint32_t count, std::uint32_t place, std::uint32_t wanted) const {
       const std::uint32_t offset = place - address;
       return offset < count && count - offset >= wanted && (place & 3U) == 0;
@@ -137,7 +137,8 @@ class Memory {
     return value;
   }
 
-  /// @brief Returns the words of a stack; nullptr when a part of the stack cannot be written.
+  /// @brief Returns the bytes of a stack frame; nullptr when a part of the stack frame cannot be
+  /// written.
   [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
 
  private:

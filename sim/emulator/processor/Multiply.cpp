@@ -85,7 +85,8 @@ void smlaw(Core& core, const Instruction& in) {
   core.registers.r[in.d] = narrowed(core, productWithHalf(core, in) + wide(addend(core, in)));
 }
 
-/// Returns the products of both halves, added or subtracted.
+/// Returns the sum or the difference of two products. Each product has one half of each operand as
+/// factor.
 template <bool kSubtracts>
 std::int64_t dual(const Core& core, const Instruction& in) {
   const Registers& x = core.registers;

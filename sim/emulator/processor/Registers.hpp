@@ -24,7 +24,7 @@ struct Registers {
   bool onProcessStack = false;   ///< the process stack is in use
 
   // Each flag is stored as the result from which the flag is computed. The flag itself is computed
-  // only when it is read, because this is seldom.
+  // only when it is read, because flags are seldom read.
   std::uint32_t n = 0;  ///< bit 31
   std::uint32_t z = 1;  ///< Z is set when this word is 0
   std::uint32_t c = 0;  ///< 0 or 1
@@ -74,7 +74,7 @@ struct Registers {
            (std::uint32_t{it} >> 2) << 10;
   }
 
-  /// @brief Sets all flags.
+  /// @brief Sets the values that state() returns.
   void setState(std::uint32_t xpsr) {
     setFlags(xpsr);
     setGe(xpsr);

@@ -78,7 +78,7 @@ void append(Bytes& bytes, Number number) {
 
 extern "C" {
 
-/// Returns memory for an argument.
+/// Returns new memory for an argument of a later call.
 std::uint8_t* liveAlloc(std::size_t size) {
   return static_cast<std::uint8_t*>(std::malloc(size));
 }
@@ -207,7 +207,7 @@ const std::uint32_t* liveEntries() {
 }
 
 /// Stores the last call of each function. Each item has the time of the call in ns (8 bytes; -1:
-/// not called yet) and the core registers 0 to 3 at its beginning (4 bytes each).
+/// not called yet) and the core registers 0 to 3 at the beginning of the call (4 bytes each).
 void liveLastCalls() {
   Bytes& bytes = module().bytes;
   bytes.clear();

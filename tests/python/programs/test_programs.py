@@ -290,7 +290,7 @@ def test_there_is_no_run_without_image(tmp_path: Path) -> None:
     assert run([board, "--fast", "--cycles", "1"]).returncode == 2
     missing = run([board, "--image", tmp_path / "none.bin", "--fast", "--cycles", "1"])
     assert missing.returncode == 1
-    assert "no image at" in missing.stderr
+    assert "no firmware image at" in missing.stderr
 
 
 def test_random_drives_with_a_loaded_line_are_the_same_for_the_same_seed() -> None:
