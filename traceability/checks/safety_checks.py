@@ -78,7 +78,7 @@ def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
         if not hazard.goals and not hazard.assumptions:
             text = f"{hazard.id} has no safety goal and no assumption of use"
             fix = "name the goal that prevents it, or the assumption that covers it"
-            yield Finding(_at(facts, hazard), "hazard-covered", text)
+            yield Finding(_at(facts, hazard), "hazard-covered", text, fix)
         if not hazard.level:
             risk = f"{hazard.severity}, {hazard.exposure}, {hazard.avoidance}"
             text = f"the risk graph has no level for {risk} of {hazard.id}"

@@ -79,7 +79,7 @@ def _bound(proof: StackProof) -> Iterator[Finding]:
             f"the deepest chains {largest.name} has the largest frame, {largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"
-        yield Finding(SCRIPT, "stack-bound", text)
+        yield Finding(SCRIPT, "stack-bound", text, fix)
     if proof.seen is not None and proof.seen > proof.total:
         text = (
             f"a run used {proof.seen} bytes of the stack, more than the computed {proof.total} "

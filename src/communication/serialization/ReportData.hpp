@@ -20,8 +20,8 @@ struct LinkCounts {
   std::uint16_t wrongLength = 0;     ///< frames with a payload that is too short
   std::uint16_t outOfRange = 0;      ///< orders with a field out of range
   std::uint16_t unexpected = 0;      ///< frames that the state of the connection did not expect
-  std::uint16_t sequenceGaps = 0;    ///< accepted frames, except Hello, whose sequence number is
-                                     ///< not the successor of the newest accepted number
+  std::uint16_t sequenceGaps = 0;    ///< accepted frames whose sequence number is not the successor
+                                     ///< of the newest accepted number; a Hello does not count
   std::uint16_t reportsNotSent = 0;  ///< reports for which the serial port had no space
   std::uint16_t staleOrders = 0;     ///< orders that were repeated, or overtaken by a newer frame
 
