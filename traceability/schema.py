@@ -176,6 +176,8 @@ class Module:
     # modules whose names are in the header or the source file of this module
     uses: Sequence[str] = field(default_factory=list)
     used_by: Sequence[str] = field(default_factory=list)
+    # modules and value types whose header or source file contains the name of this module or type
+    named_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
     # headers, constants and types that only this module may use (its secret)
     hides: Sequence[str] = field(default_factory=list)

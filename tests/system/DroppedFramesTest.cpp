@@ -10,21 +10,8 @@
 namespace wr::test {
 namespace {
 
-class DroppedFramesOfRobot : public testing::Test {
- protected:
-  SteppedRobot robot;
-};
-
-/// @brief The report of a cycle counts the frames with errors by kind of error. All other values
-/// are the same as in a cycle without these frames.
-/// @verifies FR-48
-/// @verifies FR-63
-TEST_F(DroppedFramesOfRobot, FR63_ReportCountsDroppedFramesByReason) {
-  robot.connect();
-  robot.keepAlive();
-  robot.cycle();
-  const scenario::PcReport before = robot.report();
-
+/// Sends frames with errors to a robot: one damaged frame, two frames that are too long, and so on.
+void sendFramesWithErrors(SteppedRobot& robot) {
   scenario::Bytes damaged = robot.pc.keepAlive();
   damaged[4] = static_cast<std::uint8_t>(damaged[4] ^ 0x10U);
   const std::vector<std::pair<scenario::Bytes, int>> frames{
@@ -42,20 +29,40 @@ TEST_F(DroppedFramesOfRobot, FR63_ReportCountsDroppedFramesByReason) {
       robot.arrive(scenario::Bytes{0});
     }
   }
-  robot.cycle();
+}
 
-  const scenario::PcReport& report = robot.report();
+/// Returns the report of the fourth cycle of a connected robot.
+/// @param isDisturbed true: frames with errors arrive in the last cycle
+scenario::PcReport reportOfRobot(bool isDisturbed) {
+  SteppedRobot robot;
+  robot.connect();
+  robot.keepAlive();
+  robot.cycle();
+  if (isDisturbed) {
+    sendFramesWithErrors(robot);
+  }
+  robot.cycle();
+  return robot.report();
+}
+
+/// @brief A robot that receives frames with errors counts them by kind of error. All other values
+/// of its report are equal to the values of a robot that does not receive these frames. Only the
+/// processor times differ, because the reception of a frame needs time.
+/// @verifies FR-48
+/// @verifies FR-63
+TEST(DroppedFramesOfRobot, FR63_ReportCountsDroppedFramesByReason) {
+  scenario::PcReport report = reportOfRobot(true);
   EXPECT_EQ((std::array{report.damaged, report.tooLong, report.unknownVersion, report.unknownType,
                         report.wrongLength, report.outOfRange, report.unexpected}),
             (std::array<std::uint16_t, 7>{1, 2, 3, 4, 5, 6, 7}));
-  EXPECT_EQ(robot.report().cycle, before.cycle + 1);
-  EXPECT_EQ(robot.report().flags, before.flags);
-  EXPECT_EQ(robot.report().source, kNobody);
-  EXPECT_EQ(robot.report().orderId, before.orderId);
-  EXPECT_EQ(robot.report().steeringSetPoint, before.steeringSetPoint);
-  EXPECT_EQ(robot.report().overruns, before.overruns);
-  EXPECT_EQ(robot.report().lostBytes, before.lostBytes);
-  EXPECT_EQ(robot.report().reportsNotSent, before.reportsNotSent);
+
+  scenario::PcReport undisturbed = reportOfRobot(false);
+  for (scenario::PcReport* const each : {&report, &undisturbed}) {
+    each->damaged = each->tooLong = each->unknownVersion = each->unknownType = 0;
+    each->wrongLength = each->outOfRange = each->unexpected = 0;
+    each->reportCycles = each->awakeCycles = each->startCycles = 0;
+  }
+  EXPECT_EQ(report.bytes(), undisturbed.bytes());
 }
 
 }  // namespace

@@ -387,13 +387,14 @@ def _with_calls(model: Model, facts: Facts) -> Model:
         calls = made[method.id, method.body.file, method.body.line] if method.body else []
         return replace(method, calls=calls, called_by=list(callers.get(method.id, {})))
 
-    uses, used_by = _users(model, facts)
+    uses, used_by, named_by = _users(model, facts)
     modules = {
         name: replace(
             module,
             methods=[called(method) for method in module.methods],
             uses=list(uses.get(name, {})),
             used_by=list(used_by.get(name, {})),
+            named_by=list(named_by.get(name, {})),
         )
         for name, module in model.modules.items()
     }
@@ -419,21 +420,24 @@ def _constants(facts: Facts) -> dict[str, Constant]:
 Named = dict[str, dict[str, None]]  # module -> other modules, in the order of their first use
 
 
-def _users(model: Model, facts: Facts) -> tuple[Named, Named]:
-    """Returns two maps. The first map contains for each module the modules that it names. The
-    second map contains for each module the modules that name it.
+def _users(model: Model, facts: Facts) -> tuple[Named, Named, Named]:
+    """Returns three maps. The first map contains for each module the modules that it names. The
+    second map contains for each module the modules that name it. Both maps leave out value types.
+    The third map is the second map with the value types.
     """
     uses: Named = {}
     used_by: Named = {}
+    named_by: Named = {}
     for named in facts.syntax.names:
         user, used = facts.user(named.by, named.place), named.target.split("::")[0]
         if user not in model.modules or used not in model.modules or user == used:
             continue
+        named_by.setdefault(used, {})[user] = None
         if model.modules[used].datatype or model.modules[user].datatype:
             continue
         uses.setdefault(user, {})[used] = None
         used_by.setdefault(used, {})[user] = None
-    return uses, used_by
+    return uses, used_by, named_by
 
 
 def _patterns(model: Model, facts: Facts) -> dict[str, PatternApplication]:

@@ -1,9 +1,9 @@
 """Computes the possible effects of a change: the affected modules with their distance from the
 change, and the requirements, patterns, tests and safety goals to review again.
 
-A change of a module may affect the modules that name it, call it or derive from it. In the same
-way, each affected module may affect further modules. A change of a subclass does not affect a
-module that names only the abstract base class.
+A change of a module or value type may affect the modules and value types that name it, call it or
+derive from it. In the same way, each affected module may affect further modules. A change of a
+subclass does not affect a module that names only the abstract base class.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ class Impacts:
                 owner = caller.partition("::")[0]
                 if owner in self.model.modules and self._calls(owner, method.id):
                     reasons.setdefault(owner, f"calls {method.id}")
-        for user in module.used_by:
+        for user in module.named_by:
             reasons.setdefault(user, f"names {name}")
         return {
             affected: why

@@ -15,7 +15,7 @@ from traceability.model.impact import Impact, Impacts, Reached, UnknownSubjectEr
 @pytest.fixture
 def model() -> Model:
     model = make_model()
-    model.modules["Mode"] = replace(model.modules["Mode"], used_by=["MainController"])
+    model.modules["Mode"] = replace(model.modules["Mode"], named_by=["MainController"])
     for name in ("Mode", "RC"):
         methods = model.modules[name].methods
         methods[0] = replace(methods[0], called_by=["MainController::read"])
@@ -37,6 +37,12 @@ def test_a_change_of_an_abstraction_reaches_its_heirs_and_its_users(model: Model
 
 def test_a_change_of_an_heir_stays_behind_its_abstraction(model: Model) -> None:
     assert [one.id for one in of(model, "RC").modules] == ["RC"]
+
+
+def test_a_change_of_a_value_type_reaches_the_modules_that_name_it(model: Model) -> None:
+    value = replace(model.modules["RC"], name="Order", datatype=True, bases=[], named_by=["RC"])
+    model.modules["Order"] = replace(value, methods=[], subclasses=[], roles=[])
+    assert Reached("RC", 1, "names Order") in of(model, "Order").modules
 
 
 def test_requirements_patterns_and_tests_to_look_at_again(model: Model) -> None:
