@@ -147,8 +147,9 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report contains two numbers of processor cycles. The first number is from one clock
-/// pulse to the next. The second number is from the clock pulse to the start of the control cycle.
+/// @brief The report contains two counts of processor cycles. The first count is for the time from
+/// one clock pulse to the next clock pulse. The second count is for the time from the clock pulse
+/// to the start of the control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
