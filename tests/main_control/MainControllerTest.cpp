@@ -81,7 +81,7 @@ TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief The control systems follow set-points as soon as there are set-points.
+/// @brief As soon as set-points are stored, applyControl() passes them to the control systems.
 /// @verifies FR-14
 TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   data.saveSetPoints({.orderId = 77});
@@ -358,7 +358,7 @@ TEST_F(MainControllerTest, FR74_RefreshIsTheLastStep) {
 }
 
 /// @brief If a control system does not complete its work in a cycle, the cycle does not refresh the
-/// watchdog. Three successive cycles of this kind cause a reset.
+/// watchdog. Three successive cycles without a refresh cause a reset.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
   controller.start();
