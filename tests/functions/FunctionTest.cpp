@@ -116,7 +116,8 @@ class LeverFunction : public testing::Test {
 using Levers = testing::Types<RcVelocity, RcDirection>;
 TYPED_TEST_SUITE(LeverFunction, Levers);
 
-/// @brief The value of a pulse is proportional to its distance from the middle.
+/// @brief The value of a pulse is proportional to the difference between the width of the pulse and
+/// the width at the middle of the lever.
 /// @verifies FR-52
 TYPED_TEST(LeverFunction, FR52_InProportion) {
   for (std::int32_t width = 1000; width <= 2000; ++width) {
@@ -126,7 +127,8 @@ TYPED_TEST(LeverFunction, FR52_InProportion) {
   }
 }
 
-/// @brief Up to a distance of 20 us from the middle, the value is 0.
+/// @brief The value of a pulse is 0 if its width differs by at most 20 us from the width at the
+/// middle of the lever.
 /// @verifies FR-53
 TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
   for (std::int32_t width = 1480; width <= 1520; ++width) {
@@ -151,8 +153,8 @@ TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
   }
 }
 
-/// @brief No function returns a value when an argument that it needs is missing. The bounds are not
-/// needed.
+/// @brief No function returns a value when an argument that it needs is missing. The bounds Lowest
+/// and Highest may be missing.
 /// @verifies FR-52
 /// @verifies FR-120
 /// @verifies FR-125
@@ -239,7 +241,7 @@ TEST(Scaling, FR125_RoundsToNearest) {
   EXPECT_EQ(quotient(-1, 2), -1);
 }
 
-/// @brief A divisor of more than 31 bits keeps all its bits.
+/// @brief quotient() also divides correctly when the divisor needs more than 31 bits.
 /// @verifies FR-120
 TEST(Scaling, FR120_LargeDivisor) {
   constexpr std::int64_t kDivisor = (std::int64_t{1} << 32) - 2;

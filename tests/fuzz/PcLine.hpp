@@ -60,7 +60,7 @@ class PcLine {
     return test::lineBytes(type, sequence_++, payload);
   }
 
-  /// @brief Returns an order of one velocity for all wheels.
+  /// @brief Returns an order that sets the same velocity for all wheels.
   /// @param velocity velocity [0.1 rpm]
   /// @param commands bit 0: stop, bit 1: acknowledge
   /// @return bytes on the serial line

@@ -15,7 +15,8 @@
 
 namespace wr::fuzz {
 
-/// @brief The states of a connection. The states refer to each other.
+/// @brief The three state objects of a connection. Each state has a reference to the states that
+/// can follow it.
 struct States {
   States()
       : disconnected(handshaking),

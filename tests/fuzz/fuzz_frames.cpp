@@ -40,7 +40,7 @@ constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] near the time lim
                                              999'999,  //
                                              1'000'000, 1'000'001};
 constexpr std::array<std::uint8_t, 8> kAhead{1, 1, 1, 0, 2, 127, 128, 255};  // sequence steps
-constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};               // lengths of an order
+constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};  // of an order; 21 is valid
 constexpr std::size_t kMostPending = 900;  // bytes; one cycle reads all of them
 constexpr std::size_t kMostEnds = 30;      // zero bytes among the pending bytes
 constexpr std::uint64_t kStart = 0x0123456789abcdef;
@@ -125,8 +125,8 @@ Bytes trailerOf(char direction, std::uint32_t counter, std::span<const std::uint
   return trailer;
 }
 
-// The rules of the signed serial line. They determine the frames that reach the connection, and the
-// number of challenges.
+// The rules of the signed serial line, from docs/bluetooth.rst. With these rules, the oracle
+// decides which frames the connection receives, and counts the challenges that are due.
 class SignedOracle {
  public:
   SignedOracle() { line_.reserve(kLongestSigned + 1); }
@@ -389,9 +389,9 @@ class Link {
   std::size_t ends_ = 0;        // zero bytes that were not read yet
   std::uint8_t sequence_ = 0;   // sequence number of the next frame to the robot
   std::uint8_t session_ = 0;    // session of the newest Welcome
-  std::uint8_t sent_ = 0;       // number of the next frame of the robot
+  std::uint8_t sent_ = 0;       // sequence number of the next frame from the robot
   std::uint32_t counter_ = 0;   // counter of the newest signed frame to the robot
-  std::uint32_t answered_ = 0;  // counter of the newest signed frame of the robot
+  std::uint32_t answered_ = 0;  // counter of the newest signed frame from the robot
   Bytes last_;                  // the newest frame to the robot
   std::uint8_t damage_ = 0;     // position and bit of the error in the next frame; 0: no error
 };
@@ -418,11 +418,12 @@ void assertionFailed(AssertId /*id*/) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size != 0) {
-    wr::fuzz::Link link((data[0] & 3U) ==
-                        3);  // only each fourth input, because computing the tags takes time
+    wr::fuzz::Link link(
+        (data[0] & 3U) ==
+        3);  // only a quarter of the inputs use the signed line, because its tags take time
     link.run(std::span(data, size).subspan(1));
     if ((data[0] & 28U) ==
-        0) {  // only each eighth input, because the recovery takes as long as the input itself
+        0) {  // only an eighth of the inputs, because recover() takes as long as run()
       link.recover();
     }
   }

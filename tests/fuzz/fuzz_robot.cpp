@@ -24,10 +24,10 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr int kMostCycles = 120;     // maximum number of cycles of a run
-constexpr int kRecoveryCycles = 10;  // one second
-constexpr int kMostBetween = 4;      // maximum number of events in a cycle
-constexpr int kMostStopped = 12;     // cycles after which a stop has lowered every voltage to 0
+constexpr int kMostCycles = 120;           // maximum number of cycles of a run
+constexpr int kRecoveryCycles = 10;        // one second
+constexpr int kMostBetween = 4;            // maximum number of events in a cycle
+constexpr int kMostStopped = 12;           // a stop lowers every voltage to 0 within these cycles
 constexpr std::size_t kMostUnread = 1500;  // capacity of the port's storage [byte]
 
 class FuzzedRobot {
@@ -155,7 +155,7 @@ class FuzzedRobot {
   }
 
   // Resets the robot. A reset loses the bytes that the firmware has not read. After a reset by the
-  // pin, a stop and a protective stop are still in force.
+  // reset pin, a stop of the PC and a protective stop must still be in force.
   void reset(bool power) {
     session_.reset(power ? scenario::ResetKind::Power : scenario::ResetKind::Pin);
     stopBefore_ = !power && (stopBefore_ || oracle_.stop());
@@ -196,8 +196,9 @@ class FuzzedRobot {
   [[nodiscard]] const Protection& protection() { return data().measurements().protection; }
   [[nodiscard]] bool latched() { return protection().inhibit == Inhibit::ProtectiveStop; }
 
-  // Checks a stop order of the PC that the protocol accepts. The stop must take effect in the same
-  // cycle, and must remain in force.
+  // Checks that a stop order of the PC stops the robot in the cycle that reads it, if the protocol
+  // accepts the order. Also checks that this stop and a protective stop remain in force after a
+  // reset.
   void checkStop() {
     expect(!oracle_.stop() || data().stopped(),
            "a stop order of the PC stops the robot in the same cycle");

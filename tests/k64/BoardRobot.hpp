@@ -25,10 +25,10 @@ struct SafePin {
   bool level;
 };
 
-/// The output pins of the robot, copied from the document about the pins. The pin table of the
-/// firmware is not used here, because the tests check this table. The pins carry the voltages,
-/// directions and enable signals of the wheels, the steering, the green light (off) and the red
-/// light (on).
+/// The output pins of the robot, copied from the document about the pins. The values are not read
+/// from the pin table of the firmware, because the tests check that table. The pins control, in
+/// this order: the voltages, directions and enable signals of the wheels, the steering, the green
+/// light (off) and the red light (on).
 inline constexpr std::array<SafePin, 17> kSafePins{{
     {'C', 1, false},
     {'C', 2, false},
@@ -58,7 +58,8 @@ class BoardRobot : public SteppedRobot {
   explicit BoardRobot(std::vector<std::uint8_t> image)
       : BoardRobot(switchBoardOn(std::move(image), testsResets({}))) {}
 
-  /// Runs the board for a duration. A finding ends the test.
+  /// Runs the board for a duration. If the board has a finding, throws an exception, which ends the
+  /// test.
   void run(nanoseconds duration) {
     if (!board.runUntil(board.now() + duration)) {
       throw std::runtime_error(line.finding().value().text);
@@ -112,7 +113,7 @@ inline constexpr std::uint32_t kClockBegin = 0x40064000;
 inline constexpr std::uint32_t kClockEnd = 0x40064010;
 inline constexpr std::uint32_t kSystemReset = 0xE000ED0C;
 
-// Numbers in the Welcome.
+// Numbers in the Welcome: causes of a reset, and kinds of faults.
 inline constexpr int kPowerOn = 1;
 inline constexpr int kPinReset = 3;
 inline constexpr int kByWatchdog = 4;

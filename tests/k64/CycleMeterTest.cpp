@@ -41,19 +41,21 @@ struct Drive {
 
   BoardRobot robot;
   std::optional<board_robot::CycleMeter> meter;
-  std::vector<scenario::PcReport> reports;  ///< the meter measures from the third cycle on
+  std::vector<scenario::PcReport> reports;  ///< reports[i] is from cycle i + 2 of the meter
 };
 
 /// @brief The cycle counts of the firmware agree with the measurements of the board. The firmware
-/// begins to count when the interrupt of the clock pulse is served. For each sleep, it counts a few
-/// cycles too many.
+/// begins to count when the interrupt of the clock pulse is served. For each sleep of the
+/// processor, the firmware counts a few cycles too many.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
-  constexpr std::int64_t kFew = 700;    // the counts may differ by an interrupt of a converter
-  constexpr std::int64_t kTick = 2000;  // in 1 of 20 cycles, a tick of the second timer also occurs
+  // [cycle] The counts may differ by one interrupt of a converter (kFew). In at most 1 of 20
+  // cycles, the counts may also differ by a tick of the second timer (kTick).
+  constexpr std::int64_t kFew = 700;
+  constexpr std::int64_t kTick = 2000;
   std::size_t ticks = 0;
   const auto off = [](std::uint64_t left, std::uint64_t right) {
     return std::abs(static_cast<std::int64_t>(left - right));
@@ -134,14 +136,14 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
 }
 
 /// @brief A PC that sends without a pause makes the cycles longer. Each cycle still sends a report.
-/// The test records the duration of the longest cycle. The proven bound must be greater than this
-/// duration.
+/// The test records the duration of the longest cycle. The proven bound for a cycle, which the
+/// checks compute, must be greater than this duration.
 /// @verifies FR-244
 TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   constexpr std::uint8_t kUnknownType = 99;
   constexpr std::size_t kBytesInACycle = 1152;
   std::uint64_t longest = 0;
-  std::vector<test::Bytes> frames{{1, 0}};  // the shortest frame, which is damaged
+  std::vector<test::Bytes> frames{{1, 0}};  // the shortest frame; damaged, because it is empty
   for (const std::size_t payload : {0U, 1U, 3U, 95U}) {
     frames.push_back(test::lineBytes(kUnknownType, 0, test::Bytes(payload, 3)));
   }

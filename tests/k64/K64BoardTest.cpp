@@ -84,7 +84,8 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   robot.cycle();
   ASSERT_TRUE(whenSafe.has_value());
   EXPECT_EQ(*whenSafe, before);
-  EXPECT_NE(*atClock, before) << "the comparison would not see the initialisation";
+  EXPECT_NE(*atClock, before)
+      << "the memory did not change, so this test cannot detect an early initialisation";
 }
 
 /// @brief During a start, the outputs keep their safe levels. There are two exceptions: the lights
@@ -349,7 +350,8 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
     EXPECT_EQ(welcome.faultAddress & 0xFFFF0000U,
               0x1FFF0000U);  // the program runs at these addresses
   }
-  EXPECT_EQ(robot.askForWelcome().fault, ending.kind) << "each Welcome of a start is the same";
+  EXPECT_EQ(robot.askForWelcome().fault, ending.kind)
+      << "all Welcomes of one start must report the same fault";
 
   robot.board.reset(emulator::Reset::Pin);
   robot.startUp();

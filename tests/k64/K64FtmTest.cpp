@@ -82,7 +82,7 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   }
   ASSERT_EQ(changes.size(), static_cast<std::size_t>(kSets));
   ASSERT_EQ(writes.size(), static_cast<std::size_t>(kSets));
-  std::array<bool, 2> halves{};  // halves of a period in which a width was set
+  std::array<bool, 2> halves{};  // whether a width was set in each half of a period
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const nanoseconds late = (changes[i] - changes[0] + kPeriod + kInstruction) % kPeriod;
     EXPECT_LE(late, 2 * kInstruction) << i;

@@ -146,8 +146,8 @@ TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
   EXPECT_GE(edges().at(4), 1);
 }
 
-// Returns the pulse widths of velocity, direction and enable in microseconds. After each edge, the
-// program computes for some microseconds.
+// Returns the pulse widths of velocity, direction and enable in microseconds. The program delays
+// the next interrupt: after each edge, its interrupt handler computes for some microseconds.
 std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }
@@ -254,8 +254,8 @@ TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
   EXPECT_EQ(interrupts, 2);
 }
 
-/// @brief The velocity pulse begins at the same time as the direction pulse. The width of the
-/// direction pulse is still right, even with a slow flash.
+/// @brief The velocity pulse begins at the same time as the direction pulse. The robot still
+/// measures the right width of the direction pulse, even with a slow flash.
 /// @verifies FR-200
 TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
   // 1 us of the pulse is 0.064 degrees, and each edge of the pulse may be measured 1 us early or

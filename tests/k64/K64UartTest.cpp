@@ -197,8 +197,9 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   EXPECT_EQ(robot.report().overruns, 1);
 }
 
-/// @brief A zero byte after another zero byte uses no space in the buffer. A busy robot stores a
-/// frame even after more zero bytes than its buffer has space for.
+/// @brief The robot does not store a zero byte that follows another zero byte. Therefore, while the
+/// main controller is busy, the robot can receive more zero bytes than its buffer has space for,
+/// and still stores the next frame.
 /// @verifies FR-171
 TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
   BlockedRobot robot;

@@ -80,7 +80,7 @@ TEST_F(K64WatchdogOnBoard, FR70_StaysLocked) {
       EXPECT_EQ(write.value & 0x10U, 0U) << "ALLOWUPDATE";
       EXPECT_EQ(write.value & 0x80U, 0x80U) << "WAITEN";
       EXPECT_EQ(write.value & 0x0AU, 0U)
-          << "neither a window nor a clock of the clock tree must be set";
+          << "the window must be off, and the clock must be the low-power oscillator";
     }
   }
   EXPECT_EQ(setUps, 1);

@@ -10,7 +10,8 @@
 namespace wr::test {
 namespace {
 
-// The program's counts for one pipe. See Handover in program/drivers.cpp.
+// The counts that the program on the board returns for one pipe. The class Handover in
+// program/drivers.cpp counts them.
 struct Counts {
   std::uint16_t interruptions;  // times that one side interrupted the access of the other side
   std::uint16_t torn;
@@ -27,7 +28,7 @@ class PipeOnBoard : public testing::Test {
   PipeOnBoard() {
     constexpr int kTicks = 200;
     constexpr int kSensors = 8;
-    constexpr int kPairsInATick = 2 * kSensors;  // four edges of each sensor cause interrupts
+    constexpr int kPairsInATick = 2 * kSensors;  // two pairs of edges of each sensor
     constexpr nanoseconds kBetween{60'000};
     for (int sensor = 0; sensor < kSensors; ++sensor) {
       drivers.board.drive('D', sensor, false);

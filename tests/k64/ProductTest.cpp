@@ -24,7 +24,7 @@ constexpr std::size_t kKeyAddress = 0x410;  // after the flash configuration fie
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
-// The firmware image of one product, on its own board. A finding ends the test. The
+// The firmware image of one product, on its own board. A finding of the board ends the test. The
 // calls of this image are not recorded, because call recordings are only made of the main image
 // under test.
 class ProductRobot : public SteppedRobot {

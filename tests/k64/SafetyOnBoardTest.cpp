@@ -173,7 +173,7 @@ class SafeBoard final : public SteppedRobot {
   board_robot::BoardSession& line_;
 };
 
-/// The activity of the robot before the switch stops it.
+/// A situation of the robot directly before the enable switch stops the robot.
 struct Situation {
   const char* name;
   int mode;
@@ -317,7 +317,7 @@ TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
   constexpr std::array<int, plant::kWheels> kTwice{2, 2, 2, 2};
   EXPECT_EQ(std::ranges::count(cycles, kTwice), 1);
   EXPECT_GE(std::ranges::count(cycles, kOnce),
-            std::ssize(cycles) - 2);  // the first period has no cycle
+            std::ssize(cycles) - 2);  // no cycle runs before the first clock pulse
 }
 
 /// @brief A changed bit of the program in RAM causes a reset within 0.3 s. The test changes one bit

@@ -11,8 +11,9 @@ namespace wr::test {
 
 namespace {
 
-// Appends MOVW (movt is false) or MOVT with 16 bits (ARMv7-M ARM, A7.7.76, encoding T3, and
-// A7.7.79).
+// Appends an instruction that writes 16 bits to a half of a register: MOVW for the lower half if
+// `movt` is false, MOVT for the upper half if `movt` is true (ARMv7-M ARM, A7.7.76, encoding T3,
+// and A7.7.79).
 void appendMove(Code& code, unsigned reg, std::uint32_t value, bool movt) {
   const std::uint32_t high = value >> 12U;
   const std::uint32_t i = value >> 11U & 1U;

@@ -6,10 +6,11 @@
 
 namespace wr::test {
 
-// Firmware images with an additional exception handler. The code of the handler is in erased flash,
-// after the firmware. Of the firmware itself, only the vector of this exception is changed.
+// Firmware images with an additional exception handler. The code of the handler is written to
+// erased flash, after the firmware. In the firmware itself, only the vector of the exception is
+// changed.
 
-/// Returns the exception of an interrupt.
+/// Returns the exception number of an interrupt number.
 [[nodiscard]] constexpr std::uint32_t exceptionOf(std::uint32_t interrupt) {
   return 16 + interrupt;
 }

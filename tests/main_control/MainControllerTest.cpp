@@ -81,7 +81,7 @@ TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief The control systems follow set-points as soon as there are set-points.
+/// @brief As soon as set-points are stored, applyControl() passes them to the control systems.
 /// @verifies FR-14
 TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   data.saveSetPoints({.orderId = 77});
@@ -147,8 +147,9 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report contains two numbers of processor cycles. The first number is from one clock
-/// pulse to the next. The second number is from the clock pulse to the start of the control cycle.
+/// @brief The report contains two counts of processor cycles. The first count is for the time from
+/// one clock pulse to the next clock pulse. The second count is for the time from the clock pulse
+/// to the start of the control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
@@ -357,7 +358,7 @@ TEST_F(MainControllerTest, FR74_RefreshIsTheLastStep) {
 }
 
 /// @brief If a control system does not complete its work in a cycle, the cycle does not refresh the
-/// watchdog. Three successive cycles of this kind cause a reset.
+/// watchdog. Three successive cycles without a refresh cause a reset.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
   controller.start();

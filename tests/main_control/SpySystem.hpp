@@ -17,7 +17,7 @@ class SpySystem final : public ControlSystem {
   SetPoints applied;
   std::uint32_t cycle = 0;
   bool completes = true;
-  /// true: the system represents the whole robot; its missing values then also replace other values
+  /// true: the system represents the whole robot, so collect() also copies its missing values
   bool whole = false;
   Measurements measured;
   Outputs outputs;
@@ -45,8 +45,8 @@ class SpySystem final : public ControlSystem {
   }
 
  private:
-  // Copies a value to the target. If this system is only a part of the robot, a missing value does
-  // not change the target.
+  // Copies a value to the target. If this system is only a part of the robot, a missing value is
+  // not copied.
   template <class T>
   void give(const T& value, T& target) const {
     if (whole || value != T{}) {

@@ -1,5 +1,5 @@
-"""Random texts for the tests of the readers. Each text is a valid text after some random edits. The
-seed is the seed of the test run."""
+"""Random texts for the tests of the readers. Each text is made from a valid text by some random
+edits. The seed is the seed of the test run."""
 
 from __future__ import annotations
 
@@ -34,7 +34,8 @@ def randomised(examples: int) -> Callable[[Any], Any]:
 
 
 def edited(sound: str) -> st.SearchStrategy[str]:
-    """Returns a valid text after one to four edits of lines or characters."""
+    """Returns a strategy that generates texts. Each text is the valid text ``sound`` after one to
+    four random edits of lines or characters."""
     place = st.floats(0, 1, exclude_max=True)
     piece = st.one_of(st.sampled_from(ODD), st.text(CHARACTERS, max_size=6))
     edit = st.tuples(st.sampled_from(sorted(EDITS)), place, place, piece)

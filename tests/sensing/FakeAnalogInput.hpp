@@ -8,7 +8,7 @@
 
 namespace wr::test {
 
-/// @brief An analog input. The test decides when a conversion ends.
+/// @brief An analog input. A test ends a conversion when it stores the result of this conversion.
 class FakeAnalogInput final : public AnalogInput {
  public:
   [[nodiscard]] std::optional<std::uint16_t> sample() override {

@@ -4,7 +4,7 @@
 
 namespace wr::test {
 
-/// @brief An edge input. The test sets its level.
+/// @brief An edge input whose level a test sets.
 class FakeEdgeInput final : public EdgeInput {
  public:
   void start() override { started = true; }
@@ -16,7 +16,7 @@ class FakeEdgeInput final : public EdgeInput {
     return edge;
   }
 
-  /// @brief Changes the level. The edge then waits for an acknowledgement.
+  /// @brief Sets the level. If the level changes, an edge is pending until acknowledge() is called.
   void set(bool level) {
     pending = pending || level != high;
     high = level;

@@ -86,7 +86,8 @@ void countEdges(std::size_t begin, std::size_t end) {
   }
 }
 
-// A value of 32 words. All words are equal to the number of the value.
+// A value of 32 words, which is passed through a pipe. The values are numbered, and each word of a
+// value contains the number of this value.
 struct Numbered {
   std::array<std::uint32_t, 32> words{};
 };

@@ -33,7 +33,7 @@ class OperationStateTest : public ControllerFixture {
   bool noneIsCurrent() { return !isCurrent(state) && !isCurrent(other); }
 };
 
-/// @brief Working reads a message, and remains the current state.
+/// @brief The state Working reads a message, and remains the current state.
 /// @verifies FR-13
 TEST_F(OperationStateTest, FR13_WorkingReadsAndStays) {
   Working working(other);
@@ -43,7 +43,7 @@ TEST_F(OperationStateTest, FR13_WorkingReadsAndStays) {
   EXPECT_TRUE(noneIsCurrent());
 }
 
-/// @brief Working sets the waiting state when there is no message, and reads nothing.
+/// @brief When there is no message, the state Working reads nothing and sets the state Waiting.
 /// @verifies FR-15
 TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
   Working working(other);
@@ -53,8 +53,8 @@ TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting remains the current state until the N-th failed read, and then sets WaitingN. The
-/// failed read that set Waiting is included in this number.
+/// @brief The state Waiting remains the current state until the N-th failed read, and then sets the
+/// state WaitingN. N includes the failed read that set the state Waiting.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
@@ -68,8 +68,8 @@ TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting reads a message and sets Working. When Waiting is entered again, it counts again
-/// from 1.
+/// @brief The state Waiting reads a message and sets the state Working. When the state Waiting is
+/// entered again, its count of failed reads begins at 1 again.
 /// @verifies FR-13
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
@@ -88,8 +88,8 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting sets WaitingN at the end of its count. When Waiting is entered again, it counts
-/// again from 1.
+/// @brief The state Waiting sets the state WaitingN at the end of its count of failed reads. When
+/// the state Waiting is entered again, this count begins at 1 again.
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
   Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
@@ -104,7 +104,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
   }
 }
 
-/// @brief WaitingN reads a message and sets Working.
+/// @brief The state WaitingN reads a message and sets the state Working.
 /// @verifies FR-13
 TEST_F(OperationStateTest, FR13_WaitingNReadsAndSetsWorking) {
   WaitingN waitingN(state, other);
@@ -114,7 +114,8 @@ TEST_F(OperationStateTest, FR13_WaitingNReadsAndSetsWorking) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief WaitingN sets Reconnecting when there is no message. The mode does not change.
+/// @brief When there is no message, the state WaitingN sets the state Reconnecting. The mode does
+/// not change.
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingNSetsReconnecting) {
   WaitingN waitingN(state, other);
@@ -124,7 +125,8 @@ TEST_F(OperationStateTest, FR16_WaitingNSetsReconnecting) {
   EXPECT_EQ(first.changes, 0);
 }
 
-/// @brief Reconnecting reads a message and sets Working. The mode does not change.
+/// @brief The state Reconnecting reads a message and sets the state Working. The mode does not
+/// change.
 /// @verifies FR-13
 TEST_F(OperationStateTest, FR13_ReconnectingReadsAndSetsWorking) {
   Reconnecting reconnecting(state);
@@ -135,7 +137,8 @@ TEST_F(OperationStateTest, FR13_ReconnectingReadsAndSetsWorking) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief Reconnecting changes the mode after each failed read, and remains the current state.
+/// @brief The state Reconnecting changes the mode after each failed read, and remains the current
+/// state.
 /// @verifies FR-17
 TEST_F(OperationStateTest, FR17_ReconnectingChangesTheMode) {
   Reconnecting reconnecting(state);
@@ -149,7 +152,7 @@ TEST_F(OperationStateTest, FR17_ReconnectingChangesTheMode) {
   EXPECT_TRUE(noneIsCurrent());
 }
 
-/// @brief Reconnecting holds the control systems, even if there are set-points.
+/// @brief The state Reconnecting holds the control systems, even if there are set-points.
 /// @verifies FR-18
 TEST_F(OperationStateTest, FR18_ReconnectingHolds) {
   Reconnecting reconnecting(state);
@@ -158,7 +161,7 @@ TEST_F(OperationStateTest, FR18_ReconnectingHolds) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief Working and the waiting states apply the set-points that were read last.
+/// @brief The states Working, Waiting and WaitingN apply the set-points that were read last.
 /// @verifies FR-14
 TEST_F(OperationStateTest, FR14_WorkingAndWaitingStatesApplyControl) {
   Working working(other);

@@ -101,8 +101,9 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief A confirmed stop between two cycles stops the robot in the next cycle, even when the
-/// newest pulse has the position "drive". The stop ends when the stick is in the middle.
+/// @brief If two stop pulses confirm a stop between two cycles, the robot stops in the next cycle,
+/// even when the newest pulse already shows the position "drive". The stop ends when the stick is
+/// in the middle.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
@@ -204,7 +205,7 @@ TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief A stop ends the acknowledgement. The orders after the stop contain no acknowledgement.
+/// @brief A new stop ends an acknowledgement: the orders after the stop contain no acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
   signals(kStopPulse);
@@ -268,7 +269,8 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief If the pulses of the steering stick vary by only 8 us, the 2 s do not restart.
+/// @brief If the pulses of the steering stick vary by only 8 us, the time of 2 s until the stop
+/// does not restart.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   signals(kDrivePulse, 0);
@@ -280,7 +282,8 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief If the pulses of any channel change by more than 8 us, the 2 s restart.
+/// @brief If the pulses of any channel change by more than 8 us, the time of 2 s until the stop
+/// restarts.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
   signals(kDrivePulse, 0);

@@ -33,8 +33,8 @@ TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   EXPECT_DEATH(tick(milliseconds(20) + Microseconds(1)), "assertion 7 failed");
 }
 
-/// @brief An edge may wait for its interrupt at four successive ticks. Such waits may occur any
-/// number of times. If an edge waits at five successive ticks, the program ends.
+/// @brief If an edge waits for its interrupt at five successive ticks, the program ends. If an edge
+/// waits at only four successive ticks, the program continues, however often this occurs.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_AnEdgeThatWaitsTooLongEndsTheProgram) {
   for (int number = 0; number < 100; ++number) {

@@ -81,9 +81,10 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   }
 }
 
-/// @brief The watch learns motors at the ends of their tolerances, with a supply of 21 V or 29 V
-/// and a current sensor with an error of 0.3 A. Correct leads do not stop the robot, even when load
-/// and velocity change at the same time. At 20 rpm, swapped leads are detected within five cycles.
+/// @brief The watch learns motors whose parameters are at the ends of their tolerances, also when
+/// the supply has 21 V or 29 V and the current sensor has an error of 0.3 A. Correct leads do not
+/// stop the robot, even when load and velocity change at the same time. At 20 rpm, swapped leads
+/// are detected within five cycles.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   for (const double supply : {21.0, 29.0}) {
@@ -144,7 +145,8 @@ TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_TRUE(cycle(100, pulling(100, 1)));
 }
 
-/// @brief Up to 1 V, swapped leads do not stop the robot. Bring-up uses voltages up to 1 V.
+/// @brief At voltages of up to 1 V, swapped leads do not stop the robot. The bring-up uses these
+/// voltages.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_UpToOneVoltNothingCounts) {
   EXPECT_FALSE(drive(10, 1, 40));

@@ -91,9 +91,9 @@ TEST(SpeedLimitedTest, FR283_AResetForgetsVoltageAndVelocity) {
   EXPECT_EQ(limited.calculate(24000, measured(290, 0)), first);
 }
 
-/// @brief At 290 rpm, the velocity of a wheel induces 15.2 V. A wheel whose voltage is unknown gets
-/// a lower voltage. Even with a supply of 29 V instead of 24 V, this lower voltage does not drive
-/// the wheel.
+/// @brief At 290 rpm, the velocity of a wheel induces 15.2 V. If the voltage of the wheel is
+/// unknown, the algorithm sets a voltage that is too low to drive the wheel, even with a supply of
+/// 29 V instead of 24 V.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_AnUnknownVoltageIsTakenForLow) {
   DirectAlgorithm direct;

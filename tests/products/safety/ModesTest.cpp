@@ -151,7 +151,7 @@ TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief After power-on, there is no stop, for any content of the memory.
+/// @brief After power-on, no stop is in force, even if the content of the memory is random.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   cells = {.value = 0x12345678, .check = 0x9ABCDEF0};

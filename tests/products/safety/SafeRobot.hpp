@@ -48,7 +48,7 @@ class SafeRobot : public testing::Test {
     cycle();
   }
 
-  /// Runs cycles. In each cycle, the PC orders one value for all wheels.
+  /// Runs cycles. In each cycle, the PC sends an order with the same value for all wheels.
   void order(int count, int value, std::uint8_t quantity = 0, bool stop = false) {
     scenario::PcOrder order{.id = 1, .stop = stop};
     order.wheels.fill({quantity, static_cast<std::int16_t>(value)});

@@ -13,8 +13,8 @@
 namespace wr::test {
 namespace {
 
-/// Tests of the stages of the safety functions. The last stage is the robot with one spy control
-/// system, which records its orders.
+/// The stages of the safety functions. The last stage is the robot with one spy control system,
+/// which records the orders that it receives.
 class SafetyChain : public testing::Test {
  protected:
   SafetyChain() {
@@ -611,7 +611,7 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
       wheel.velocity = Velocity(velocity);
     }
     spy.outputs.tensions.fill(Tension(1000 * volts));
-    for (int cycles = 0; cycles < 20; ++cycles) {  // a jump of the velocity lowers the set-points
+    for (int cycles = 0; cycles < 20; ++cycles) {  // until no set-point is lowered any longer
       order(ramp, alike(-10000, WheelQuantity::Current));
     }
     EXPECT_EQ(first(), -10000);
@@ -686,7 +686,7 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
     return first();
   };
   EXPECT_EQ(at(1000), 1000);
-  EXPECT_EQ(at(1700), 1000);  // 310.0 rpm in two cycles
+  EXPECT_EQ(at(1700), 1000);  // the wheel will have 310.0 rpm in two cycles
   EXPECT_EQ(at(1000), 1000);
   EXPECT_EQ(at(1701), 940);
   EXPECT_EQ(at(1701), 950);

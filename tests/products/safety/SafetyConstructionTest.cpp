@@ -47,8 +47,8 @@ TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionForThePcTwiceEndsTheProgram) {
   EXPECT_DEATH(pcDirector.construct(), "assertion 5 failed");
 }
 
-/// @brief A robot that is not built cannot start, and its pin of the enable switch cannot be
-/// requested.
+/// @brief Before a robot is built, a call of start() or enablePin() of its director ends the
+/// program.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");

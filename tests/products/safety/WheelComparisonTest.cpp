@@ -119,7 +119,7 @@ TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
 }
 
 /// @brief In a curve of more than 11 degrees, the set-points may make the wheels work against each
-/// other. There, a great current may last for 5 s, but not longer.
+/// other. In this curve, a current of more than 11.0 A may last for 5 s, but not longer.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   for (const int angle : {1101, -1101}) {
@@ -135,8 +135,9 @@ TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   EXPECT_EQ(push(-11001), std::uint8_t{1});
 }
 
-/// @brief For the time limit of a great current, a cycle at a steering angle of 11 degrees or less
-/// counts as five cycles in a curve.
+/// @brief A current of more than 11.0 A may last five times as long in a curve as at a steering
+/// angle of 11 degrees or less. Therefore, when the curve ends, a cycle with this current counts as
+/// five cycles in a curve.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_TheEndOfACurveShortensTheTime) {
   for (const int angle : {-1100, 1100}) {

@@ -104,9 +104,9 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.5 V, and 20 rpm in the opposite direction, up to 1.124 V of the voltage may remain
-/// unexplained by the model of the motor. This bound is 40 % of 1.5 V plus half of the induced
-/// voltage of 1.047 V. At a current of 0.949 A, the unexplained voltage is at this bound.
+/// @brief At 1.5 V, and 20 rpm in the opposite direction, the voltage of the wheel may differ by up
+/// to 1.124 V from the voltage of the motor model. This bound is 40 % of 1.5 V plus half of the
+/// induced voltage of 1.047 V. At a current of 0.949 A, the difference is at this bound.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -114,9 +114,9 @@ TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.501 V and at 20 rpm in the opposite direction, a current of 0.950 A leaves exactly
-/// the bound of 1.123 V unexplained. This does not cause a stop. A current of 0.949 A leaves 1.125
-/// V unexplained, which causes a stop.
+/// @brief At 1.501 V and at 20 rpm in the opposite direction, the bound in whole millivolts is
+/// 1.123 V. At a current of 0.950 A, the difference to the motor model is exactly this bound, and
+/// does not cause a stop. At 0.949 A, the difference is 1.125 V, and causes a stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
   for (int number = 0; number < 4; ++number) {

@@ -58,7 +58,7 @@ class FakeRobot:
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
     # offset in the report -> byte that the robot sends there instead of the computed byte
     numbers: dict[int, int] = field(default_factory=dict)
-    more: bytes = b""  # bytes that a later version appends to Report and Welcome
+    more: bytes = b""  # bytes that a later protocol version appends to Report and Welcome
     noise: bytes = b""
     silent: bool = False
     has_safety: bool = True

@@ -55,7 +55,7 @@ def test_a_frame_on_the_line_has_one_zero_at_its_end() -> None:
     for size in range(MAX_PAYLOAD + 1):
         line = encode(Frame(0x82, 0, bytes(source.choices((0, 1, 255), k=size))))
         assert line.index(0) == len(line) - 1, f"seed {SEED}"
-        assert len(line) == size + 7  # 3 bytes of header, 2 of CRC, 1 of stuffing, the zero
+        assert len(line) == size + 7  # 3 bytes of header, 2 of CRC, 1 of stuffing, 1 zero
 
 
 def test_random_frames_come_out_of_a_line_that_is_cut_anywhere() -> None:

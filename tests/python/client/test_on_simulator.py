@@ -120,8 +120,8 @@ def test_the_robot_tells_why_it_started_and_no_fault(
 
 
 def test_an_order_sent_before_a_clock_pulse_is_in_the_report_of_that_cycle(robot: Path) -> None:
-    """Checks each order that was written at least 20 ms before a clock pulse. The clock of this
-    computer measures this time.
+    """Checks each order that was sent at least 20 ms before a clock pulse. The 20 ms are measured
+    with the clock of this computer, not with the clock of the robot.
     """
     received: list[tuple[float, Report]] = []
     sent: list[float] = []

@@ -102,7 +102,8 @@ PAGE = Path(__file__).parents[3] / "docs" / "other_tools.rst"
 
 
 def settings_of_the_page() -> str:
-    """Returns the conf.py that the page offers to its readers."""
+    """Returns the conf.py from the page docs/other_tools.rst, which readers copy for
+    Sphinx-Needs."""
     _, _, rest = PAGE.read_text(encoding="utf-8").partition(".. code-block:: python\n")
     block = re.match(r"(?:\n| {3}.*\n)+", rest)
     assert block

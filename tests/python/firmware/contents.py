@@ -21,7 +21,7 @@ CODE = 0x410
 
 @dataclass(frozen=True)
 class Symbol:
-    """A symbol of a program. An address or size that is missing is 0."""
+    """A symbol of a program. A missing address and a missing size have the value 0."""
 
     name: str
     address: int = 0

@@ -99,7 +99,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "received byte of the UART not taken": (
-        "uart-overrun",  # The fault is detected before the interrupt counts as endless.
+        "uart-overrun",  # The overrun is found before the repeated interrupt counts as a storm.
         (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
     "transmit interrupt of the UART never switched off": (

@@ -29,8 +29,8 @@ from traceability.reading.products import (
 )
 
 ROOT = Path(__file__).parents[3]
-# Templates. If only the remote control calls a method of such a template, this method may be
-# missing in the firmware images of variants without a remote control.
+# Class templates. If only code for the remote control calls a method of one of these templates,
+# this method may be missing in the firmware images of variants without a remote control.
 INLINED = {"Pipe"}
 
 

@@ -49,8 +49,9 @@ def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
 
 
 def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() -> None:
-    """As in the standard, the level is QM for S0, for C0, and up to a sum of 5. Each further step
-    of an estimate raises the level by one."""
+    """The level depends on the three numbers of severity (S), exposure (E) and avoidance (C). As in
+    the standard, the level is QM if S or C is 0, or if the sum of the three numbers is at most 5.
+    Each further 1 in the sum raises the level by one."""
     case = read_safety_case(ROOT, Entries(ROOT))
     for s, e, c in product(range(4), range(5), range(4)):
         rises = s > 0 and c > 0

@@ -20,7 +20,8 @@ CALLED = Place("src/robot.cpp", 7)
 
 
 class Targets:
-    """The expected targets of calls. A call reaches the methods in its field ``on``."""
+    """A stub that finds the targets of calls. The targets of each call are the methods in the field
+    ``on`` of the call."""
 
     def targets(self, call: CallFact) -> list[str]:
         return call.on

@@ -65,7 +65,8 @@ def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
         (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
         ("Off::press Lamp::changeState / / On::wait /", []),  # No lamp calls the state.
         (f"{ON} Lamp::tick Blinking::wait / /", []),
-        # The constructor begins a new lamp. The change of the first lamp is forgotten.
+        # The call of the constructor creates a second lamp. The last change of the first lamp is
+        # then not reported, because no later call shows its new state.
         (
             f"{ON} Lamp::Lamp / Lamp::tick Off::press / /",
             [STAYS_OFF],

@@ -147,7 +147,8 @@ def test_a_loop_that_is_entered_at_two_places_costs_its_rounds(tmp_path: Path) -
     code = code_of(tmp_path, ENTERED_TWICE)
     (loop,) = code.loops
     assert len(loop.blocks) == 2
-    # The bound permits a part of an iteration before the first complete iteration.
+    # The bound includes a part of an iteration before the first complete iteration, because a path
+    # can enter the loop in the middle.
     first = REFILL + 3 + REFILL
     assert longest(code, 10) == 1 + 1 + first + 10 * 4 + 9 * REFILL + 1 + REFILL
 
@@ -266,11 +267,13 @@ def context(name: str, cycles: int, priority: int, entries: int | None = None) -
 
 def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
-    # The cycle lasts longer than a tick. Requests can already wait when the cycle begins. The
-    # longest waiting time is therefore added to the cycle. The sum is longer than one tick and
-    # shorter than two ticks, so the requests of two ticks count.
+    # The interrupt `edge` has two requests in each tick. Some of them can already wait when the
+    # cycle begins, so the longest waiting time is added to the length of the cycle. The sum is
+    # longer than one tick and shorter than two ticks. Therefore the requests of two ticks delay the
+    # cycle.
     assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
-    # With noise, two further ticks count, because the handler of the first tick may be late.
+    # With noise, the requests of four ticks delay the cycle, because the handler of the first tick
+    # may be late.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
 
@@ -290,8 +293,9 @@ def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
-    """The cycle is shorter than a tick. A second request counts only if the sum of the cycle and
-    the waiting time is longer than a tick."""
+    """The interrupt ``edge`` has one request in each tick, and the cycle is shorter than a tick.
+    Two requests delay the cycle only if the cycle and the waiting time of a request are together
+    longer than a tick."""
     waits = context("edge", 20_000, 1, entries=1)
     alone = [context("thread", 70_000, 12), waits]
     assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)

@@ -48,7 +48,7 @@ def write_results(root: Path, result: str = "COMPLETED") -> None:
 
 
 def write_trace(root: Path, calls: list[str]) -> None:
-    """Writes a recording in which each call is made by the previous call."""
+    """Writes a recording in which each method of ``calls`` calls the next method."""
     executable = root / SOURCES[HOST].executable
     executable.parent.mkdir(parents=True, exist_ok=True)
     executable.write_text("is no program")

@@ -1,4 +1,4 @@
-"""The page finds invocation trees in recorded calls by the same rule as the checks."""
+"""JavaScript on the pages finds the same invocation trees in recorded calls as the checks."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def random_tree(chance: random.Random, depth: int = 0) -> dict[str, Any]:
     if depth and chance.random() < 0.2:
         found["post"] = 1
     if not children and depth and chance.random() < 0.1:
-        found["m"] = []  # The recording does not contain the implementation of this node.
+        found["m"] = []  # No recorded method implements this node.
     return found
 
 

@@ -76,8 +76,8 @@ def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: C
     """The test compares only source files. Functions of headers are in several object files, and
     gcov counts their branches separately.
 
-    A source line that several functions share is left out, because gcov reports for it the branches
-    of each function, or no branches.
+    A source line that several functions share is left out. For this line, gcov reports either the
+    branches of each function or no branches.
     """
     taken = recorded.all
     compared = 0

@@ -257,7 +257,8 @@ def test_a_finding_stops_and_leads_back_to_its_cause(start: Start) -> None:
 
 
 def test_the_time_stands_still_while_the_program_is_stopped(start: Start) -> None:
-    """In real time, the robot waits for its debugger, and Ctrl-C stops the robot."""
+    """Ctrl-C in the debugger stops a robot that runs in real time. While the program is stopped,
+    the time of the robot does not pass."""
     _, port = start("--robot", "--uart0", "tcp:0")
     words = gdb_words(
         port,

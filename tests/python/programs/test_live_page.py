@@ -28,7 +28,8 @@ COPIED = (
     EXAMPLES / "rc_drive.scenario",
     Path("design/frames.toml"),
 )
-# A page that opens another page in a frame. It runs a probe there, and sends the result.
+# A page that opens another page in a frame, executes a probe (JavaScript) in the other page, and
+# sends the result to the test.
 PAGE = """<!doctype html><title>probe</title><body><script>
 const frame = document.createElement("iframe");
 frame.style.cssText = "width:%WIDTH%px;height:900px;border:0";

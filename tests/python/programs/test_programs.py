@@ -48,9 +48,9 @@ Row = dict[str, str]
 # The values in all other columns of a report are decisions of the firmware.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
-# Orders of the remote control are also measured. Each order is the width of a pulse. The steering
-# follows these orders. The steering may therefore turn by one more step in the run on the host than
-# in the run on the virtual K64, or the other way round.
+# An order of the remote control is the width of a pulse, which the firmware measures. The steering
+# follows these orders. Therefore, in one of the two runs, the steering may turn by one more step
+# than in the other run.
 REMOTE_CONTROL = "0"
 SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
 # For each column, the greatest value that can be ordered, in the unit of the report.
@@ -125,8 +125,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """Returns the indices of the cycles in which the two runs decide differently. Checks that each
-    such decision of the host is made on the virtual K64 one cycle earlier or one cycle later.
+    """Returns the indices of the cycles in which the two runs decide differently. Checks that the
+    virtual K64 makes each of these decisions one cycle earlier or one cycle later than the host.
     """
     found = []
     for index, (first, second) in enumerate(common):

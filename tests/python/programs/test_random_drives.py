@@ -3,9 +3,10 @@ fault stops.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 the number of drives that did not end with a stop, the number of drives that stopped after more than
-0.3 m, the longest distance until a stop, and the greatest velocity. The name of a series is the
-fault of a scenario, such as "leads 0". The series "none" has drives without a fault. The exceptions
-in design/safety_case.toml are the results of these series.
+0.3 m, the longest distance until a stop, and the greatest velocity. A series is a number of drives
+with the same fault. Its name is the fault as in a scenario, such as "leads 0". The series "none"
+has drives without a fault. The exceptions in design/safety_case.toml are the results of these
+series.
 """
 
 import csv

@@ -89,8 +89,9 @@ def test_each_line_of_a_damaged_tree_is_a_node_or_an_error(copy: Path, data: st.
 
 
 def below_doubled(text: str, name: str, declared: Declared) -> int:
-    """Returns the number of lines of ``text`` if a requirement has two trees, and 0 otherwise. The
-    reader keeps only one of the two trees, so the lines of the other tree are not counted."""
+    """Returns how many lines of ``text`` may be missing in the trees. If a requirement has two
+    trees, the reader keeps only one of them, so any number of lines may be missing. Otherwise, no
+    line may be missing."""
     doubled = any(
         "already" in said for place, said, _ in declared.tree_errors if place.file == name
     )

@@ -124,8 +124,8 @@ def test_what_an_interrupt_calls_is_no_call_of_what_it_interrupted(tmp_path: Pat
 
 
 def node(text: str) -> TreeNode:
-    """Returns calls such as ``a(b c(d))`` as a tree. A thread executes the method
-    of a node such as ``>b`` after a post."""
+    """Returns calls such as ``a(b c(d))`` as a tree. In a node such as ``>b``, the method ``b`` is
+    not called: a thread executes ``b`` after a post."""
     place = Place("t.tree", 1)
     stack: list[TreeNode] = []
     root: TreeNode | None = None

@@ -35,7 +35,8 @@ try:
 except KeyboardInterrupt:
     sys.exit(130)
 """
-# A command that is interrupted in the callback of a weak reference. Python ignores errors there.
+# A command that is interrupted in the callback of a weak reference. Python ignores exceptions of
+# this callback.
 IN_CALLBACK = """
 import signal, sys, time, weakref
 from tools.steps import heed_interrupts

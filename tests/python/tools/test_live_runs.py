@@ -1,4 +1,5 @@
-"""The comparison of the WebAssembly module with the native virtual board finds a difference."""
+"""The comparison of a run of the WebAssembly module with a run of the native virtual board finds
+each difference."""
 
 from typing import Any
 

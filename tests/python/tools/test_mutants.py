@@ -206,8 +206,8 @@ def test_a_failure_an_end_and_a_hang_each_find_a_mutant(
 
 
 def test_a_busy_computer_does_not_end_a_test(tmp_path: Path) -> None:
-    """The test A.One sleeps for 3 s. Its time limit is 2 s, but this limit counts only the time of
-    the processor."""
+    """The test A.One sleeps for 3 s, which is longer than its time limit of 2 s. The limit counts
+    only processor time, and a sleeping test uses none."""
     path = tmp_path / "program"
     lines = (
         "#!/bin/sh",

@@ -64,8 +64,8 @@ def test_the_sums_are_those_that_sha256sum_checks(tmp_path: Path) -> None:
 
 
 def validator() -> jsonschema.Draft7Validator:
-    """Returns a validator for the schema that CycloneDX publishes. The schema is in an installed
-    package, and needs no network."""
+    """Returns a validator for the schema that CycloneDX publishes. The schema is read from an
+    installed package, so no network is needed."""
     folder = Path(str(cyclonedx_schemas.__file__)).parent / "_res"
     registry: Registry[object] = Registry()
     for name in ("bom-1.6", "spdx", "jsf-0.82"):

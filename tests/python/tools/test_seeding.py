@@ -1,4 +1,5 @@
-"""A fault that hides the other faults of its group causes only a few additional runs."""
+"""The seeded faults are tested in groups. If one fault hides the other faults of its group, only a
+few additional runs are needed."""
 
 from __future__ import annotations
 

@@ -30,8 +30,8 @@ class CurrentTest : public testing::Test {
  protected:
   CurrentTest() { timer.add(readCnt); }
 
-  /// Runs one tick. If a sample is given, the conversion that the previous tick requested has ended
-  /// with this sample.
+  /// Runs one tick. `sample` is the result of the conversion that the previous tick requested, or
+  /// nothing if this conversion has not ended.
   void tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -325,8 +325,9 @@ TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   }
 }
 
-/// @brief If the mean of a cycle is beyond 16 A, up to the end of the range, the current of the
-/// cycle is missing. The value of a broken sensor is not reported.
+/// @brief If the mean of a cycle is more than 16 A from the zero point, the current of the cycle is
+/// missing. Therefore the value of a broken sensor, which is at an end of the range, is not
+/// reported.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EndOfTheRangeIsNoMeasurement) {
   ticks(64, 2048);

@@ -97,7 +97,8 @@ TEST(InstantCollector, FR121_CountIsTheSumOfDirections) {
   EXPECT_EQ(known(count).last, Instant(1));
 }
 
-/// @brief Decorators can be combined in any sequence. Each value is then available.
+/// @brief If several decorators are wrapped around each other, the value of each decorator is
+/// available.
 /// @verifies FR-52
 /// @verifies FR-55
 /// @verifies FR-121

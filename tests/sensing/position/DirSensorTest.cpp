@@ -15,8 +15,8 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// Runs one tick. If a sample is given, the conversion that the previous tick requested has ended
-  /// with this sample. Returns true when the tick has ended a measurement.
+  /// Runs one tick. `sample` is the result of the conversion that the previous tick requested, or
+  /// nothing if this conversion has not ended. Returns true when the tick has ended a measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {

@@ -30,7 +30,8 @@ class SensorCollectorTest : public testing::Test {
   SensorCollector collector{counter};
 };
 
-/// @brief Before the first edge, the record is empty. The first levels are not an edge.
+/// @brief Before the first edge, the record is empty. The levels of the sensors at the start do not
+/// count as an edge.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_FirstLevelsAreNoEdge) {
   EXPECT_FALSE(collector.record().instants.last);
@@ -40,8 +41,8 @@ TEST_F(SensorCollectorTest, FR121_FirstLevelsAreNoEdge) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief The sequence of levels 0, 1, 3, 2 means forwards, from any start. The reverse sequence
-/// means backwards.
+/// @brief The sequence of levels 0, 1, 3, 2 means forwards. It may begin at any of these levels.
+/// The reverse sequence means backwards.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
   const std::array<std::uint8_t, 4> forwards = {0, 1, 3, 2};

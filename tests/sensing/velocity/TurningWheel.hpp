@@ -16,14 +16,14 @@
 
 namespace wr::test {
 
-/// @brief A wheel with two Hall sensors, and the objects that measure the wheel. A turn of its
-/// shaft has 60 edges, so 1 rpm is one edge per second.
+/// @brief A wheel with two Hall sensors, and the objects that measure the velocity of the wheel. A
+/// turn of the motor shaft has 60 edges, so 1 rpm is one edge per second.
 struct TurningWheel {
   TurningWheel() { active.start(); }
 
   /// @brief Turns the wheel at a constant velocity.
-  /// @param rpm velocity at the shaft, negative backwards
-  /// @param duration duration of the turn
+  /// @param rpm velocity of the shaft [rpm]; negative: backwards
+  /// @param duration time for which the wheel turns
   void turn(double rpm, Microseconds duration) {
     const double speed = rpm / 1e6;  // edges in a microsecond
     const double end = moment + static_cast<double>(duration.count());
@@ -50,7 +50,7 @@ struct TurningWheel {
     show(phase());
   }
 
-  /// @brief Sets the levels of the sensors and serves the interrupt.
+  /// @brief Sets the levels of both sensors, and runs the interrupt handler.
   void show(unsigned levels) {
     a.set((levels & 1U) != 0);
     if (!deadB) {
@@ -98,7 +98,7 @@ struct TurningWheel {
   }
 
   double position = 0;  // in edges
-  double moment = 0;    // in microseconds, without rounding
+  double moment = 0;    // time since the start [us], not rounded
 };
 
 }  // namespace wr::test

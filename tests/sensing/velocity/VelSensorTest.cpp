@@ -361,8 +361,8 @@ TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
   }
 }
 
-/// @brief If both levels change at the same time, the direction is unknown. Four events of this
-/// kind make the velocity invalid, also at rest.
+/// @brief If the levels of both sensors change at the same time, the direction is unknown. Four of
+/// these changes in a cycle make the velocity invalid, also at rest.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   cycles(0, 3);

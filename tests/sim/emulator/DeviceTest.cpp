@@ -205,14 +205,15 @@ TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   EXPECT_EQ(board.resets(), 2);
 }
 
-/// @brief A reset that is not a finding restarts the program.
+/// @brief If the option resetsAreFindings is false, a reset restarts the program.
 TEST(ResetOfBoard, RequestStartsAnew) {
   VirtualBoard board(Guest("stopsWatchdogThenRequestsReset").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1ms));
   EXPECT_EQ(board.resets(), 1);
 }
 
-/// @brief A watchdog that is not refreshed resets the board repeatedly.
+/// @brief If the option resetsAreFindings is false, a watchdog that is never refreshed resets the
+/// board repeatedly.
 TEST(ResetOfBoard, WatchdogStartsAnew) {
   VirtualBoard board(Guest("refreshesNever").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1s));

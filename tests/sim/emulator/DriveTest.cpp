@@ -126,8 +126,9 @@ TEST(PulsesOfBoard, ResetEndsThem) {
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
 }
 
-/// @brief The counter counts prescaled clocks. Its overflow flag stays set until the program has
-/// read and cleared it. Any write to the counter sets it to 0.
+/// @brief The counter counts the cycles of the prescaled clock. The overflow flag of the counter
+/// stays set until the program has read and cleared this flag. Any write to the counter sets the
+/// counter to 0.
 TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
   VirtualBoard board(Guest("countsPeriods").image());
   ASSERT_TRUE(board.runUntil(1ms));

@@ -41,15 +41,15 @@ TEST(ExecutedCodeTest, EachHalfWordHasItsAddress) {
   EXPECT_EQ(ExecutedCode::addressOf(ExecutedCode::kHalves - 1), 0xFFFFEU);
 }
 
-/// @brief The processor records executed instructions. It does not record instructions that it
-/// jumps over.
+/// @brief The processor records the instructions that it executes, but not the instructions that a
+/// branch skips.
 TEST(ExecutedCodeTest, WhatIsJumpedOverIsNotExecuted) {
   constexpr std::uint32_t kCode = 0x100;
   const std::array<std::uint8_t, 8> vectors{0, 8, 0, 0, 0x01, 0x01, 0, 0};  // start at kCode
   const std::array<std::uint8_t, 8> program{0x01, 0x20,                     // movs r0, #1
-                                            0x00, 0xE0,   // b to the last instruction
+                                            0x00, 0xE0,   // branch (b) to the last instruction
                                             0x01, 0x21,   // movs r1, #1
-                                            0xFE, 0xE7};  // b to itself
+                                            0xFE, 0xE7};  // branch (b) to itself
   CortexM4 cpu;
   cpu.mapMemory(0, 0x1000, CortexM4::Access::ReadWriteExecute);
   cpu.load(0, vectors);

@@ -74,8 +74,9 @@ class CanOfTheBoard : public testing::Test {
   FlexCan can{now};
 };
 
-/// @brief A frame with 8 data bytes is sent in 111 bits. Then its buffer is inactive. The flag of
-/// the buffer requests an interrupt until the flag is cleared.
+/// @brief The transfer of a frame with 8 data bytes takes the time of 111 bits. After the transfer,
+/// the buffer of the frame is inactive, and the flag of the buffer requests an interrupt until the
+/// program clears this flag.
 TEST_F(CanOfTheBoard, SendsAFrame) {
   bringUp();
   can.write(kBuffer2 + 8, 4, 0x01020304);

@@ -14,8 +14,8 @@
 
 namespace wr::test {
 
-/// The flash content with one of the programs in the folder guest, and with the vectors of this
-/// program.
+/// The content of the flash: the programs of the folder guest, and vectors that start one of these
+/// programs.
 class Guest {
  public:
   /// @param program name of the function that starts at reset

@@ -25,7 +25,7 @@ using faults::Kind;
 using faults::Outcome;
 
 constexpr int kAt = 3000;           // ms
-constexpr std::uint64_t kSeed = 7;  // in this drive, all wheels turn at kAt
+constexpr std::uint64_t kSeed = 7;  // in the drive of this seed, all wheels turn at the time kAt
 
 constexpr std::uint32_t kAngleDrift = 9;  // number of this fault among the faults of sensors
 

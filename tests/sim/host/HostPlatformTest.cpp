@@ -116,7 +116,7 @@ TEST_F(HostSchedulerTest, TimerRaisesItsInterruptWhileItRuns) {
   EXPECT_EQ(pulses, 1);
 }
 
-/// @brief Stepped time passes only when the test advances it.
+/// @brief The time of a HostTimebase begins at 0, and passes only when advance() is called.
 TEST(HostTimebaseTest, SteppedTimePassesByHand) {
   host::HostTimebase time;
   EXPECT_EQ(time.now(), Instant(0));

@@ -22,7 +22,7 @@ struct Pulse {
   nanoseconds width;
 };
 
-// Returns the pulses of a remote control in a duration.
+// Returns the pulses that a remote control sends in the next `ms` milliseconds.
 std::vector<Pulse> pulsesOf(plant::RemoteControl& remote, int ms) {
   std::vector<Pulse> pulses;
   std::array<nanoseconds, 3> begins{};

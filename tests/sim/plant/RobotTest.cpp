@@ -249,8 +249,8 @@ TEST_F(RobotTest, SixtyEdgesInATurn) {
   EXPECT_NEAR(netEdges(1) - forwards, 60 * back, 0.02 * 60 * std::abs(back));
 }
 
-/// @brief At a constant speed, the edges have equal distances. Each edge is within the time step
-/// that reports it.
+/// @brief At a constant speed, the time between two edges is constant. The time of each edge is
+/// within the time step that returns the edge.
 TEST_F(RobotTest, EdgesAreEven) {
   drive({.duty = 0.5, .backwards = false, .enabled = true});
   run(4000);
@@ -635,7 +635,8 @@ TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
 }
 
-/// @brief The voltage of an open current input follows the input that was converted before.
+/// @brief The voltage of an open current input approaches the voltage of the input that the
+/// converter converts directly before the open input.
 TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   robot.setFault(Fault::CurrentOffset, 0, true, 8000);
   robot.setFault(Fault::CurrentOpen, 1, true);
@@ -649,8 +650,9 @@ TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
 }
 
-/// @brief The voltage of an open angle input follows the input that was converted before. A stuck
-/// sensor keeps its value. The error of a drifting sensor grows at its rate.
+/// @brief The voltage of an open angle input approaches the voltage of the input that the converter
+/// converts directly before the open input. A stuck sensor keeps its value. The error of a drifting
+/// sensor grows at its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 400; ++i) {
@@ -716,7 +718,7 @@ TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
   EXPECT_GT(wayAfter(plant::EmergencyStop::Coast), wayAfter(plant::EmergencyStop::Brake) + 0.2);
 }
 
-/// @brief The greatest velocity is kept until it is cleared.
+/// @brief The robot stores its greatest velocity until clearGreatestVelocity() is called.
 TEST_F(RobotTest, GreatestVelocityIsKept) {
   drive({.duty = 0.5, .backwards = true, .enabled = true});
   run(2000);

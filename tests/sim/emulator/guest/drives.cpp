@@ -184,8 +184,8 @@ PROGRAM notesEdge() {
   wordAt(0x4004C0A0) = wordAt(0x4004C0A0);
 }
 
-// PTD0 interrupts at both edges, PTD1 at rising edges, and PTD2 at falling edges. PTD3 is set to
-// both edges, but has no digital function.
+// The pin PTD0 causes an interrupt at both edges, PTD1 at rising edges, and PTD2 at falling edges.
+// PTD3 is configured for both edges, but has no digital function.
 PROGRAM watchesEdges() {
   stopWatchdog();
   openPorts();

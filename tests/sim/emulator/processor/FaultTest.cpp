@@ -139,7 +139,7 @@ TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
 TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   constexpr std::uint32_t kUp = 1U << 22;
   core_.registers.fpscr = kUp;
-  core_.registers.s[0] = 0x01000001;                 // needs one bit more than the format has
+  core_.registers.s[0] = 0x01000001;  // this number needs one bit more than a float has
   EXPECT_EQ(execute({0xEEBB, 0x0AC8}), Trap::None);  // vcvt.f32.u32 s0, s0, #16
   EXPECT_EQ(core_.registers.s[0], 0x43800000U);      // the nearest number is 256
 }
@@ -162,7 +162,7 @@ TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
 /// handler.
 TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   core_.registers.r[1] = 0x30000000;
-  core_.registers.it = 0x08;  // EQ, for the last instruction of the block
+  core_.registers.it = 0x08;  // condition EQ, last instruction of the block
   core_.registers.z = 1;
   EXPECT_EQ(execute({0x6808}), Trap::None);
   EXPECT_EQ(core_.registers.it, 0);
@@ -175,7 +175,7 @@ TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
 /// @brief BKPT is unconditional: in an IT block it stops the program also if the condition of the
 /// block is false (A7.7.17).
 TEST_F(FaultTest, BreakpointInBlockIsUnconditional) {
-  core_.registers.it = 0x08;  // EQ, for the last instruction of the block
+  core_.registers.it = 0x08;  // condition EQ, last instruction of the block
   core_.registers.z = 1;      // the condition is false
   EXPECT_EQ(execute({0xBE00}), Trap::Breakpoint);
 }

@@ -166,7 +166,7 @@ TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   Program same(Timing::SlowFlash, 0x100, {0xE7FE});
   EXPECT_EQ(same.cyclesOf(1), 4U + 5);
   EXPECT_EQ(same.cyclesOf(1), 4U);
-  // b to 0x108; from there, b back to 0x100
+  // branch to 0x108; from there, branch back to 0x100
   Program other(Timing::SlowFlash, 0x100, {0xE002, kNop, kNop, kNop, 0xE7FA});
   EXPECT_EQ(other.cyclesOf(3), 3U * (4 + 5));
 }
