@@ -16,7 +16,8 @@ class ApplyAboveThreshold final : public WheelOrder {
   /// @param apply extended order, which follows the set-point
   explicit ApplyAboveThreshold(WheelOrder& apply) : apply_(apply) {}
 
-  /// @brief Replaces a voltage that is too low by 0, then executes the extended order.
+  /// @brief If the voltage of the set-point is too low, sets it to 0. Then executes the extended
+  /// order.
   /// @param work contains the set-point; receives the values of the executed order
   /// @isr{no}
   void execute(WheelWork& work) override {
