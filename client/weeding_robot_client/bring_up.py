@@ -70,8 +70,8 @@ _UNSEEN = (
     "Check that motor and Hall cable belong to the same wheel.",
 )
 # The value is the finding and the next action, or None if nothing is wrong. The first part of the
-# key is true if the Hall count rises. The second part is true if the wheel turned forwards, and None
-# if it did not turn.
+# key is true if the Hall count rises. The second part is true if the wheel turned forwards, and
+# None if it did not turn.
 POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, True): None,
     (True, False): (
