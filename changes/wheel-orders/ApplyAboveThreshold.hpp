@@ -18,7 +18,7 @@ class ApplyAboveThreshold final : public WheelOrder {
 
   /// @brief If the voltage of the set-point is too low, sets it to 0. Then executes the extended
   /// order.
-  /// @param work contains the set-point; receives the values of the executed order
+  /// @param work contains the set-point; receives the values that the extended order writes
   /// @isr{no}
   void execute(WheelWork& work) override {
     const bool low = work.setPoint.quantity == WheelQuantity::Tension &&

@@ -59,7 +59,7 @@ class Enumeration:
 
     name: str
     page: str  # label of the section that explains the values
-    detail: str  # heading of the values' details
+    detail: str  # heading of the column with the details of the values
     entries: tuple[Entry, ...]
 
     def find(self, number: int) -> Entry | None:
