@@ -7,9 +7,10 @@
 
 namespace wr {
 
-/// @brief A command that counts the edges of Hall sensors on the other side of the motor.
+/// @brief A command that counts the edges of Hall sensors that are not mounted on the usual side of
+/// the motor, but on the opposite side.
 ///
-/// On that side, each of the two sensors sends the signal that the other sensor usually sends.
+/// There, each of the two sensors sends the signal that the other sensor usually sends.
 class CountMirroredSignal final : public Command {
  public:
   /// @brief Binds the command to the sensor and to the collector.

@@ -96,7 +96,7 @@ class WaypointReader final : public Reader {
   /// @isr{no}
   std::int32_t readI32(Field /*field*/) override { return 0; }
 
-  /// @brief Ends the order. The next order needs a new position.
+  /// @brief Ends the order. The next order is available only when a new position was received.
   /// @return true
   /// @isr{no}
   bool finish() override {

@@ -7,8 +7,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief Far from the target, the rate has its greatest value. Near the target, the rate is half
-/// of the remaining angle. At the target, the rate is 0.
+/// @brief Far from the target, the rate has its greatest value. Near the target, the rate
+/// [steps/s] is half of the remaining angle [0.01 degree]. At the target, the rate is 0.
 TEST(SlowTurn, RateFollowsTheWayThatIsLeft) {
   SlowTurn rule;
   EXPECT_EQ(rule.turn(Angle(2000), Angle(0), StepRate(0)), StepRate(125));

@@ -23,7 +23,7 @@ class EverySecondTick final : public Command {
 
  private:
   Command& work_;
-  bool due_ = false;  // this tick executes the work
+  bool due_ = false;  // true: the newest tick has executed the work
 };
 
 }  // namespace wr

@@ -20,7 +20,7 @@ class ChangedRobot : public SteppedRobot {
   explicit ChangedRobot(const std::string& image)
       : ChangedRobot(switchProductOn(image, emulator::readImage(imageOf(image)))) {}
 
-  /// Returns the share of the period in which a wheel has the supply voltage.
+  /// Returns the share of the PWM period in which a wheel has the supply voltage.
   [[nodiscard]] double duty(int wheel) const { return session_.board.pwmDuty(0, wheel); }
 
   /// Returns whether the red light of the board is on. The light is on while its pin is low.

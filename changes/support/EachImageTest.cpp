@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint64_t kCycles = 20;
 
-// Returns the names of the firmware images of all products and all kits.
+// Returns the names of the firmware images of all products and of all kits (the folders of
+// changes/, which changes/README.md describes).
 std::vector<std::string> images() {
   std::vector<std::string> found;
   for (const auto& file : std::filesystem::directory_iterator(imageFile().parent_path())) {

@@ -16,8 +16,9 @@ class ApplyAboveThreshold final : public WheelOrder {
   /// @param apply extended order, which follows the set-point
   explicit ApplyAboveThreshold(WheelOrder& apply) : apply_(apply) {}
 
-  /// @brief Replaces a voltage that is too low by 0, then executes the extended order.
-  /// @param work contains the set-point; receives the values of the executed order
+  /// @brief If the voltage of the set-point is too low, sets it to 0. Then executes the extended
+  /// order.
+  /// @param work contains the set-point; receives the values that the extended order writes
   /// @isr{no}
   void execute(WheelWork& work) override {
     const bool low = work.setPoint.quantity == WheelQuantity::Tension &&

@@ -12,10 +12,10 @@ namespace wr {
 class RelayWheelBuilder final : public ControlSystemBuilder {
  public:
   /// @brief Binds the builder to the relay.
-  /// @param relay output of the relay; the motor runs while it is on
+  /// @param relay output of the relay; the motor runs while this output is on
   explicit RelayWheelBuilder(DigitalOutput& relay) : relay_(relay) {}
 
-  /// @brief Does nothing, because the relay is a device of the board.
+  /// @brief Does nothing, because the constructor has received the relay.
   /// @isr{no}
   void buildActuator() override {}
 

@@ -10,7 +10,7 @@ namespace wr {
 class RelayWheelSystem final : public ControlSystem {
  public:
   /// @brief Binds the system to its relay.
-  /// @param relay output of the relay; the motor runs while it is on
+  /// @param relay output of the relay; the motor runs while this output is on
   explicit RelayWheelSystem(DigitalOutput& relay) : relay_(relay) {}
 
   /// @brief Returns whether the work of a cycle is done.

@@ -69,8 +69,9 @@ _UNSEEN = (
     "the Hall sensors count, but you did not see this wheel turn",
     "Check that motor and Hall cable belong to the same wheel.",
 )
-# Finding and next action. The first part of the key is true if the Hall count rises. The second
-# part is true if the wheel turned forwards, and None if it did not turn.
+# The value is the finding and the next action, or None if nothing is wrong. The first part of the
+# key is true if the Hall count rises. The second part is true if the wheel turned forwards, and
+# None if it did not turn.
 POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, True): None,
     (True, False): (
@@ -187,26 +188,26 @@ class BringUp:
         ]
         rc = [
             Step(
-                "remote control: enable switch at stop",
-                "the remote control orders stop",
+                "remote control: enable switch at 'stop'",
+                "the remote control orders a stop",
                 self._enable_stop,
                 ("connection",),
             ),
             Step(
-                "remote control: enable switch at PC",
+                "remote control: enable switch at 'PC'",
                 "the remote control orders no stop, and the robot reads the PC's orders",
                 self._enable_pc,
                 ("connection",),
             ),
             Step(
-                "remote control: enable switch at RC drives, sticks centred",
+                "remote control: enable switch at 'RC drives', sticks centred",
                 "the robot reads the remote control's orders: velocity 0 and steering 0",
                 self._enable_drive,
                 ("connection",),
             ),
             Step(
                 "remote control: transmitter off",
-                f"the remote control orders stop within {FAIL_SAFE_S} s",
+                f"the remote control orders a stop within {FAIL_SAFE_S} s",
                 self._transmitter_off,
                 ("connection",),
             ),
@@ -262,7 +263,7 @@ class BringUp:
             ),
             *wheels,
             Step(
-                "stop of the PC while a wheel turns",
+                "stop ordered by the PC while a wheel turns",
                 f"the wheel is at rest within {STOP_WITHIN_S:g} s",
                 self._stop_while_turning,
                 (*safe, first_wheel),
@@ -401,35 +402,43 @@ class BringUp:
                 "a reached end stop.",
             )
         self._do(f"{side} end press", f"press the {side} end stop by hand and keep it pressed")
-        self._wait(reached, f"the {side} end stop was not seen", "Check its wire and its pin.")
+        self._wait(
+            reached,
+            f"the robot does not report the {side} end stop",
+            "Check the wire and the pin of the end stop.",
+        )
         self._do(f"{side} end release", f"release the {side} end stop")
-        self._wait(lambda report: not reached(report), "it is still reached", "Check the contact.")
+        self._wait(
+            lambda report: not reached(report),
+            f"the robot still reports the {side} end stop",
+            "Check the contact.",
+        )
         return "seen pressed and released"
 
     def _enable_stop(self) -> str:
-        self._do("enable stop", "switch the transmitter on, enable switch to 'stop'")
+        self._do("enable stop", "switch the transmitter on, and set the enable switch to 'stop'")
         self._wait(
             lambda report: "RC" in report.stop_sources,
             "the remote control orders no stop",
-            "Check the receiver's third channel (rc_enable) and its end points.",
+            "Check the receiver's third channel (rc_enable) and the end points of this channel.",
         )
-        return "the remote control orders stop"
+        return "the remote control orders a stop"
 
     def _enable_pc(self) -> str:
-        self._do("enable pc", "centre the sticks, enable switch to 'PC'")
+        self._do("enable pc", "centre the sticks, and set the enable switch to 'PC'")
         self._wait(
             lambda report: (
                 "RC" not in report.stop_sources and report.order_read and report.source == "PC"
             ),
             "the PC's orders are not read",
-            "Centre the velocity stick, and check the middle position of the switch.",
+            "Centre the velocity stick, and check the middle position of the enable switch.",
         )
         return "the PC's orders are read"
 
     def _enable_drive(self) -> str:
-        self._wish = None  # orders of the remote control
+        self._wish = None  # the PC sends no orders while the remote control drives
         try:
-            self._do("enable drive", "centre the sticks, enable switch to 'RC drives'")
+            self._do("enable drive", "centre the sticks, and set the enable switch to 'RC drives'")
             self._wait(
                 lambda report: report.order_read and report.source == "RC",
                 "the remote control's orders are not read",
@@ -449,7 +458,9 @@ class BringUp:
 
     def _transmitter_off(self) -> str:
         if self.orders.report and "RC" in self.orders.report.stop_sources:
-            raise FailError("the remote control orders stop already", "Set the switch to 'PC'.")
+            raise FailError(
+                "the remote control already orders a stop", "Set the enable switch to 'PC'."
+            )
         begin = self._do(
             "transmitter off", "press Enter, and switch the transmitter off at the same time"
         )
@@ -460,11 +471,14 @@ class BringUp:
                 "Set the fail-safe of the receiver: no pulses, or the enable channel at 'stop'.",
             )
         finally:
-            self._do("transmitter on", "switch the transmitter on, sticks centred, switch to 'PC'")
+            self._do(
+                "transmitter on",
+                "switch the transmitter on, centre the sticks, and set the enable switch to 'PC'",
+            )
         limit = FAIL_SAFE_S + CYCLE_S + self._operator.reaction_s
         took = seen - begin
         self._wait(
-            lambda report: "RC" not in report.stop_sources, "the remote control still orders stop"
+            lambda report: "RC" not in report.stop_sources, "the remote control still orders a stop"
         )
         if took > limit:
             raise FailError(
@@ -480,8 +494,9 @@ class BringUp:
         self._do("estop press", "press the emergency stop")
         self._wait(
             stopped,
-            "the emergency stop was not seen",
-            "Check its auxiliary contact. Connect no motor before this step passes.",
+            "the robot does not report the emergency stop",
+            "Check the auxiliary contact of the emergency stop. Connect no motor before this step "
+            "passes.",
         )
         self._do("estop release", "release the emergency stop")
         still = self._observe(self._wish, OBSERVE_S)
@@ -489,7 +504,7 @@ class BringUp:
             raise FailError("the protective stop ended without an acknowledgement")
         acknowledge(self.orders)
         self._arm()
-        return "seen pressed; latched after release; acknowledged and armed"
+        return "pressed: stopped; released: still stopped; acknowledged: armed"
 
     def _wheels_off_ground(self) -> str:
         self._do("lift", "connect the motors, lift the robot so that all wheels are off the ground")
@@ -739,7 +754,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--no-rc",
         action="store_true",
-        help="skip the steps of the remote control, because the product has none",
+        help="skip the steps of the remote control, for a product without a remote control",
     )
     parser.add_argument(
         "--simulated",

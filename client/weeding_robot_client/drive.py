@@ -197,8 +197,8 @@ class _Driver:
         self._first = True  # no report of this connection was received yet
 
     def run(self) -> bool:
-        """Runs the loop. Returns true if the key q ended it, and false if the terminal or the
-        program ends.
+        """Runs the loop. Returns true if the key q ended the loop, and false if the terminal or
+        the program ends.
         """
         while True:
             pressed = read_keys(sys.stdin.fileno())
@@ -270,7 +270,8 @@ def raw_keys_off(terminal: int) -> Iterator[None]:
 
 
 def show_start(link: Link, before: Welcome | None) -> Welcome | None:
-    """Shows the fault before the last start, once for each connection.
+    """If a fault was recorded before the last start of the robot, shows the fault, once for each
+    connection. Also shows a difference between the layouts of the robot and this client.
 
     Returns the Welcome of the connection.
     """

@@ -36,7 +36,7 @@ def crc16(data: bytes) -> int:
 
 
 def encode(frame: Frame) -> bytes:
-    """Returns the bytes that a frame has on the serial line."""
+    """Returns the bytes that are sent on the serial line for a frame."""
     head = bytes([frame.version, frame.kind, frame.sequence]) + frame.payload
     body = head + crc16(head).to_bytes(2, "little")
     if len(body) > MAX_BODY:

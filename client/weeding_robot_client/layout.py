@@ -22,7 +22,7 @@ CODES = {
     "i32": "i",
     "char8": "8s",
 }
-# For each unit, the ending of the name of a value with this unit.
+# The key is a unit. The name of a value in this unit ends with the text in the table.
 ENDS = {
     "degree": "_degrees",
     "rpm": "_rpm",
@@ -59,7 +59,7 @@ class Enumeration:
 
     name: str
     page: str  # label of the section that explains the values
-    detail: str  # heading of the values' details
+    detail: str  # heading of the column with the details of the values
     entries: tuple[Entry, ...]
 
     def find(self, number: int) -> Entry | None:
@@ -103,7 +103,7 @@ class Field:
         return struct.calcsize(f"<{CODES[self.type]}")
 
     def number(self, **bits: bool) -> int:
-        """Returns the number of the field in which these bits are set."""
+        """Returns the number that the field contains when these bits are set."""
         numbers = {bit.name: bit.number for bit in self.bits}
         return sum(is_set << numbers[name] for name, is_set in bits.items())
 

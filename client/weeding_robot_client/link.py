@@ -82,7 +82,7 @@ class Link:
         self.damaged = 0
         self.capture = Capture(None)
         self.incompatible: str | None = None
-        self.handshake_ms: int | None = None  # from Hello to Welcome
+        self.handshake_ms: int | None = None  # time from Hello to Welcome
         self._clock = clock
         self._line: serial.Serial | None = open_line(path)
         self._begin()
@@ -168,8 +168,8 @@ class Link:
         self.welcome = None
 
     def _keep_up(self) -> None:
-        """Opens the serial port again, begins a handshake, or sends a keep-alive, when this is
-        due."""
+        """Opens the serial port again, begins a handshake, or sends a keep-alive, if the time for
+        this action has come."""
         now = self._clock()
         if self._line is None:
             try:
@@ -200,7 +200,7 @@ class Link:
         return sent
 
     def _write(self, data: bytes) -> bool:
-        """Sends the bytes. Stores the bytes that the serial port does not accept yet.
+        """Sends bytes. Stores those bytes that the serial port does not accept yet.
 
         Returns false when too many bytes are stored.
         """

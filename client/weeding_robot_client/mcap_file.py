@@ -70,7 +70,7 @@ class McapFile:
         schema = schema_of(LAYOUTS["Report"])
         schema["properties"][ROUND_TRIP] = {
             "type": ["integer", "null"],
-            "description": "from the order to this report, by the clock of this computer [ms]",
+            "description": "time from the order to this report, by the clock of this computer [ms]",
         }
         number = self._writer.register_schema(
             SCHEMA_NAME, "jsonschema", json.dumps(schema).encode()

@@ -21,7 +21,8 @@ class MessageError(ValueError):
 
 
 class Quantity(Enum):
-    """The quantity of a set-point, with its number in frames, unit, steps per unit, and limit."""
+    """The quantity of a set-point, with the number of the quantity in a frame, the unit, the number
+    of steps per unit, and the limit."""
 
     VELOCITY = "Velocity"
     TENSION = "Tension"
@@ -273,7 +274,7 @@ class Report:
     inhibit: str  # reason why the robot does not follow its set-points
     stop_cause: str  # cause of the latched protective stop
     stop_wheel: int | None  # wheel that caused the protective stop
-    stop_sources: tuple[str, ...]  # sources that order stop
+    stop_sources: tuple[str, ...]  # sources that order a stop
     order_id: int
     sent_at_ms: int  # sending time that the order in force contains
     steering_set_point_degrees: float
@@ -290,7 +291,8 @@ class Report:
     awake_cycles: int
     start_cycles: int
     values: Mapping[str, Any]  # all values, by name and unit
-    round_trip_ms: int | None = None  # from the order to this report, by the clock of this computer
+    # time from the order to this report, by the clock of this computer
+    round_trip_ms: int | None = None
     kind: ClassVar[int] = LAYOUTS["Report"].kind
     layout: ClassVar[Layout] = LAYOUTS["Report"]
 

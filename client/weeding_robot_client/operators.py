@@ -26,7 +26,7 @@ class Operator(Protocol):
     """An operator for manual actions. ``idle`` is called while the program waits for the
     operator."""
 
-    reaction_s: float  # longest time between the announced and the actual start of an action
+    reaction_s: float  # longest time from the announcement of an action to its start
     patience_s: float  # longest time from an action to its effect
 
     def perform(self, action: str, instruction: str, idle: Idle) -> None:

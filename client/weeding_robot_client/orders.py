@@ -1,4 +1,4 @@
-"""Sends an order in each cycle. Contains the procedures arm, stop and end."""
+"""Sends an order in each cycle. Also arms the robot, orders a stop, and sends the last order."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Orders:
         return reports
 
     def hold(self, wish: Wish, seconds: float) -> list[Report]:
-        """Repeats an order for a time. Returns the reports."""
+        """Repeats an order for the given time. Returns the reports."""
         reports = []
         end = time.monotonic() + seconds
         while (rest := end - time.monotonic()) > 0:

@@ -30,7 +30,7 @@ RELEASES = {
 
 
 def cause(report: Report) -> str:
-    """Returns the text for the cause of the protective stop, with the wheel of the cause."""
+    """Returns the text for the cause of the protective stop, with the wheel that caused it."""
     if report.stop_wheel is None:
         wheel = ""
     elif report.stop_wheel < len(WHEELS):

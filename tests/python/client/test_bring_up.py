@@ -375,7 +375,7 @@ def test_a_person_is_led_and_ctrl_c_stops_the_robot(mcu: Any, tmp_path: Path) ->
         person.reads("release the emergency stop")
         mcu.control("estop release")
         person.types("")
-        person.reads("PASS: seen pressed; latched after release; acknowledged and armed")
+        person.reads("PASS: pressed: stopped; released: still stopped; acknowledged: armed")
         person.types("")
         person.reads("off the ground, and is the robot secured? [yes/no]")
         person.types("")
