@@ -17,7 +17,8 @@ namespace wr::emulator {
 ///
 /// The model has the modes disabled, freeze and normal, the bit timing, the global mask, and the
 /// flags with their interrupt. Its message buffers send and receive data frames with standard
-/// identifiers. A frame lasts for its number of bits in ISO 11898-1. Stuff bits are not counted.
+/// identifiers. A frame takes one bit time for each of its bits in ISO 11898-1, but no time for
+/// stuff bits.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions

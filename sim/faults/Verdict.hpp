@@ -54,13 +54,13 @@ struct Verdict {
 /// cycle to cycle.
 inline constexpr float kWrongDrive = 0.05F;
 /// @brief An angle is wrong if it differs from the reference by more than this number of degrees.
-/// The number is twice the greatest permanent error.
+/// The number is twice the permanent error that FR-101 permits.
 inline constexpr float kWrongAngle = 1.0F;
 /// @brief A wrong output that lasts at most this time [ms] does not move a wheel noticeably. The
 /// mechanical time constant of a wheel is longer.
 inline constexpr int kShort = 20;
-/// @brief Outputs may be wrong for this time [ms] before the safe state. The time is the sum of the
-/// longest time of the watchdog and one control cycle.
+/// @brief Outputs may be wrong for this time [ms] before the safe state. It is the time-out of the
+/// watchdog.
 inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run that has a fault with the same run without the fault.
