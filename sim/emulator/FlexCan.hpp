@@ -53,7 +53,7 @@ class FlexCan final : public Peripheral {
     std::uint32_t control = 0;  // CODE, SRR, IDE, RTR, DLC, TIME STAMP
     std::uint32_t identifier = 0;
     std::array<std::uint32_t, 2> data{};
-    bool served = false;  // the program has read the buffer since the last frame
+    bool served = false;  // the program has read the buffer since the last frame was received
   };
 
   [[nodiscard]] bool enabled() const;
@@ -77,7 +77,7 @@ class FlexCan final : public Peripheral {
   std::deque<CanFrame> arriving_;
   std::vector<CanFrame> sent_;
   bool busy_ = false;
-  bool sends_ = false;      // the controller sends the frame on the bus
+  bool sends_ = false;      // true if the frame on the bus is a frame of the controller
   std::size_t sender_ = 0;  // number of the buffer whose frame is sent
   Time end_ = kNever;
 };

@@ -139,7 +139,8 @@ class FaultRun::Robot {
     return runs;
   }
 
-  /// Runs to a time after the next clock pulse, and before the next order.
+  /// Runs until a duration has passed since the next clock pulse. The duration must end before the
+  /// next order.
   void runPastPulse(microseconds duration) {
     constexpr int kPulse = board_robot::BoardSession::kPulseInterrupt;
     while (!session.board.runToInterrupt(kPulse, begin_ + milliseconds(now_ + 1))) {

@@ -31,7 +31,7 @@ struct Observation {
 /// @brief Class of the effect of a fault.
 enum class Outcome : std::uint8_t {
   Harmless,  ///< the outputs are not wrong, in comparison with the run without the fault
-  Detected,  ///< a reset or a report was in time, and no output was wrong afterwards
+  Detected,  ///< a reset or a report was in time, and no output was wrong after a reset
   Late,    ///< there was a reset or a report, but the outputs were wrong for too long or after the
            ///< reset
   Silent,  ///< the outputs were wrong, and there was neither a reset nor a report
