@@ -1,5 +1,6 @@
-# Toolchain of WebAssembly for the pages. Programs have no files, processes or exceptions. Debian packages contain
-# this toolchain. Its version is fixed, because libc++ before 16 lacks algorithms that the simulator uses.
+# The toolchain that compiles programs to WebAssembly for the pages. These programs have no files, processes or
+# exceptions. Debian packages contain this toolchain. Its version is fixed, because libc++ before 16 lacks algorithms
+# that the simulator uses.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_CXX_COMPILER clang++-19)

@@ -20,7 +20,8 @@ constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-// A cycle in which the robot drives straight on counts as this number of cycles in a curve.
+// One cycle with a high current counts like this number of cycles in a curve, if the robot drives
+// straight on.
 constexpr std::uint8_t kStraightCycle = 5;
 
 bool isGreat(std::optional<Current> current) {

@@ -54,7 +54,8 @@ class WheelComparison final {
 
   std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the previous cycle
   std::array<std::int32_t, kWheelCount> ways_{};  // [edges] distances in this comparison
-  // Count of successive cycles with a high current, for each wheel.
+  // For each wheel: count of successive cycles with a high current. A cycle in which the robot
+  // drives straight on counts more than a cycle in a curve.
   std::array<std::uint8_t, kWheelCount> greatCycles_{};
   std::optional<std::uint8_t> late_;  // wheel that moved too little at the last comparison
 };

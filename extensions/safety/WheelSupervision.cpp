@@ -16,8 +16,8 @@ constexpr Velocity kMaxVelocity(3300);  // 10 % above the velocity limit
 constexpr Tension kDriving(1000);
 constexpr Velocity kOpposingVelocity(50);
 constexpr std::int32_t kOpposingPercent = 50;  // tolerance: share of the induced voltage
-// Tolerance: share of the wheel's voltage. It covers the supply, the winding, and the delay of the
-// measurements.
+// Tolerance: share of the wheel's voltage. The supply and the winding can differ from the assumed
+// values, and the measurements are delayed.
 constexpr std::int32_t kDrivingPercent = 40;
 constexpr std::uint8_t kOpposingCycles = 2;
 
@@ -32,24 +32,30 @@ constexpr std::uint8_t kTooFastCycles = 3;
 // Limits for the fault: voltage, velocity and current do not match. The percentages cover a supply
 // of 21 to 29 V. They also cover the differences of resistance and motor constant between motors,
 // and the effect of the temperature on both.
-constexpr Tension kResidual(700);         // for the sensor offset, and for changes in a cycle
-constexpr Tension kMaxIdleTension(1500);  // 1 A in the winding; the bring-up applies 1 V
+//
+// kResidual covers the offset of the current sensor, and values that change during a cycle.
+// kMaxIdleTension replaces kResidual while the voltage does not exceed kDriving, the voltage that
+// the bring-up applies to a wheel. It corresponds to 1 A in the winding.
+constexpr Tension kResidual(700);
+constexpr Tension kMaxIdleTension(1500);
 constexpr std::int32_t kSupplyPercent = 20;
 constexpr std::int32_t kWindingPercent = 25;
 constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-constexpr std::uint8_t kMissingCycles = 3;  // in the third cycle a value is missing for over 0.2 s
+// In the third cycle the value has been missing for more than 0.2 s.
+constexpr std::uint8_t kMissingCycles = 3;
 
 // It is a fault if the measured current [mA] does not change in this number of successive cycles.
 constexpr std::uint8_t kEqualCycles = 7;
 
-// Limits for the fault: too many Hall edges are implausible. The count has the unit half an edge,
-// because each cycle subtracts half an edge.
+// Limits for the fault: too many Hall edges are implausible. The first two numbers count half
+// edges, because each cycle reduces the count by half an edge.
 constexpr std::int32_t kRejectedEdges = 18;
 constexpr std::int32_t kRejectedOfCycle = 10;
-constexpr Velocity kTurning(100);  // a slower wheel can stop exactly at an edge
+// A slower wheel may come to rest on an edge, and then has some implausible edges.
+constexpr Velocity kTurning(100);
 
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kPercent = 100;
@@ -75,8 +81,9 @@ Tension part(Tension tension, std::int32_t percent) {
   return magnitude(tension) * percent / kPercent;
 }
 
-// Counts the cycles in which a condition is true, and subtracts half a cycle for each other cycle.
-// Returns true if the condition is true and the count has reached its limit.
+// Counts the cycles in which a condition is true. Each cycle in which the condition is false
+// reduces the count by half a cycle. Returns true if the condition is true and the count has
+// reached its limit.
 bool lasts(bool condition, std::uint8_t& halves, std::uint8_t limit) {
   const std::int32_t greatest = kHalves * limit;
   const std::int32_t counted = condition ? halves + kHalves : halves - 1;

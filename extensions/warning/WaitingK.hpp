@@ -8,9 +8,9 @@ namespace wr {
 /// @brief A waiting state in which the robot warns that its source of orders may soon be lost.
 ///
 /// @function Switches a warning on while the state lasts, unless a stop is in force. The report to
-/// the PC contains the number of this state. A message sets the working state, and a failed read
-/// sets the next waiting state. Until then the control systems follow the set-points that were read
-/// last.
+/// the PC contains the number of this state. The working state follows when a message arrives. The
+/// next waiting state follows when a read fails. Until then the control systems follow the
+/// set-points that were read last.
 ///
 /// @secret The output that shows the warning.
 ///

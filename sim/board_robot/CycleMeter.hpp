@@ -109,7 +109,7 @@ class CycleMeter {
   bool begun_ = false;
   bool toReport_ = false;  ///< true between a clock pulse and its report
   Instant pulseAt_;
-  Instant chargedAt_;  ///< cycle up to which costs are assigned to exceptions
+  Instant chargedAt_;  ///< all costs before this instant are assigned to exceptions
   Cycle cycle_;
   std::vector<std::uint32_t> stack_;  ///< words of the stack before the firmware ran
   std::vector<unsigned> active_;

@@ -13,9 +13,9 @@ namespace wr::emulator {
 /// @brief A recorder of the entries and exits of the functions of a firmware image. If an interrupt
 /// makes the same calls as an earlier interrupt, the later calls are not recorded.
 ///
-/// The file has one little-endian 64-bit number for each event. The number is the address of the
-/// function. Bit 63 is set when the function is left. The traces of the tests on the host have the
-/// same format.
+/// write() creates a file with one little-endian 64-bit number for each entry and each exit. The
+/// number is the address of the function. For an exit, bit 63 is also set. The traces of the tests
+/// on the host have the same format.
 class CallRecorder {
  public:
   /// @brief Records the calls of all functions in an ELF file.

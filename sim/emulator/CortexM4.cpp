@@ -397,7 +397,7 @@ void CortexM4::instructionFault(Trap trap) {
       return;
     case Trap::Unaligned:
       usage(SystemControl::kUnaligned, at, "unhandled-fault",
-            "unaligned access where none is allowed");
+            "unaligned access that is not permitted");
       return;
     case Trap::DivideByZero:
       usage(SystemControl::kDivideByZero, at, "unhandled-fault", "division by zero");
@@ -512,8 +512,9 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
   std::uint32_t link = 0;
   const bool beginsBlock = core_.beginsBlock();
   if (!stack(returnsTo, link)) {
-    const std::string what = "no memory for the frame of exception " + std::to_string(exception) +
-                             " at " + hex(core_.registers.r[Registers::kStack]);
+    const std::string what = "no memory for the stack frame of exception " +
+                             std::to_string(exception) + " at " +
+                             hex(core_.registers.r[Registers::kStack]);
     system_.noteFault(SystemControl::kStackingBus);
     if (faultsAreProblems_) {
       report("unmapped-memory", what);
@@ -617,7 +618,7 @@ void CortexM4::unstack(std::uint32_t link) {
   const std::uint8_t* place = core_.memory.stack(frame, size);
   if (place == nullptr) {
     fault(kBusFault, SystemControl::kUnstackingBus, link, "unmapped-memory",
-          "no frame of exception " + std::to_string(x.exception) + " at " + hex(frame));
+          "no stack frame of exception " + std::to_string(x.exception) + " at " + hex(frame));
     return;
   }
   std::array<std::uint32_t, 26> words{};

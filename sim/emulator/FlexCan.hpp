@@ -17,7 +17,8 @@ namespace wr::emulator {
 ///
 /// The model has the modes disabled, freeze and normal, the bit timing, the global mask, and the
 /// flags with their interrupt. Its message buffers send and receive data frames with standard
-/// identifiers. A frame lasts for its number of bits in ISO 11898-1. Stuff bits are not counted.
+/// identifiers. A frame takes one bit time for each of its bits in ISO 11898-1, but no time for
+/// stuff bits.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
@@ -52,7 +53,7 @@ class FlexCan final : public Peripheral {
     std::uint32_t control = 0;  // CODE, SRR, IDE, RTR, DLC, TIME STAMP
     std::uint32_t identifier = 0;
     std::array<std::uint32_t, 2> data{};
-    bool served = false;  // the program has read the buffer since the last frame
+    bool served = false;  // the program has read the buffer since the last frame was received
   };
 
   [[nodiscard]] bool enabled() const;
@@ -76,7 +77,7 @@ class FlexCan final : public Peripheral {
   std::deque<CanFrame> arriving_;
   std::vector<CanFrame> sent_;
   bool busy_ = false;
-  bool sends_ = false;      // the controller sends the frame on the bus
+  bool sends_ = false;      // true if the frame on the bus is a frame of the controller
   std::size_t sender_ = 0;  // number of the buffer whose frame is sent
   Time end_ = kNever;
 };

@@ -13,9 +13,9 @@ namespace wr::emulator {
 /// @brief A timer with edge-aligned pulse-width modulation on its channels. The bus clock drives
 /// its counter. See K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
-/// The model has no other modes, no interrupts, and no flags of channels (they read 0). It does not
-/// have MODE.FTMEN and the registers that MODE.FTMEN enables. The program can write only the reset
-/// values to these registers.
+/// The model has no other modes, no interrupts, and no flags of channels (they read 0). The effects
+/// of MODE.FTMEN, and of the registers that MODE.FTMEN enables, are not modelled. Therefore the
+/// program can write only the reset values to them.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3

@@ -31,8 +31,8 @@ constexpr unsigned kFromInternal = 1;
 constexpr unsigned kFromExternal = 2;
 constexpr unsigned kFromPll = 3;
 
-// The times that the clock generator needs for its changes. In the manual, they are at most a few
-// cycles of the clocks that are involved.
+// The times that the model of the clock generator needs for its changes. According to the manual,
+// the real times are at most a few cycles of the clocks that are involved.
 constexpr Time kReferenceDelay = 60us;
 constexpr Time kSwitchDelay = 5us;
 constexpr Time kPllChosenDelay = 5us;
@@ -276,7 +276,7 @@ void Mcg::checkPll() {
 void Mcg::follow() {
   const Time now = board_.time();
   const bool wantsInternal = (c1_ & 0x04U) != 0;
-  const bool oscillator = (c2_ & 0x04U) != 0;  // EREFS selects a crystal, but the board has none
+  const bool oscillator = (c2_ & 0x04U) != 0;  // EREFS selects a crystal, which the board lacks
   const bool externalUsable = external_ && !oscillator;
   reference_.ask(wantsInternal ? 1 : 0,
                  wantsInternal || externalUsable ? now + kReferenceDelay : kNever);

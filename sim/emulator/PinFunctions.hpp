@@ -26,7 +26,7 @@ inline constexpr std::array<PinFunction, 31> kFtmPins{{
     {'C', 9, 3, 3, 5},  {'C', 10, 3, 3, 6}, {'C', 11, 3, 3, 7},
 }};
 
-/// @brief The channels in kUartPins and kCanPins.
+/// @brief The values of PinFunction::channel in kUartPins and kCanPins.
 inline constexpr unsigned kReceive = 0;
 inline constexpr unsigned kSend = 1;
 

@@ -17,7 +17,7 @@ struct PinState {
   std::uint32_t shown = 0;                  ///< last reported levels of the outputs
   std::uint32_t shownOutputs = 0;           ///< pins that were outputs at the last report
   std::uint32_t filters = 0;                ///< pins whose digital filter is on
-  std::uint32_t passed = 0;                 ///< levels that the filters have passed
+  std::uint32_t passed = 0;                 ///< levels at the outputs of the filters
 
   /// @brief Returns field MUX of a pin. 0: no function; 1: digital input or output; 2 to 7:
   /// peripherals.
@@ -28,8 +28,8 @@ struct PinState {
     return function(pin) == 1 && (direction >> pin & 1U) != 0;
   }
 
-  /// @brief Returns the level of a pin inside the chip. A pin without a digital function reads as
-  /// 0.
+  /// @brief Returns the level that the chip reads at a pin. A pin without a digital function reads
+  /// as 0.
   [[nodiscard]] bool seen(unsigned pin) const {
     return function(pin) != 0 &&
            ((filters >> pin & 1U) != 0 ? (passed >> pin & 1U) != 0 : level(pin));
@@ -68,7 +68,7 @@ class Port final : public Peripheral {
 
   /// @brief Reports changed outputs and raises interrupts. This function is called when levels may
   /// have changed.
-  /// @param which pins whose levels or control may have changed
+  /// @param which pins whose levels or control registers may have changed
   void settle(std::uint32_t which = ~std::uint32_t{0});
 
  private:
@@ -85,8 +85,9 @@ class Port final : public Peripheral {
   std::uint32_t before_ = 0;   ///< levels at the previous update
   std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
-  std::uint32_t waiting_ = 0;                 ///< pins whose level differs from the filtered level
-  std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock at which a level passes
+  std::uint32_t waiting_ = 0;  ///< pins whose level differs from the filtered level
+  std::array<std::uint64_t, 32>
+      passesAt_{};  ///< count of the bus clock at which a new level passes the filter
 };
 
 /// @brief Digital inputs and outputs of one port.

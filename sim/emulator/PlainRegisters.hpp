@@ -13,7 +13,7 @@ namespace wr::emulator {
 struct PlainRegister {
   std::uint32_t offset;
   std::uint32_t atReset;
-  std::uint32_t writable;  ///< bits that a write changes
+  std::uint32_t writable;  ///< bits that a write can change
 };
 
 /// @brief A block of registers that only store the written values.

@@ -24,7 +24,7 @@ class StimulusQueue {
   /// @brief Adds a level. Levels with the same time are applied in the order of the calls of add().
   void add(const Level& level);
 
-  /// @brief Adds a function. From now on, it is called at each time that is a multiple of the
+  /// @brief Adds a function that is called, from now on, at each time that is a multiple of the
   /// period.
   void every(Time period, Time now, std::function<void()> call);
 
@@ -47,7 +47,9 @@ class StimulusQueue {
 
   std::function<void(const Level&)> drive_;
   std::deque<Level> levels_;
-  std::deque<Call> calls_;  // a function may add functions; a deque does not move its elements then
+  // A called function may add functions. When elements are added to a deque, the other elements do
+  // not move.
+  std::deque<Call> calls_;
   Time next_ = kNever;
 };
 

@@ -17,7 +17,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Returns the bytes from an offset of the file on as an object of type Part.
+// Returns the part of the file that begins at an offset, as an object of type Part.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};
@@ -92,7 +92,8 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   std::snprintf(number.data(), number.size(), "0x%x", static_cast<unsigned>(address));
   const std::string command =
       "arm-none-eabi-addr2line -i -e '" + elf_.string() + "' " + number.data() + " 2>/dev/null";
-  // The command is part of the toolchain. Its arguments are a path of the project and a number.
+  // The command runs a program of the toolchain. Its arguments are the path of the ELF file and an
+  // address.
   // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
   // The last line of the output is the position in the function itself. The earlier lines are

@@ -16,10 +16,10 @@ enum class Timing : std::uint8_t {
 // table 7-1 (floating-point unit). If the manual contains a range, the constant is the upper end of
 // the range.
 
-/// @brief The manual calls this number P, and its range is 1 to 3. The pipeline is refilled after
-/// each branch that is taken.
+/// @brief Additional cycles of each branch that is taken, because the pipeline is refilled after
+/// the branch. The manual calls this number P. Its range is 1 to 3.
 inline constexpr std::uint32_t kRefillCycles = 3;
-/// @brief Load or store of one register. Successive accesses do not overlap.
+/// @brief Load or store of one register. In this model, successive accesses do not overlap.
 inline constexpr std::uint32_t kAccessCycles = 1;
 /// @brief SDIV and UDIV. They take 2 to 12 cycles, depending on the operands.
 inline constexpr std::uint32_t kDivideCycles = 11;

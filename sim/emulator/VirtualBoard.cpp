@@ -185,7 +185,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::optional<Finding> finding;
   std::vector<Finding> warnings;
   int resets = 0;
-  unsigned awaited = 0;  ///< exception that ends the run
+  unsigned awaited = 0;  ///< number of the processor's exception that ends the run
   bool awaitedCame = false;
 
  private:

@@ -151,8 +151,8 @@ class VirtualBoard {
 
   /// @brief Sets a callback that runs at each multiple of a period of board time. The first call is
   /// at the next multiple. The callback runs before the instructions and events of its time. A
-  /// callback may use the board, but must not run the board. Callbacks with the same time run in
-  /// the order in which they were set.
+  /// callback may call the functions of the board, except the functions that run the board.
+  /// Callbacks with the same time run in the order in which they were set.
   void onTime(nanoseconds period, std::function<void()> call);
 
   /// @brief Triggers an exception before the next instruction, as the hardware does. For example, 3

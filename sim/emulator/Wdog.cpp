@@ -157,7 +157,7 @@ void Wdog::unlock(std::uint32_t key) {
   }
   unlockKeyAt_.reset();
   if (lock_ == Lock::Locked && (registers_[kStctrlh / 2] & kAllowUpdate) == 0) {
-    misuse("unlock of a watchdog that allows no update");
+    misuse("the watchdog was unlocked, although its configuration allows no update");
     return;
   }
   if (lock_ != Lock::Open) {  // an unlock has no effect within the configuration time
@@ -171,7 +171,7 @@ void Wdog::configure(std::uint32_t offset, std::uint32_t value) {
   const std::uint64_t now = bus();
   const std::uint32_t place = 1U << offset / 2;
   if (lock_ != Lock::Open) {
-    board_.refuse("watchdog-sequence", "configuration of the watchdog without unlock");
+    board_.refuse("watchdog-sequence", "the watchdog was configured without unlock");
   } else if (now - lockChanged_ < 2) {
     board_.refuse("watchdog-sequence",
                   "the watchdog was configured in the bus clock cycle directly after its unlock");
@@ -210,7 +210,7 @@ void Wdog::refresh(std::uint32_t key) {
   const std::uint32_t window =
       static_cast<std::uint32_t>(registers_[kWinh / 2]) << 16 | registers_[kWinl / 2];
   if (counts() && (registers_[kStctrlh / 2] & kWindow) != 0 && timer() < window) {
-    fail("watchdog-early", "refresh of the watchdog before its window");
+    fail("watchdog-early", "the watchdog was refreshed before its window");
     return;
   }
   restart();
@@ -234,7 +234,7 @@ void Wdog::checkConfiguration() {
 void Wdog::close() {
   lock_ = Lock::Locked;
   if (written_ == 0) {
-    fail("watchdog-sequence", "unlock of the watchdog without configuration");
+    fail("watchdog-sequence", "the watchdog was unlocked, but stayed without configuration");
     return;
   }
   configured_ = true;
@@ -267,7 +267,8 @@ void Wdog::advance() {
       lockChanged_ = *unlockKeyAt_ + kKeyTime - kConfigurationTime;
     } else {
       lock_ = Lock::Locked;
-      fail("watchdog-sequence", "no unlock of the watchdog within 256 bus clocks after reset");
+      fail("watchdog-sequence",
+           "the watchdog was not unlocked within 256 bus clocks after the reset");
       return;
     }
   }
@@ -276,7 +277,8 @@ void Wdog::advance() {
   }
   if (resetAt_ && now >= *resetAt_) {
     resetAt_.reset();
-    board_.requestReset(Reset::Watchdog, "watchdog-missed", "reset after the watchdog's interrupt");
+    board_.requestReset(Reset::Watchdog, "watchdog-missed",
+                        "the watchdog resets the board after its interrupt");
   } else if (counts() && lock_ != Lock::Open && timer() >= timeOut()) {
     restart();
     fail("watchdog-missed", "the watchdog was not refreshed within its time-out");

@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr int kOrderPeriod = 100;   // ms
-constexpr int kFirstOrder = 60;     // ms; the first order is at least 30 ms before the clock pulse
+constexpr int kFirstOrder = 60;     // ms; each order arrives before the next clock pulse
 constexpr int kNeutralOrders = 10;  // number of neutral orders that arm the robot
 constexpr int kStateEach = 100;     // ms
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
@@ -112,7 +112,7 @@ class Hash {
 
 }  // namespace
 
-/// A robot with a PC. The orders of the PC depend only on the time.
+/// A robot with a PC. The orders of the PC depend only on the seed and on the time.
 class FaultRun::Robot {
  public:
   Robot(std::vector<std::uint8_t> image, std::uint64_t seed)
@@ -139,7 +139,8 @@ class FaultRun::Robot {
     return runs;
   }
 
-  /// Runs to a time after the next clock pulse, and before the next order.
+  /// Runs until a duration has passed since the next clock pulse. The duration must end before the
+  /// next order.
   void runPastPulse(microseconds duration) {
     constexpr int kPulse = board_robot::BoardSession::kPulseInterrupt;
     while (!session.board.runToInterrupt(kPulse, begin_ + milliseconds(now_ + 1))) {
@@ -312,7 +313,9 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
     if (passes(fault.kind) && robot.now() % kStateEach == 0) {
       const auto number = static_cast<std::size_t>(robot.now() / kStateEach - 1);
       equal = robot.state(places_) == states_.at(number) ? equal + 1 : 0;
-      if (equal == 2) {  // after two successive equal states, the devices have equal states too
+      // The compared states do not include the devices of the microcontroller. After two successive
+      // equal states, the devices have equal states too.
+      if (equal == 2) {
         break;
       }
     }

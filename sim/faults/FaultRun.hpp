@@ -24,17 +24,18 @@ struct Result {
   std::string stop;  ///< finding of the virtual board, if the outcome is Stopped
 };
 
-/// @brief A random drive of a firmware image on the virtual board, and copies of the drive. Each
-/// copy has one fault.
+/// @brief A test drive, in which a firmware image on the virtual board gets random orders, and
+/// copies of this test drive. One fault is injected into each copy.
 ///
-/// Each copy is a separate process. In this way, the part of the drive before the fault runs only
-/// once.
+/// Each copy is a separate process that begins at the injection of the fault. In this way, the part
+/// of the test drive before the fault runs only once.
 class FaultRun {
  public:
   static constexpr int kFirst = 1500;  ///< earliest injection [ms since the drive began]
   static constexpr int kLast = 6500;   ///< latest injection [ms since the drive began]
 
-  /// @brief Runs the drive without a fault. Throws std::runtime_error if the robot does not drive.
+  /// @brief Runs the test drive without a fault. Throws std::runtime_error if the robot does not
+  /// drive.
   /// @param image firmware image, which is the content of the flash
   /// @param elf ELF file of the firmware image, with its symbols
   /// @param seed chooses the drive

@@ -19,7 +19,7 @@ bool differs(const Outputs& faulty, const Outputs& reference) {
 struct Wrong {
   int before = 0;  // ms with wrong outputs before the detection
   int total = 0;   // ms with wrong outputs, in periods that are long enough to count
-  int after = 0;   // ms with wrong outputs and power after a reset
+  int after = 0;   // ms after a reset in which a wheel had voltage or the steering had moved
 };
 
 // If the wheels have no voltage, the robot is safe, and its outputs are not wrong for any

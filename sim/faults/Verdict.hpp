@@ -31,7 +31,7 @@ struct Observation {
 /// @brief Class of the effect of a fault.
 enum class Outcome : std::uint8_t {
   Harmless,  ///< the outputs are not wrong, in comparison with the run without the fault
-  Detected,  ///< a reset or a report was in time, and no output was wrong afterwards
+  Detected,  ///< a reset or a report was in time, and no output was wrong after a reset
   Late,    ///< there was a reset or a report, but the outputs were wrong for too long or after the
            ///< reset
   Silent,  ///< the outputs were wrong, and there was neither a reset nor a report
@@ -54,13 +54,13 @@ struct Verdict {
 /// cycle to cycle.
 inline constexpr float kWrongDrive = 0.05F;
 /// @brief An angle is wrong if it differs from the reference by more than this number of degrees.
-/// The number is twice the greatest permanent error.
+/// The number is twice the permanent error that FR-101 permits.
 inline constexpr float kWrongAngle = 1.0F;
 /// @brief A wrong output that lasts at most this time [ms] does not move a wheel noticeably. The
 /// mechanical time constant of a wheel is longer.
 inline constexpr int kShort = 20;
-/// @brief Outputs may be wrong for this time [ms] before the safe state. The time is the sum of the
-/// longest time of the watchdog and one control cycle.
+/// @brief Outputs may be wrong for this time [ms] before the safe state. It is the time-out of the
+/// watchdog.
 inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run that has a fault with the same run without the fault.

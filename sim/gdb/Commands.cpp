@@ -25,7 +25,7 @@ using std::chrono::nanoseconds;
 
 constexpr std::string_view kDone = "OK";
 constexpr std::string_view kWrong = "E01";  // the packet is invalid
-constexpr std::string_view kFault = "E14";  // there is no such memory
+constexpr std::string_view kFault = "E14";  // there is no memory at the address
 constexpr std::string_view kFeatures = "PacketSize=4000;QStartNoAckMode+;qXfer:features:read+";
 constexpr std::string_view kWaysBack = ";ReverseStep+;ReverseContinue+";
 constexpr std::size_t kMostBytes =

@@ -25,9 +25,9 @@ class Commands {
   /// @brief Returns the debugger that executes the commands.
   [[nodiscard]] Debugger& debugger() { return debugger_; }
 
-  /// @brief Checks whether GDB requests a stop while the processor sleeps. The owner calls this
-  /// function between two runs of the board. The function stops only a processor that sleeps during
-  /// two successive calls.
+  /// @brief Checks whether GDB requests a stop while the processor sleeps. The owner of the board
+  /// calls this function between two runs of the board. The function stops the program only if the
+  /// program has executed no instruction since the previous call.
   void glance();
 
  private:

@@ -8,7 +8,7 @@
 
 namespace wr::gdb {
 
-/// @brief Accesses of the program at which a watchpoint stops.
+/// @brief Kinds of access at which a watchpoint stops the program.
 enum class Watch { Write, Read, Access };
 
 /// @brief The breakpoints and watchpoints.

@@ -10,9 +10,9 @@ class HostThread;
 /// @brief A scheduler that runs threads on the host in the same sequence as an interrupt
 /// controller.
 ///
-/// A thread with a higher priority than the running thread runs immediately, before pend() returns.
-/// The other threads run when the running thread ends. No thread starts while an interrupt is
-/// served.
+/// A thread with a higher priority than the running thread runs immediately, before
+/// HostThread::pend() returns. The other threads run when the running thread ends. No thread starts
+/// while an interrupt is served.
 class HostScheduler {
  public:
   HostScheduler() = default;

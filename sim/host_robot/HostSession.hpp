@@ -6,8 +6,8 @@
 
 namespace wr::host_robot {
 
-/// @brief The firmware on the host, in stepped time. Transfers on the serial line to the PC take no
-/// time.
+/// @brief A robot with the firmware on the host. Its time advances only while the caller runs the
+/// robot. Transfers on the serial line to the PC take no time.
 class HostSession final : public scenario::RobotSession {
  public:
   /// @brief Constructs the robot. The robot runs only after start().

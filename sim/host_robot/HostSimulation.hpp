@@ -13,7 +13,7 @@
 
 namespace wr::host_robot {
 
-/// @brief The firmware on the host in the simulated robot, in stepped time.
+/// @brief The firmware on the host in the simulated robot. The time advances only in runUntil().
 ///
 /// Events are executed in the order of their times. Each ms since power-on, the physics advance by
 /// one step. Each ms since the start of the firmware, the second timer ticks. Each 100 ms, there is

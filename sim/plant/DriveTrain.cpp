@@ -10,7 +10,7 @@ namespace wr::plant {
 
 namespace {
 
-// Limits the magnitude of a force.
+// Limits the magnitude of a force that has two components.
 void limit(double& along, double& across, double greatest) {
   const double square = along * along + across * across;
   if (square > greatest * greatest) {

@@ -4,7 +4,7 @@ namespace wr::plant {
 
 namespace {
 
-// The source of the random numbers of the plant.
+// The purpose that selects the random numbers of the plant (see Noise).
 constexpr std::uint32_t kOfPlant = 64;
 
 // A source of random numbers. Each number is within a given range.

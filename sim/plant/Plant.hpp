@@ -27,7 +27,7 @@ struct MotorParameters {
   double damping = 0.5e-3;       ///< N m s/rad
   double cogging = 0.02;         ///< N m, greatest torque of the magnets
   double rotorInertia = 1.5e-3;  ///< kg m^2
-  double wheelInertia = 0.28;    ///< kg m^2: 7.5 kg, as a disc
+  double wheelInertia = 0.28;    ///< kg m^2, for a disc of 7.5 kg
 };
 
 /// @brief The current sensor of one wheel.
@@ -61,7 +61,7 @@ enum class Parameter : std::uint8_t {
   Supply,         ///< V
   Battery,        ///< ohm
   Mass,           ///< factor of the nominal value, as for all following parameters
-  Inertia,        ///< inertia of rotors, wheels and yaw
+  Inertia,        ///< inertia of the rotors and wheels, and of the robot in yaw
   Resistance,     ///< resistance of the motors
   MotorConstant,  ///< constant of the motors
   Friction,       ///< friction of the motors

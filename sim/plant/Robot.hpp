@@ -69,8 +69,8 @@ enum class EmergencyStop : std::uint8_t {
 /// are the values of the sensors.
 ///
 /// Time is divided into steps of 1 ms. A step uses the present inputs, and returns the edges that
-/// occur during the step. Noise depends only on the seed and the step. It is therefore equal for
-/// all targets of the firmware.
+/// occur during the step. Noise depends only on the seed and the step. Therefore the noise is equal
+/// for all targets of the firmware.
 class Robot {
  public:
   static constexpr double kGravity = 9.81;   ///< m/s^2

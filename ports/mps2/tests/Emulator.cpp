@@ -131,8 +131,7 @@ void Emulator::send(std::span<const std::uint8_t> bytes, std::uint32_t rest) {
         throw std::runtime_error("the serial port of the emulated board does not accept a byte");
       }
     }
-    // The program serves the interrupt of this byte before it reaches the instruction at which it
-    // is at rest.
+    // The program is at rest again when it has served the interrupt of this byte.
     static_cast<void>(runTo({rest}));
   }
 }

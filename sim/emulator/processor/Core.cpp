@@ -62,8 +62,8 @@ Trap Core::run() {
 
 // The address and the cycle count are local variables. They are copied to members of this class,
 // but never read from these members. Therefore the processor of the host need not wait for the
-// result of the previous instruction. The next address is selected by a branch for the same
-// purpose, because the host can predict a branch.
+// result of the previous instruction. For the same purpose, an if statement selects the next
+// address, because the host can predict the branch of an if statement.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
   std::uint32_t address = next;

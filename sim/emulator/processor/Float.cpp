@@ -334,7 +334,7 @@ void Float::compare(std::uint32_t a, std::uint32_t b, bool quietIsInvalid) {
       fpscr_ |= kInvalid;
     }
   } else {
-    // Numbers of the same sign have the same order as their bits, read as integers.
+    // Magnitudes have the same order as their bits without the sign, read as integers.
     const auto order = [](const Number& number) {
       const std::int64_t magnitude = number.kind == Kind::Zero ? 0 : number.bits & ~kSign;
       return number.negative ? -magnitude : magnitude;

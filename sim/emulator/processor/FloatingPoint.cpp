@@ -78,7 +78,7 @@ void addSingles(Core& core, const Instruction& in) {
   x.s[in.d] = Float(x.fpscr).add(x.s[in.n], x.s[in.m]);
 }
 
-// FPSub differs from FPAdd with a negated operand, because a NaN keeps its sign.
+// FPSub cannot be replaced by FPAdd with a negated operand, because FPSub keeps the sign of a NaN.
 void subtractSingles(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   x.s[in.d] = Float(x.fpscr).subtract(x.s[in.n], x.s[in.m]);

@@ -51,7 +51,8 @@ template <typename Value, Place kPlace>
   }
 }
 
-// Loads a number. Prepares a function call only if the access needs it.
+// Loads a number. A separate function contains the accesses that need further function calls, so
+// that a direct access does not save registers for these calls.
 template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;

@@ -52,7 +52,7 @@ class Memory {
     [[nodiscard]] std::uint8_t* at(std::uint32_t place) const {
       return bytes.get() + (place - address);
     }
-    /// @brief Flash, which a program cannot write.
+    /// @brief Returns true if the area is flash, which a program cannot write.
     [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
   };
 

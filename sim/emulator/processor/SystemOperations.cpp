@@ -162,7 +162,7 @@ void msr(Core& core, const Instruction& in) {
 
 Instruction hint(unsigned number) {
   constexpr unsigned kWfi = 3;
-  // WFE may end at any time (ARMv7-M ARM, B1.5.17).
+  // WFE may end at any time (ARMv7-M ARM, B1.5.17). In this model it ends immediately.
   return {.run = number == kWfi ? wfi : nothing};
 }
 
