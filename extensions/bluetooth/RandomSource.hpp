@@ -13,7 +13,7 @@ class RandomSource {
   RandomSource(const RandomSource&) = delete;
   RandomSource& operator=(const RandomSource&) = delete;
 
-  /// @brief Returns a random number. The waiting time is bounded.
+  /// @brief Returns a random number. The function waits for the hardware only for a limited time.
   /// @return random number of 64 bits; no value if the hardware does not work
   /// @isr{no}
   [[nodiscard]] virtual std::optional<std::uint64_t> draw() = 0;

@@ -94,10 +94,10 @@ class SignedPort final : public SerialPort {
   FrameEncoder encoder_;
   Coded received_{};
   // Number of received bytes of the present frame. If the frame is too long, this number is greater
-  // than the capacity.
+  // than the size of `received_`.
   std::size_t count_ = 0;
   std::size_t ready_ = 0;           // number of bytes of the accepted frame
-  std::size_t given_ = 0;           // number of these bytes that read() has returned
+  std::size_t given_ = 0;           // number of bytes of this frame that read() has returned
   std::uint32_t lastReceived_ = 0;  // counter of the last accepted frame
   std::uint32_t lastSent_ = 0;      // counter of the last sent frame
 };

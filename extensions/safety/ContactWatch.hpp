@@ -24,8 +24,8 @@ class ContactWatch final {
   ContactWatch(const ContactWatch&) = delete;
   ContactWatch& operator=(const ContactWatch&) = delete;
 
-  /// @brief Reads the contact, and records an opening of three successive ticks. The handler of
-  /// each tick calls this function.
+  /// @brief Reads the contact, and records an opening if the contact was open at three successive
+  /// ticks. The handler of each tick calls this function.
   /// @satisfies FR-271
   /// @isr{yes}
   void sample();

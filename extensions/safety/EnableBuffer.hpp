@@ -12,7 +12,7 @@ namespace wr {
 ///
 /// @function Stores the width and the time of each valid pulse of the third channel of the remote
 /// control. When two successive pulses order a stop, stores the second pulse also in a separate
-/// pipe. Later pulses that order no stop do not overwrite this pipe.
+/// pipe. Later pulses that order no stop do not change the content of this pipe.
 ///
 /// @secret Where the position of the enable switch is stored, and how many pulses confirm a stop.
 ///

@@ -17,7 +17,8 @@ constexpr Microseconds kMinDrivePulse(1750);
 
 constexpr Microseconds kLifetime = milliseconds(200);  // greatest age of a valid pulse
 
-// Number of orders that acknowledge faults after the sequence stop, PC, drive.
+// Number of orders that acknowledge faults after the switch has moved through the positions stop,
+// PC and drive.
 constexpr std::uint8_t kAcknowledgements = 3;
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
@@ -94,8 +95,9 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed;
 }
 
-// Checks the sequence stop, PC, drive. When the radio link returns, the output of the receiver
-// changes directly from stop to drive. Only an operator moves the switch through the position PC.
+// Records how far the switch has moved through the positions stop, PC and drive. Only an operator
+// moves the switch through the position PC: when the radio link returns, the output of the receiver
+// changes directly from stop to drive.
 void EnableSwitch::advanceSequence() {
   if (position_ == Position::Stop) {
     sequence_ = Sequence::Stopped;

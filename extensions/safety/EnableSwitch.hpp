@@ -16,10 +16,10 @@ namespace wr {
 /// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
 /// position "stop", or when its pulses are missing. Releases the stop when the switch is in another
 /// position and the velocity stick is not deflected. If the switch was in the position "stop" only
-/// between two cycles, a stop is latched in the second cycle. In the position "PC" the remote
-/// control has no orders. When an operator moves the switch from stop through PC to drive, the next
-/// orders acknowledge latched faults. If the pulses do not change for more than 2 s while the
-/// remote control moves the robot, a stop is latched.
+/// between two cycles, a stop is latched in the second cycle. In the position "PC" the orders of
+/// the remote control are not read. When an operator moves the switch from stop through PC to
+/// drive, the next orders acknowledge latched faults. If the pulses do not change for more than 2 s
+/// while the remote control moves the robot, a stop is latched.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.
@@ -80,7 +80,8 @@ class EnableSwitch final : public ModeDecorator {
 
  private:
   enum class Position : std::uint8_t { Stop, Pc, Drive };
-  // Progress in the sequence stop, PC, drive, which acknowledges faults.
+  // Progress of the switch through the positions stop, PC and drive. The complete sequence
+  // acknowledges faults.
   enum class Sequence : std::uint8_t { None, Stopped, Passed };
 
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
@@ -95,7 +96,7 @@ class EnableSwitch final : public ModeDecorator {
   Position position_ = Position::Stop;
   Instant confirmedAt_{};  // time of the newest pulse that confirmed a stop
   Sequence sequence_ = Sequence::None;
-  std::uint8_t acknowledgements_ = 0;  // number of the next orders that acknowledge
+  std::uint8_t acknowledgements_ = 0;  // number of following orders that acknowledge faults
   bool stopped_ = true;
 };
 

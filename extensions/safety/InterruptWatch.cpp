@@ -10,8 +10,9 @@ namespace {
 // degree.
 constexpr Microseconds kLatestTick = milliseconds(20);
 
-// If Hall edges wait at this number of successive ticks, their interrupt is not served. A wait at
-// one or two successive ticks is no fault, because new edges can arrive just before a tick.
+// If Hall edges wait at this number of successive ticks, their interrupt counts as not served.
+// Edges that wait at one or two successive ticks are no fault, because new edges can arrive just
+// before a tick.
 constexpr std::uint8_t kWaitingTicks = 5;
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace wr {
 /// @secret How late an interrupt may be.
 class InterruptWatch final {
  public:
-  /// @brief Constructs the detector before the first tick.
+  /// @brief Constructs a detector that has received no tick yet.
   constexpr InterruptWatch() = default;
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;

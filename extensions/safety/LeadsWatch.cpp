@@ -13,7 +13,7 @@ namespace {
 // offset of the current sensor causes. The array contains the variances of these parameters before
 // the first cycle.
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
-constexpr float kMaxDeviation = 0.5F;  // of a learned parameter from its nominal value
+constexpr float kMaxDeviation = 0.5F;  // greatest deviation of a parameter from its nominal value
 // Increase of each variance in a cycle, because the temperature and the battery voltage change.
 constexpr float kVarianceDrift = 1e-6F;
 
@@ -27,13 +27,14 @@ constexpr float kCurrentNoise = 0.02F;  // noise for each volt across the windin
 // The evidence is the logarithm of a ratio of two probabilities: the probability of the
 // measurements if the leads are swapped, divided by their probability if the leads are correct.
 constexpr float kSwappedThreshold = 12.0F;
-// Greatest increase in a cycle. Therefore a detection needs at least two cycles.
+// Greatest increase of the evidence in a cycle. Because of this limit, a detection needs at least
+// two cycles.
 constexpr float kMaxRisePerCycle = 6.0F;
-constexpr float kMaxFallPerCycle = 3.0F;  // greatest decrease in a cycle
+constexpr float kMaxFallPerCycle = 3.0F;  // greatest decrease of the evidence in a cycle
 constexpr float kDoubtThreshold = 3.0F;   // with this evidence or more, the model does not learn
 
-// The bring-up procedure turns the wheels with at most this voltage, because their leads may be
-// swapped. Up to this voltage the evidence does not change.
+// The bring-up procedure turns the wheels with at most this voltage, because the leads of a motor
+// may still be swapped. Up to this voltage the evidence does not change.
 constexpr Tension kBringUp(1000);
 
 constexpr float kMilli = 1e-3F;
@@ -126,8 +127,8 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
   return cycle;
 }
 
-// Changes the evidence. Swapped leads change the sign of the induced voltage. Therefore they change
-// the unexplained voltage by twice the induced voltage.
+// Changes the evidence. Swapped leads change the sign of the induced voltage. Therefore swapped
+// leads change the unexplained voltage by twice the induced voltage.
 void LeadsWatch::weigh(const Cycle& cycle) {
   const float turning = (1 + deviations_[kInduced]) * cycle.inputs[kInduced];
   const float shown = -2 * turning * (cycle.unexplained + turning) * cycle.weight;

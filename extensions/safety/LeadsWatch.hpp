@@ -12,8 +12,8 @@ namespace wr {
 /// @brief Supervision of the polarity of one motor: finds swapped leads.
 ///
 /// @function Learns the resistance of the motor, its motor constant and the offset of its current
-/// sensor. Detects leads that are swapped later: the sign of the induced voltage then changes from
-/// one cycle to the next.
+/// sensor. Detects leads that are swapped after the model was learned: the sign of the induced
+/// voltage then changes from one cycle to the next.
 ///
 /// @secret How the model of a motor is learned, and how strongly the measurements must contradict
 /// the model before the leads count as swapped.

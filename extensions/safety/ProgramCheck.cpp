@@ -9,8 +9,8 @@ namespace wr {
 namespace {
 
 // Size of a step, in groups of four words. With one step in each tick, the sum of a program of 64
-// KiB is complete after 147 ms. A changed bit is found at the end of the present sum or of the next
-// sum.
+// KiB is complete after 147 ms. A changed bit is found when the present sum or the next sum is
+// complete.
 constexpr std::size_t kWordsOfStep = 28;
 
 std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {

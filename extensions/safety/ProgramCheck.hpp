@@ -35,7 +35,8 @@ class ProgramCheck final {
   ProgramCheck(const ProgramCheck&) = delete;
   ProgramCheck& operator=(const ProgramCheck&) = delete;
 
-  /// @brief Permits one step of the check. The handler of each tick calls this function.
+  /// @brief Permits the next call of step() to add words to the sum. The handler of each tick calls
+  /// this function.
   /// @satisfies FR-309
   /// @isr{yes}
   void tick() { due_.store(true, std::memory_order_relaxed); }

@@ -10,8 +10,8 @@ namespace wr {
 /// @brief The function that computes the position of a switch from a pulse of the remote control.
 ///
 /// @function Computes the deflection: the width of the pulse minus the width of a middle pulse.
-/// There is no neutral range around the middle, and a pulse outside the valid range also gets a
-/// deflection.
+/// There is no neutral range around the middle, and the deflection is also computed for a pulse
+/// outside the valid range.
 ///
 /// @secret The relation between the width of a pulse and the position of a switch.
 ///

@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kMinChange = 8;  // [us] greater than the jitter of a receiver
+constexpr std::int32_t kMinChange = 8;  // [us] greatest change that counts as jitter
 constexpr Microseconds kMaxStillness = milliseconds(2000);
 
 }  // namespace

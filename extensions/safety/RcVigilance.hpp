@@ -22,7 +22,7 @@ class RcVigilance final {
   /// @brief Deflections of all channels [us].
   using Deflections = std::array<std::int32_t, kChannels>;
 
-  /// @brief Constructs the detector before the first pulses.
+  /// @brief Constructs a detector that has received no pulses yet.
   RcVigilance() = default;
   RcVigilance(const RcVigilance&) = delete;
   RcVigilance& operator=(const RcVigilance&) = delete;

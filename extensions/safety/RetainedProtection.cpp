@@ -6,7 +6,8 @@ namespace wr {
 
 namespace {
 
-// Bit pattern of valid content. Erased memory and empty memory do not contain this pattern.
+// Bit pattern of valid content. Memory in which all bits are 0 or all bits are 1 does not contain
+// this pattern.
 constexpr std::uint32_t kRetainedMark = 0x96C3'0000;
 constexpr std::uint32_t kMarkBits = 0xFFFF'0000;
 constexpr std::uint32_t kByte = 0xFF;

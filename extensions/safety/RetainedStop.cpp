@@ -4,7 +4,8 @@ namespace wr {
 
 namespace {
 
-// The two values differ in all bits. Erased memory and empty memory contain neither value.
+// The two values differ in all bits. Memory in which all bits are 0 or all bits are 1 contains
+// neither value.
 constexpr std::uint32_t kStopped = 0x5AC3'3C69;
 constexpr std::uint32_t kReleased = 0xA53C'C396;
 

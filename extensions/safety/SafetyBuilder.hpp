@@ -24,7 +24,8 @@ namespace wr {
 /// @brief The builder of a single control system that contains the robot and its safety functions.
 ///
 /// @function Calls each step of the builders of the robot's control systems. Wraps the safety
-/// functions around these control systems. Forwards each tick to these control systems.
+/// functions around these control systems. Forwards each tick of the second timer to these control
+/// systems.
 ///
 /// @secret Which safety functions wrap the robot, and in which sequence.
 ///
@@ -32,8 +33,8 @@ namespace wr {
 /// @role{steering-system-construction, Concrete Builder}
 class SafetyBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Builders of the robot, and devices of its safety functions. All must exist as long as
-  /// this builder.
+  /// @brief Builders of the robot, and devices of its safety functions. All these objects must
+  /// exist as long as this builder.
   /// @datatype
   struct Parts {
     std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels

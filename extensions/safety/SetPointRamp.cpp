@@ -14,7 +14,8 @@ namespace {
 // the robot drives 0.85 m/s.
 constexpr std::int32_t kMaxChangePerCycle = 176;  // [0.1 rpm] in a cycle
 
-// The voltage also falls by 2.4 V per cycle when a wheel is stopped.
+// The greatest change towards 0 is equal to the change for a wheel that is stopped: 2.4 V per
+// cycle.
 constexpr Tension kMaxRisePerCycle(1000);  // [mV] away from 0
 constexpr Tension kMaxFallPerCycle(2400);  // [mV] towards 0
 
@@ -29,7 +30,7 @@ constexpr std::int32_t kScaleRise = 10;       // [0.001] increase of the factor 
 // In a curve the tyres make the outer wheels faster than ordered. Therefore the greatest permitted
 // set-point depends on the steering angle.
 constexpr std::int32_t kStraight =
-    100;  // [0.01 degree] up to this angle the robot drives straight on
+    100;  // [0.01 degree] up to this angle the full velocity is permitted
 constexpr std::int32_t kCurveAngle = 500;  // [0.01 degree]
 constexpr std::int32_t kTightestAngle = SystemConstants::instance().steeringLimit().count();
 constexpr std::int32_t kFastStraight = SystemConstants::instance().velocityLimit().count();

@@ -35,13 +35,13 @@ class SetPointRamp final : public OrderStageDecorator {
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Halts the wheels and holds the steering. The next set-points of velocity begin at 0.
+  /// @brief Halts the wheels and holds the steering. The next ramp of a velocity begins at 0.
   /// @param cycle number of the cycle
   /// @satisfies FR-282
   /// @isr{no}
   void stand(std::uint32_t cycle) override;
 
-  /// @brief Forwards the acknowledgement. The next set-points of velocity begin at 0.
+  /// @brief Forwards the acknowledgement. The next ramp of a velocity begins at 0.
   /// @param cycle number of the cycle
   /// @satisfies FR-282
   /// @isr{no}
@@ -59,7 +59,7 @@ class SetPointRamp final : public OrderStageDecorator {
   std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
   // [0.1 rpm] Magnitude of the velocity of each wheel in the previous cycle.
   std::array<std::int32_t, kWheelCount> velocities_{};
-  // [0.001] Factor of all set-points. It falls while a wheel is too fast.
+  // [0.001] Factor of all set-points. This factor falls while a wheel is too fast.
   std::int32_t share_ = 1000;
 };
 

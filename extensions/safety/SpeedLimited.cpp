@@ -8,8 +8,8 @@ namespace wr {
 
 namespace {
 
-// Factors for the permitted change of the voltage in a cycle: the rounded gains of the velocity
-// control.
+// Factors for the permitted change of the voltage in a cycle. Their values are the rounded gains of
+// the velocity control.
 constexpr std::int32_t kPerVelocity = 21;      // [mV] for each rpm below the speed limit
 constexpr std::int32_t kPerAcceleration = 47;  // [mV] for each rpm of change in a cycle
 constexpr std::int32_t kTenths = 10;
