@@ -17,7 +17,7 @@ class Pace final {
   /// @brief Greatest delay that is compensated.
   static constexpr Clock::duration kLate = std::chrono::milliseconds(20);
 
-  /// @brief Starts at time 0 of the robot.
+  /// @brief Starts the synchronisation at time 0 of the robot.
   /// @param now returns the time of the computer's clock
   /// @param sleepUntil sleeps until a time of the computer's clock
   explicit Pace(std::function<Clock::time_point()> now = &Clock::now,

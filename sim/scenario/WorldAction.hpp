@@ -14,7 +14,7 @@
 namespace wr::scenario {
 
 /// @brief Actions on the robot and its surroundings. All actions of a scenario are actions of this
-/// kind, except the actions of the PC, the action mark and the expectations.
+/// kind, except the actions of the PC, the action 'mark' and the expectations.
 namespace world {
 
 /// @brief Moves the sticks. Without a value, switches the transmitter off.
