@@ -66,7 +66,7 @@ class GlossaryLinks:
                 at = text.find(words, at + 1)
 
     def _stands_alone(self, text: str, at: int, words: str) -> bool:
-        """Returns true if ``words`` is at the beginning of a word and not a part of a longer term."""
+        """Returns true if ``words`` begins with a new word and is not a part of a longer term."""
         if at and NO_START.match(text, at - 1):
             return False
         return not any(text.startswith(term, at - offset) for term, offset in self.longer[words])

@@ -57,7 +57,7 @@ from traceability.schema import (
 )
 
 HIGH_LEVEL = "High-level diagram"
-ANY = "*"  # user in an allowed use that design/uses.toml permits to each logic module
+ANY = "*"  # name in design/uses.toml that means every logic module
 # Order of the families of roles in the list of roles on the page of a pattern application.
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")
 EXAMPLE = "FR-15"  # requirement that the first page shows as an example

@@ -53,7 +53,7 @@ def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
 
 
 def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
-    """Returns statements about the invocation tree, each with its truth value: the tree is declared,
+    """Returns statements about the invocation tree, each with true or false: the tree is declared,
     the tree is possible, the tree was executed on a target.
     """
     nodes = portal.flat(requirement.tree) if requirement.tree else []
