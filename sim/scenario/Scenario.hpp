@@ -91,7 +91,7 @@ class Scenario {
 
   struct Step {
     Time at;
-    int line;  ///< line of the text
+    int line;  ///< number of the line in the text
     Action action;
   };
 

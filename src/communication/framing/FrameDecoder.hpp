@@ -37,7 +37,7 @@ class FrameDecoder final {
   /// @brief Processes the bytes that the caller has written to the beginning of the storage. Only
   /// the last of these bytes may be zero.
   /// @param number number of these bytes, at least 1
-  /// @return result of these bytes
+  /// @return whether these bytes end a frame, and whether this frame has an error
   /// @pre The bytes fit into the storage.
   /// @isr{no}
   /// @satisfies FR-40
