@@ -10,7 +10,7 @@ namespace wr::programs {
 
 /// @brief The options of a program that runs in a campaign.
 struct CampaignOptions {
-  std::string image;       ///< content of the flash
+  std::string image;       ///< file with the content of the flash
   std::string elf;         ///< ELF file of the firmware image, with its symbols
   std::uint64_t seed = 1;  ///< chooses the cases
   int count = 1;           ///< number of cases
@@ -18,7 +18,7 @@ struct CampaignOptions {
   /// @brief Adds the options of a campaign to the options of a program.
   /// @param app options of the program
   void addTo(CLI::App& app) {
-    app.add_option("--image", image, "content of the flash from address 0")
+    app.add_option("--image", image, "file with the content of the flash from address 0")
         ->required()
         ->type_name("PATH")
         ->check(CLI::ExistingFile);

@@ -17,7 +17,7 @@ class Pace final {
   /// @brief Greatest delay that is compensated.
   static constexpr Clock::duration kLate = std::chrono::milliseconds(20);
 
-  /// @brief Starts at time 0 of the robot.
+  /// @brief Starts the synchronisation at time 0 of the robot.
   /// @param now returns the time of the computer's clock
   /// @param sleepUntil sleeps until a time of the computer's clock
   explicit Pace(std::function<Clock::time_point()> now = &Clock::now,
@@ -27,7 +27,7 @@ class Pace final {
   /// @param time time since the start of the robot
   void waitFor(Clock::duration time);
 
-  /// @brief Returns the duration in which the simulated time did not advance.
+  /// @brief Returns the sum of all delays that were greater than kLate.
   [[nodiscard]] Clock::duration lost() const { return lost_; }
 
  private:
@@ -39,7 +39,7 @@ class Pace final {
   Clock::duration lost_{};
 };
 
-/// @brief Prints the duration in which the simulated time did not advance. Prints nothing for 0.
+/// @brief Prints the sum of all delays that were not compensated. Prints nothing if the sum is 0.
 /// @param pace pace of the run that has ended
 /// @param output receives the text
 void printLost(const Pace& pace, std::FILE* output);

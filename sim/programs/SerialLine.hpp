@@ -8,7 +8,8 @@
 
 namespace wr::programs {
 
-/// @brief A serial line to a port of the robot, on this computer. No call blocks.
+/// @brief The end of a serial line on this computer. The other end is a serial port of the robot.
+/// No call of a method blocks.
 class SerialLine {
  public:
   SerialLine() = default;

@@ -73,8 +73,10 @@ struct Settings {
 
 void addImageOptions(CLI::App& app, Settings& settings) {
   const std::string group = "Image";
-  app.add_option("--image", settings.image,
-                 "content of the flash from address 0, as arm-none-eabi-objcopy -O binary makes it")
+  app.add_option(
+         "--image", settings.image,
+         "file with the content of the flash from address 0, as arm-none-eabi-objcopy -O binary "
+         "makes it")
       ->required()
       ->type_name("PATH")
       ->group(group);
@@ -143,7 +145,8 @@ void addLineOptions(CLI::App& app, Settings& settings) {
              settings.levels.push_back(digitalSignalOf(text));
            }
          },
-         "level at a pin from outside, e.g. PTC6=0 [open]; may be repeated")
+         "level that is applied to a pin from outside the board, e.g. PTC6=0 [open]; may be "
+         "repeated")
       ->type_name("PIN=0|1")
       ->group(group);
 }
@@ -183,7 +186,7 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
       ->group(group);
   CLI::Option* const scenario = app.add_option(
       "--scenario", settings.scenario,
-      "play this scenario in stepped time, as fast as possible, without PC link [none]");
+      "play this scenario as fast as possible, not in real time, without PC link [none]");
   CLI::Option* const reports = app.add_option(
       "--reports", settings.reports,
       "write each report of the scenario to this file, as comma-separated values [none]");
@@ -250,7 +253,7 @@ emulator::Options boardOptions(const Settings& settings) {
           .unmodelledIsFinding = settings.unmodelled == "stop"};
 }
 
-/// @brief The running board, without a robot or in the simulated robot.
+/// @brief The running board, without a robot or connected to the simulated robot.
 class Machine {
  public:
   explicit Machine(const Settings& settings) {
@@ -282,8 +285,8 @@ class Machine {
   std::optional<emulator::VirtualBoard> alone_;
 };
 
-// Returns true if the run is complete. The run is complete when its time has passed, or when its
-// last cycle ends before the next slice.
+// Returns true if the run is complete. The run is complete when its time has passed, or when the
+// next slice could reach the clock pulse that ends its last cycle.
 bool hasRun(Machine& machine, const Settings& settings) {
   const nanoseconds now = machine.board().now();
   if (settings.seconds != 0 &&
@@ -340,7 +343,8 @@ class Outside {
     }
   }
 
-  /// @brief Creates the symbolic link and prints the name of the serial line. Does this only once.
+  /// @brief Creates the symbolic link and prints the name of the serial line. Further calls do
+  /// nothing.
   void announce(const Settings& settings, bool robot) {
     if (line() == nullptr || link_) {
       return;
@@ -448,8 +452,8 @@ Exit runAsAsked(Machine& machine, const Settings& settings, Outside& outside) {
   return runBoard(machine, settings, outside);
 }
 
-// Runs the board under a debugger. For each step back, starts another run of the board from the
-// beginning.
+// Runs the board under a debugger. When the debugger steps back in time, starts another run of the
+// board from the beginning.
 Exit runDebugged(const Settings& settings) {
   catchEndRequests();
   const std::unique_ptr<SerialLine> door = openLine("tcp:" + std::to_string(settings.gdb));
@@ -521,7 +525,9 @@ int main(int count, char** arguments) try {
   wr::programs::Settings settings;
   CLI::App app(
       "Runs a raw firmware image for a K64 (MK64FN1M0) on the virtual board, in real time. The\n"
-      "board is alone, or in the simulated robot. The run stops at the first finding.",
+      "board runs without a robot, or connected to the simulated robot. The run stops at the "
+      "first\n"
+      "finding.",
       "weeding_robot_board");
   wr::programs::addImageOptions(app, settings);
   wr::programs::addLineOptions(app, settings);

@@ -16,7 +16,8 @@ namespace wr::programs {
 
 namespace {
 
-// Prints a result as one line of JSON. No text has a character that must be escaped in JSON.
+// Prints a result as one line of JSON. The printed texts contain no character that must be escaped
+// in JSON.
 void print(const faults::Result& result) {
   std::printf(
       R"({"kind": "%s", "at": %d, "place": %u, "bit": %u, "value": %d, "pc": %u, "outcome": "%s", )"
@@ -26,10 +27,10 @@ void print(const faults::Result& result) {
       result.fault.bit, result.fault.value, result.pc,
       std::string(nameOf(result.verdict.outcome)).c_str(), result.verdict.safeAfter,
       result.verdict.wrongFor, result.stop.c_str());
-  std::fflush(stdout);  // a later copy of this process must not print this text again
+  std::fflush(stdout);  // otherwise a process that is forked later prints the text again
 }
 
-// A case of the record. It consists of a fault, and of the time in the drive at which the fault is
+// A case that the option --case repeats: a fault, and the time in the drive at which the fault is
 // injected [ms].
 struct Case {
   int at;
@@ -71,9 +72,8 @@ int main(int count, char** arguments) try {
   std::vector<std::array<std::int64_t, 4>> cases;
   app.add_option(
          "--case", cases,
-         "repeat one fault; --only names its kind; NUMBERS are the values of at, place, bit "
-         "and value in\n"
-         "its line of JSON; may be repeated")
+         "repeat one fault; --only names its kind; NUMBERS are the values of 'at', 'place', 'bit'\n"
+         "and 'value' in its line of JSON; may be repeated")
       ->type_name("NUMBERS")
       ->needs(kinds);
   return wr::programs::runProgram(app, count, arguments, [&] {

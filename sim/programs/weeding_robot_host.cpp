@@ -46,7 +46,7 @@ void addOptions(CLI::App& app, Settings& settings) {
                      "end after this number of control cycles of 100 ms [until Ctrl-C]");
   auto* const scenario = app.add_option(
       "--scenario", settings.scenario,
-      "play this scenario in stepped time, as fast as possible, without PC link [none]");
+      "play this scenario as fast as possible, not in real time, without PC link [none]");
   auto* const reports =
       app.add_option("--reports", settings.reports,
                      "write each report of the scenario to this file, as comma-separated values "

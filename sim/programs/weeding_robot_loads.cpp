@@ -51,11 +51,12 @@ constexpr std::array<EdgePin, 11> kEdgePins{{{'D', 0},
                                              {'B', 19},
                                              {'B', 23}}};
 constexpr nanoseconds kCyclePeriod = std::chrono::milliseconds(100);
-constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // time before the clock pulse
+constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // begin before the clock pulse
 constexpr nanoseconds kNoiseAfter = std::chrono::milliseconds(8);
-constexpr int kShortestLevel = 20;  // [us]
-constexpr int kLongestLevel =
-    240;  // [us]; noise with these levels reaches the limit of FR-201 in each tick
+// Duration of a level of a noisy input [us]. Levels of at most 240 us cause so many edges in each
+// tick that the limit of FR-201 is reached.
+constexpr int kShortestLevel = 20;
+constexpr int kLongestLevel = 240;
 
 // A robot with random orders, random bytes from the PC, and random surroundings.
 class LoadedRobot {

@@ -7,7 +7,7 @@
 
 namespace wr::scenario {
 
-/// @brief A true value of the simulated robot. No sensor measures this value.
+/// @brief A true value of the simulated robot. It does not contain the errors of the sensors.
 struct TruthField {
   std::string_view name;
   /// Reads the value. If a field of the protocol contains a measurement of this value, the field

@@ -48,8 +48,8 @@ struct FrameLimit {
   std::int32_t limit = 0;
 };
 
-/// @brief Reads a number in little-endian order. Missing bytes are 0, because the sender may have
-/// fewer fields.
+/// @brief Reads a number in little-endian order. Bytes beyond the end of the frame
+/// count as 0, because an older sender may not have the last fields.
 /// @param body a frame without its CRC
 /// @param offset position of the number in the payload
 /// @param value receives the number

@@ -25,7 +25,8 @@ enum class ResetKind : std::uint8_t {
   Power  ///< the supply was off; memory loses its content
 };
 
-/// @brief A robot in stepped time. The caller has the role of the PC on the serial line.
+/// @brief A robot whose time advances only when the caller runs the robot, for example with
+/// runUntil(). The caller has the role of the PC on the serial line.
 class RobotSession {
  public:
   /// @brief Time since the robot was switched on.

@@ -31,15 +31,15 @@ namespace wr::scenario {
 ///     at 900 expect velocity0 between 490 510
 ///     at 61000 end
 ///
-/// The actions of the PC are: connect (sends Hello, and Confirm as soon as the Welcome is
-/// received); arm (connects, then sends one neutral order in each of thirteen cycles, which takes
-/// 1.5 s); hello; confirm; keepalive; order with any of 'steering N', 'velocity N', 'tension N',
-/// 'current N' (one number for all wheels, or four numbers, one for each wheel), 'stop' and
-/// 'acknowledge'; replay (sends the bytes of the last order again); bytes with pairs of hexadecimal
-/// digits. Orders are numbered from 1.
+/// The actions of the PC are: 'connect' (sends Hello, and Confirm as soon as the Welcome is
+/// received); 'arm' (connects, then sends one neutral order in each of thirteen cycles, which takes
+/// 1.5 s); 'hello'; 'confirm'; 'keepalive'; 'order' with any of 'steering N', 'velocity N',
+/// 'tension N', 'current N' (one number for all wheels, or four numbers, one for each wheel),
+/// 'stop' and 'acknowledge'; 'replay' (sends the bytes of the last order again); 'bytes' with pairs
+/// of hexadecimal digits. The first order has the number 1, and each further order the next number.
 ///
 /// The actions on the robot and its surroundings (actions of the world) are listed at
-/// readWorldAction(). The action mark restarts the measurement of the fields 'way' and
+/// readWorldAction(). The action 'mark' restarts the measurement of the fields 'way' and
 /// 'max_velocity'.
 ///
 /// 'seed N' selects the noise. With 'plant varied', the seed also selects the parameters of the
@@ -91,7 +91,7 @@ class Scenario {
 
   struct Step {
     Time at;
-    int line;  ///< line of the text
+    int line;  ///< number of the line in the text
     Action action;
   };
 

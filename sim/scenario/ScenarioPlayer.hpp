@@ -99,7 +99,7 @@ class ScenarioPlayer {
   Bytes order_;      // the last order, as sent
   std::vector<Pending> pending_;
   bool confirms_ = false;  // true: the PC answers the next Welcome with Confirm
-  int at_ = 0;             // line in the text of the scenario
+  int at_ = 0;             // number of the line in the text of the scenario
   std::size_t next_ = 0;   // next step of the scenario
   bool ended_ = false;
   Outcome outcome_;

@@ -43,7 +43,7 @@ class Words {
   /// @param name name of the word in an error message
   std::string take(const std::string& name);
 
-  /// @brief Reads an expected word.
+  /// @brief Reads the next word, which must be the given word.
   void skip(const std::string& word);
 
   /// @brief Reads the next word if it is the given word.

@@ -14,7 +14,7 @@
 namespace wr::scenario {
 
 /// @brief Actions on the robot and its surroundings. All actions of a scenario are actions of this
-/// kind, except the actions of the PC, the action mark and the expectations.
+/// kind, except the actions of the PC, the action 'mark' and the expectations.
 namespace world {
 
 /// @brief Moves the sticks. Without a value, switches the transmitter off.
@@ -75,14 +75,15 @@ using WorldAction =
 
 /// @brief Reads an action of the world.
 ///
-/// rc velocity N steering N; rc off; rc enable stop|pc|drive|stop-pc|pc-drive; rc failsafe
-/// none|hold|neutral; rc tremor MICROSECONDS; rc coincident on|off; slope PERCENT; grip PERCENT;
-/// noise on|off; estop press, estop press brake, estop release; plant nominal|varied; plant
-/// PARAMETER VALUE; clock lost|back; reset; reset power; fault and repair with a fault:
+/// The actions are: rc velocity N steering N; rc off; rc enable stop|pc|drive|stop-pc|pc-drive; rc
+/// failsafe none|hold|neutral; rc tremor MICROSECONDS; rc coincident on|off; slope PERCENT; grip
+/// PERCENT; noise on|off; estop press; estop press brake; estop release; plant nominal|varied;
+/// plant PARAMETER VALUE; clock lost|back; reset; reset power; fault FAULT; repair FAULT.
 ///
-/// hall W, hall-a W, hall-b W, hall-swapped W, hall-misplaced W DEGREES, hall-glitches W RATE,
-/// hall-losses W RATE, leads W, block W, current W, current-open W, current-stuck W, current-offset
-/// W MA, angle, angle-open, angle-stuck, angle-drift RATE, stall, left-end, right-end.
+/// FAULT is one of these faults (W is the number of a wheel): hall W, hall-a W, hall-b W,
+/// hall-swapped W, hall-misplaced W DEGREES, hall-glitches W RATE, hall-losses W RATE, leads W,
+/// block W, current W, current-open W, current-stuck W, current-offset W MA, angle, angle-open,
+/// angle-stuck, angle-drift RATE, stall, left-end, right-end.
 /// @param word first word of the action
 /// @param words the words after the first word
 /// @return the action; nothing if no action of the world begins with the word

@@ -1,4 +1,6 @@
-"""Writes the table of frames as C++ for the scenarios and for the test of the firmware's layout."""
+"""Writes the table of frames as C++: a header for the scenarios, and a file for the test of the
+layout in the firmware.
+"""
 
 from __future__ import annotations
 
@@ -133,7 +135,7 @@ def table() -> str:
 
 
 def firmware() -> str:
-    """Returns a table of the firmware's names and their numbers, which a test includes."""
+    """Returns a C++ table of names in the firmware and their numbers. A test includes the table."""
     names = {f"FrameType::{one.name}": one.kind for one in FRAMES.frames.values()}
     for enumeration in FRAMES.enumerations.values():
         names |= {entry.firmware: entry.number for entry in enumeration.entries}

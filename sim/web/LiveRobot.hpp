@@ -27,7 +27,7 @@ class LiveRobot {
     std::vector<std::uint32_t> functions;  ///< addresses of the functions whose calls are recorded
     std::string scenario;                  ///< text of the scenario
     std::string name;                      ///< name of the scenario in messages
-    bool resetsAreFindings = true;         ///< a reset that the program causes stops the run
+    bool resetsAreFindings = true;         ///< true: a reset that the program causes stops the run
     bool verifies = false;  ///< true: all events are traced, and the table of reports is written
   };
 
@@ -54,10 +54,11 @@ class LiveRobot {
     std::uint64_t awake = 0;   ///< cycles in which the processor did not sleep
     std::uint32_t hash =
         0;  ///< hash of the calls; two cycles with the same calls have the same hash
-    bool truncated = false;        ///< further calls were not recorded
+    bool truncated = false;        ///< true: the cycle had more calls than were recorded
     std::vector<Switch> switches;  ///< in the order of time
-    /// Last call of each function since the start, in the order of Setup::functions. The call may
-    /// be missing in `calls`, because equal calls of an interrupt are recorded only once.
+    /// Last call of each function since the start, in the order of Setup::functions. The call
+    /// may be missing in `calls`: if several interrupts make the same calls in a cycle, `calls`
+    /// contains only the calls of the first of these interrupts.
     std::vector<LastCall> lastCalls;
   };
 
@@ -88,11 +89,12 @@ class LiveRobot {
   /// @brief Returns the last control cycle that has ended.
   [[nodiscard]] const Cycle& cycle() const { return cycle_; }
 
-  /// @brief Returns the number of entries of each function, in the order of Setup::functions. In a
-  /// cycle, equal calls of one interrupt are counted only once.
+  /// @brief Returns the number of calls of each function, in the order of Setup::functions. If
+  /// several interrupts make the same calls in a cycle, these calls are counted once.
   [[nodiscard]] const std::vector<std::uint32_t>& entries() const { return entries_; }
 
-  /// @brief Returns the bytes that were on the serial line since the last call.
+  /// @brief Returns the bytes that the PC and the robot have sent since the last call of this
+  /// method.
   [[nodiscard]] std::vector<RecordedLine::Piece> takePieces() { return line_.takePieces(); }
 
   /// @brief Returns all events of the board; empty without Setup::verifies.

@@ -34,7 +34,7 @@ class RecordedLine final : public scenario::RobotSession {
     return robot_.finding();
   }
 
-  /// @brief Returns the pieces since the last call, oldest first.
+  /// @brief Returns the pieces that were recorded since the last call, oldest first.
   [[nodiscard]] std::vector<Piece> takePieces();
 
  private:

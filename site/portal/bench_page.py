@@ -56,8 +56,8 @@ def bench(portal: Portal) -> dict[str, Any]:
 
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
-    """Returns the target [ms] for the cycle time, and the ratio of two times: the time that was
-    measured with the model of the slow flash, and the target.
+    """Returns two values: the target [ms] for the cycle time, and the time that was measured with
+    the model of the slow flash, divided by this target.
     """
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)

@@ -19,7 +19,8 @@ LABEL = 205  # space for a vertical label of a pin of the robot
 SHORT = 112  # space for a short vertical label
 MARGIN = 8
 PLACE = re.compile(r"(J\d+)-(\d+)")
-# Supply pins. The firmware does not use them, but step 7 of the page needs them.
+# Supply pins. The firmware does not use them, but the reader needs them for the measurements in
+# step 7 of the page that contains this drawing.
 SUPPLY = {"J3-8": "3.3 V", "J3-12": "ground", "J3-14": "ground"}
 # For each part of the robot: a pattern that matches the text of its pins, the name of the part, and
 # the CSS class of its colour.
@@ -89,8 +90,8 @@ class Used:
 
     @property
     def label(self) -> str:
-        # A signal in capital letters is the name of a peripheral; such a name does not help a
-        # reader, and the label is then the effect.
+        # A signal in capital letters is the name of a peripheral. Because this name does not help a
+        # reader, the label shows the effect of the pin instead.
         named = self.signal.islower()
         return self.signal.replace("_", " ") if named else self.effect.rstrip(".")
 
@@ -148,7 +149,7 @@ def _legend(used: dict[str, Used]) -> Markup:
 def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
     left = MARGIN + row.left * PITCH
     wide = len(row.pins) * PITCH
-    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # one name for both rows of a header
+    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # only one row shows the name
         yield Markup('<text x="{}" y="{}" class="b">{}</text>').format(
             left + wide + 2, row.top + SIZE + 4, row.header
         )

@@ -67,7 +67,7 @@ class Drawing:
 
 class CallGraph:
     """Callers of each method. A call of an abstract method is also recorded as a call of each
-    override that it can reach.
+    override that the call can execute.
     """
 
     def __init__(self, model: Model, links: Links) -> None:
@@ -90,8 +90,8 @@ class CallGraph:
                     ends.append(End(caller, call.virtual, link))
 
     def _add_nested(self, method: Method, model: Model) -> None:
-        """Adds the callers that are not methods of a module: nested classes, and constants whose
-        initial values call the method.
+        """Adds the callers that are not methods of a module: nested classes, and constants that
+        are initialised by a call of the method.
         """
         ends = self.callers.setdefault(method.id, [])
         known = {end.method for end in ends}

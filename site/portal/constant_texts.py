@@ -8,7 +8,8 @@ from portal.links import Links
 from traceability.model.design_model import Model
 from traceability.schema import Constant
 
-# Unit in the code -> number of these units in the unit that a page shows, and the shown unit.
+# Unit in the code -> (number, unit on a page): one unit on a page is this number of units in the
+# code.
 SHOWN = {
     "0.01 degree": (100, "degree"),
     "0.1 rpm": (10, "rpm"),
@@ -19,7 +20,7 @@ SHOWN = {
     "mOhm": (1000, "ohm"),
     "1/1000": (1000, ""),
 }
-# Unit -> number of these units in the larger unit, and the larger unit. A text shows the larger
+# Unit -> (number, larger unit): one larger unit is this number of units. A text shows the larger
 # unit when the value is a whole number of larger units.
 LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
 

@@ -185,8 +185,8 @@ def report_time(shown_cycle: Cycle) -> tuple[int, int]:
 def bars_of(
     portal: Portal, shown_cycle: Cycle, lanes: list[Lane], first: int, last: int
 ) -> list[Bar]:
-    """Returns a bar for each call from the clock pulse to the end of the main thread. A call is a
-    row below its caller.
+    """Returns a bar for each call from the clock pulse to the end of the main thread. Each bar is
+    one row below the bar of the caller.
     """
     scale = WIDTH / (last - first)
     activations = shown_cycle.recording.activations

@@ -80,9 +80,10 @@ LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
 
 EDGE = 4  # space below the lowest label
 
-# If no text line of a label is longer [characters], the states are drawn from left to right.
+# If each text line of the labels has at most this number of characters, the states are drawn from
+# left to right.
 SHORT_LABEL = 40
-LONG_LABEL = 12  # below an event with more characters, the action has a separate text line
+LONG_LABEL = 12  # if the event has more characters, the action is below it
 
 # (role of the first class, role of the second class, kind of arrow). An arrow is drawn from the
 # first class to the second class only if the first class uses the second class.

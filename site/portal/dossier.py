@@ -21,7 +21,7 @@ class Sheet:
     verdict: Verdict
     nodes: list[tuple[int, TreeNode]]
     tests: list[Test]
-    changes: list[str]  # texts that differ from the baseline
+    changes: list[str]  # texts that have changed since their baseline
 
 
 def sheet_of(portal: Portal, requirement: Requirement) -> Sheet:

@@ -24,8 +24,8 @@ def write_fonts(folder: Path) -> None:
 
 
 def opentype(woff: bytes) -> bytes:
-    """Converts the content of a WOFF file to an OpenType font. Its tables are the same, but not
-    compressed.
+    """Converts the content of a WOFF file to an OpenType font. The tables of the font do
+    not change, but they are not compressed.
     """
     _, flavour, _, count = struct.unpack_from(WOFF_HEADER, woff)
     log = count.bit_length() - 1

@@ -66,17 +66,16 @@ class GlossaryLinks:
                 at = text.find(words, at + 1)
 
     def _stands_alone(self, text: str, at: int, words: str) -> bool:
-        """Returns true if the words begin at this position and are not a part of a longer term."""
+        """Returns true if ``words`` begins with a new word and is not a part of a longer term."""
         if at and NO_START.match(text, at - 1):
             return False
         return not any(text.startswith(term, at - offset) for term, offset in self.longer[words])
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
-    """Returns three values: the text of the page in lower case, without the elements in which no
-    term is linked; the position at which each part of this text starts; and for each part the
-    distance from this position to the position of the part on the page. Each removed element
-    separates two parts.
+    """Returns the text of the page in lower case, without the elements in which no term is linked.
+    The removed elements divide the text into parts. Also returns two lists with a number for each
+    part: its position in the text, and the distance from there to its position on the page.
     """
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:

@@ -49,8 +49,8 @@ def highlighted_lines(path: str, text: str) -> list[str]:
 
 
 class Highlighter:
-    """Highlights files below a root. The result of a file is cached by its content and by the
-    version of Pygments.
+    """The highlighted files below the folder ``root``. The result of a file is stored in a cache,
+    and computed again only if the content of the file or the version of Pygments has changed.
     """
 
     def __init__(self, root: Path, cache: Path) -> None:

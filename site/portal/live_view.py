@@ -188,7 +188,7 @@ def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, A
 
 def in_registers(signature: str) -> list[list[str]]:
     """Returns the name and the kind of each parameter. The list ends before the first parameter
-    whose type has no kind, because it may not be in a register.
+    whose type has no kind, because this parameter can be in memory instead of a register.
     """
     match = SIGNATURE.match(signature)
     if not match or kind_of(match["result"]) is None:
@@ -218,8 +218,8 @@ def address(link: str | None) -> str:
 
 
 def entered_by_hardware(model: Model) -> set[str]:
-    """Returns the functions that no code calls. The hardware enters them through the vector table
-    of the firmware image.
+    """Returns the functions outside classes that no code calls. The hardware enters these functions
+    through the vector table of the firmware image.
     """
     methods = [m for module in model.modules.values() for m in module.methods]
     called = {call.target for method in methods for call in method.calls}
@@ -228,7 +228,9 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
-    """Returns the address and the number of each method in a firmware image, sorted by address."""
+    """Returns the address of each method in a firmware image, and the number of the method in
+    ``numbers``, sorted by address.
+    """
     elf = root / file_of(name, ".elf")
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
 
@@ -264,7 +266,7 @@ def tree(
     node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
 ) -> dict[str, Any]:
     """Returns a declared invocation tree for the page. Each node lists the numbers of some
-    methods: a recorded call of one of these methods is a call of this node.
+    methods: a recorded call of one of these methods matches the node.
     """
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
     accepted = [] if method is None else [method.id] if method.body else over.get(method.id, [])

@@ -114,7 +114,8 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
     """Returns the modules, sorted: first the module with the most silent faults. Among modules with
-    the same number of silent faults, the module with the most faults comes first.
+    the same number of silent faults, the module with the most faults comes first. A silent fault
+    makes the outputs wrong, but causes no reset and no fault in a report.
     """
     return sorted(
         modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])

@@ -12,7 +12,7 @@ from traceability.schema import Method, Module
 
 FIRST_TESTS = 12  # number of tests that the page of a module shows without a click
 XML = "build/model/xml"
-# The member documentation that Breathe generates replaces this comment.
+# In the page, the member documentation that Breathe generates replaces this HTML comment.
 MEMBERS = "<!-- members -->"
 
 

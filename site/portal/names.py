@@ -44,7 +44,7 @@ KEPT = ("mod", "meth", "logic", "req", "safety", "pat", "change", "test", "check
 
 
 def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str) -> Markup:
-    """Returns a link, or plain text in the same style when there is no target."""
+    """Returns a link, or plain text in the same style if ``address`` is ``None``."""
     classes = f' class="{escape(kind)}"' if kind else ""
     if address is None:
         return Markup(f"<span{classes}>{escape(text)}</span>")

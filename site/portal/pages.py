@@ -57,7 +57,7 @@ from traceability.schema import (
 )
 
 HIGH_LEVEL = "High-level diagram"
-ANY = "*"  # in an allowed use: each logic module may use the target
+ANY = "*"  # name in design/uses.toml that means every logic module
 # Order of the families of roles in the list of roles on the page of a pattern application.
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")
 EXAMPLE = "FR-15"  # requirement that the first page shows as an example

@@ -87,7 +87,9 @@ def filled(step: str, change: LikelyChange) -> str:
 
 
 def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
-    """Returns the clauses of the pattern, and the checks that every new module must pass."""
+    """Returns the checks that a new module must pass when this change is made: the checks for every
+    new module, and the clauses of the pattern.
+    """
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]

@@ -264,7 +264,7 @@ class Portal:
         )
 
     def modules_of(self, context: ExecutionContext) -> list[str]:
-        """Returns the design modules that a context may reach."""
+        """Returns the modules of the design whose methods a context may execute."""
         names = dict.fromkeys(method.partition("::")[0] for method in context.methods)
         return [name for name in names if not self.model.modules[name].datatype]
 

@@ -53,7 +53,9 @@ def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
 
 
 def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
-    """Returns the results of the tree: declared, possible, and executed on each target."""
+    """Returns statements about the invocation tree, each with true or false: the tree is declared,
+    the tree is possible, the tree was executed on a target.
+    """
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     possible = all(node.reachable for _, node in nodes)
     targets = portal.model.results_hashes

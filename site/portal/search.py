@@ -19,8 +19,9 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text and address of an entry, and then more search words. For an answer, these
-# are the words that readers type. For another entry, these are the words of its text.
+# Group, key, title, text and address of an entry, and then more search words. The search words of
+# an answer are the words that readers type; the search words of another entry are the words of its
+# text.
 Entry = tuple[str, ...]
 ANSWERS = "Answers"
 # Group of entries -> the kind in Sphinx's inventory.

@@ -146,8 +146,8 @@ class GeneratedPages:
         write_changed(self.frame, frame)
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
-        """Returns the pages of modules whose body or layout is newer than the written page. Sphinx
-        writes these pages again.
+        """Returns the pages of modules that Sphinx must write again, because their body or layout
+        is newer than the written page.
         """
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]

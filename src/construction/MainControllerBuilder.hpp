@@ -128,8 +128,8 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildModes();
 
-  /// @brief Builds the reading mode PC for a product without other modes. A change of
-  /// the mode leads to PC again.
+  /// @brief Builds the reading mode PC for a product without other modes. A change of the mode
+  /// leads from PC to PC, because there is no other mode.
   /// @pre The link is built.
   /// @errors If a part is missing, the program ends with the assertion PartMissing. If modes are
   /// already built, the program ends with PartBuiltTwice.

@@ -154,8 +154,8 @@ void liveReport() {
   module().bytes = module().robot->player().report().value_or(Bytes());
 }
 
-/// Stores the bytes that were on the serial line since the last call. Each piece has its time in us
-/// (8 bytes), its sender (1: the PC), its length (4 bytes) and its bytes.
+/// Stores the bytes that the PC and the robot have sent since the last call of this function. Each
+/// piece has its time in us (8 bytes), its sender (1: the PC), its length (4 bytes) and its bytes.
 void liveLine() {
   Bytes& bytes = module().bytes;
   bytes.clear();
@@ -201,7 +201,7 @@ std::uint32_t liveCallsHash() {
   return module().robot->cycle().hash;
 }
 
-/// Returns the number of entries of each function.
+/// Returns the number of calls of each function since the start.
 const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }

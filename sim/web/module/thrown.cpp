@@ -1,5 +1,5 @@
-// This WebAssembly module has no exceptions. A throw ends the module, and the page then reads the
-// text of the exception.
+// This WebAssembly module cannot catch exceptions. A throw ends the module, and the page then reads
+// the text of the exception.
 #include "sim/web/module/thrown.hpp"
 
 #include <cstddef>

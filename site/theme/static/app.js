@@ -173,7 +173,7 @@
     silent = false;
   function hide() {
     clearTimeout(timer);
-    const back = card && card.contains(document.activeElement) ? owner : null; // the focus was in the card
+    const back = card && card.contains(document.activeElement) ? owner : null; // the link gets the focus that the card had
     if (card) card.remove();
     if (owner) owner.removeAttribute("aria-details");
     card = owner = null;
@@ -449,7 +449,7 @@
 
   /* a column that contains mostly numbers is aligned to the right, also its heading */
   const NUMBER = /^[-+−]?\d[\d.\s]*(?:%|[mµn]?s|[kM]?B|bytes|m?V|m?A|rpm|m|°|cycles)?$/;
-  const MOSTLY = 0.8; // least share of cells with numbers
+  const MOSTLY = 0.8; // least share of a column's cells that are numbers
   all(".main table:not(.umx, .dot)").forEach((table) => {
     const heads = [...(table.tHead ? table.tHead.rows[0].cells : [])];
     const rows = all("tbody tr", table).filter((row) => row.cells.length === heads.length);
@@ -483,7 +483,7 @@
       .map((node) => node.textContent)
       .join("")
       .trim();
-  const CONTENTS = 3; // number of sections from which a page gets a table of contents
+  const CONTENTS = 3; // least number of sections of a page that gets a table of contents
   if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
     const list = document.createElement("nav");
     list.className = "contents";
@@ -495,7 +495,7 @@
       })
       .join("")}</details>`;
     one(".shell").append(list);
-    const beside = !one(".main.wide, .pa, .embed"); // these elements need the full width
+    const beside = !one(".main.wide, .pa, .embed"); // beside these elements there is no space for the table of contents
     one(".shell").classList.toggle("beside", beside);
     one("details", list).open = beside && matchMedia("(min-width: 1241px)").matches;
   }

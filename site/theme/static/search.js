@@ -1,5 +1,5 @@
 /* The search. It uses MiniSearch for the entries of search_index.js, and for the phrases that readers type when they
-   look for these entries. The page loads the scripts on first use.
+   look for these entries. The page loads this script and MiniSearch when the reader first uses the search.
    1. MiniSearch finds the words of the index that a typed word can mean. The typed word may be only the beginning of a
       word, or contain a typing error.
    2. MiniSearch finds the phrases and the entries that contain these words.
@@ -52,20 +52,20 @@
   const LENGTHS = [0, 4, 6]; // [n]: least number of letters of a word with n typing errors
   const FEW = 3; // a word with at most this number of letters keeps its ending
   const LONG = 6; // greatest number of words of a phrase; a longer text is handled as a list of single words
-  const MIDDLE = 0.7; // share of a list of single words that the query is assumed to cover
+  const MIDDLE = 0.7; // for a list of single words, the score uses this share instead of the covered share
   const CLOSE = 0.5; // exponent of the share of a phrase that the query covers
   const WHOLE = 3; // exponent of the share of the query that an entry contains
   const [PHRASE, WORDS, LIBRARY] = [2, 3, 0.7]; // weights of the parts of a score
   const EQUAL = 0.5; // added to the score of a phrase that is equal to the query
   const NAMED = 6; // added to the score of an entry if its name or number is in the query
-  const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weights of the words of an entry
-  const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields for MiniSearch
-  const COMMON = 60; // words in far fewer entries than this number count as equally rare
+  const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weight of a word of an entry, by the field that contains the word
+  const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields in the score of MiniSearch
+  const COMMON = 60; // words that are in far fewer entries than this count as almost equally rare
   const QUOTED = 4; // least number of words of a message that the query contains in the same order
-  const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // entries of other groups have the same names
-  const WRITTEN = new Set(["Data types", "Source"]); // found by name only if the query has no space
-  const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // their texts are second titles
-  const PARTS = new Set(["Explanations", "Sections"]); // sections; their phrases also contain the title of the page
+  const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // groups whose entries are not found by name, because entries of other groups have the same names
+  const WRITTEN = new Set(["Data types", "Source"]); // groups whose entries are found by name only if the query has no space
+  const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // groups in which the text of an entry is a second title
+  const PARTS = new Set(["Explanations", "Sections"]); // groups of sections: the phrase of a section also contains the title of its page
   const BEST = 3; // number of hits that are shown before the groups
   const LEAST = 0.3; // least score of a hit, as a share of the best score
   const MOST = 400; // greatest number of hits
@@ -254,7 +254,7 @@
   /* Returns true if a query quotes a message. Most words of the query must be in the message, in the same order. The
      other words can be values, such as file names, that the message contained. */
   function isQuoted(message, query) {
-    let lengths = message.map(() => 0); // of the longest common sequence that ends at or before each word
+    let lengths = message.map(() => 0); // for each word of the message: length of the longest common sequence up to this word
     for (const word of query) {
       let before = 0;
       const next = [];
@@ -301,7 +301,7 @@
     const hits = [...matches, ...absent.map((id) => ({ id, match: {}, score: 0 }))].map(({ id, match, score: own }) => {
       const [group, , title] = entries[id];
       const terms = Object.keys(match);
-      const contained = exact.has(id) ? 1 : shareOf(terms, (term) => PLACES[match[term][0]]); // the first field has most weight
+      const contained = exact.has(id) ? 1 : shareOf(terms, (term) => PLACES[match[term][0]]); // match[term] lists the fields with the term; the first field has the greatest weight
       const isNamed = group === "Messages" ? isQuoted(pieces(title), all) : exact.has(id);
       const score = PHRASE * (near.get(id) || 0) + WORDS * contained ** WHOLE + (LIBRARY * own) / most;
       const weight = weightOf(id) * (asked.has(group) ? ASKED : 1);

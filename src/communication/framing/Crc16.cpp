@@ -12,11 +12,12 @@ namespace {
 constexpr std::size_t kBytes = 256;
 using Table = std::array<std::uint16_t, kBytes>;
 
-// Returns the CRC remainder of each byte that can be shifted out of the check sum. The polynomial
-// is x^16 + x^12 + x^5 + 1: the byte is added (exclusive or) at the bit positions 12, 5 and 0. At
-// position 12 its upper 4 bits overflow, and these bits are therefore shifted out a second time. In
-// this file the two bytes of a check sum are swapped. Thus the byte that is shifted out next is the
-// lowest byte, and the code does not have to move it.
+// Returns the CRC remainder of each byte that can be shifted out of the check sum. Because the
+// polynomial is x^16 + x^12 + x^5 + 1, the remainder is the sum (exclusive or) of the byte at the
+// bit positions 12, 5 and 0. The upper 4 bits of the byte at position 12 do not fit into 16 bits.
+// Therefore these bits are shifted out, too, and added in the same way. In this file the two bytes
+// of a check sum are swapped. Thus the next byte to shift out is always the lowest byte, and the
+// code does not have to move this byte.
 consteval Table remainders() {
   Table table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {
@@ -28,8 +29,8 @@ consteval Table remainders() {
 
 constexpr Table kRemainders = remainders();
 
-// Returns a table of CRC remainders. `other` is the table for a byte before n more bytes. The
-// result is the table for a byte before n + 1 more bytes.
+// Returns a table of CRC remainders. `other` is the table for a byte that n more bytes follow. The
+// result is the table for a byte that n + 1 more bytes follow.
 consteval Table beforeByte(const Table& other) {
   Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {

@@ -23,7 +23,8 @@ class ConnectionState {
   ConnectionState(const ConnectionState&) = delete;
   ConnectionState& operator=(const ConnectionState&) = delete;
 
-  /// @brief Answers a Hello. There is no default, because every state answers a Hello.
+  /// @brief Answers a Hello. There is no default implementation, because every state
+  /// answers a Hello.
   /// @param connection the connection that received the frame
   /// @isr{no}
   virtual void hello(PcConnection& connection) = 0;

@@ -57,8 +57,8 @@ class OrderMessage final : public Serializable {
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:
-  static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field Commands that acknowledges
-                                                   // latched faults
+  static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field Commands that is 1 if
+                                                   // the order acknowledges the latched faults
 
   SetPoints setPoints_{};
   std::uint8_t commands_ = 0;

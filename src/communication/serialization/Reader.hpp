@@ -16,8 +16,8 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// @brief Returns whether an order can be read. It must be the newest order of this source,
-  /// complete, not read before, and not older than the lifetime of an order.
+  /// @brief Returns whether an order can be read. This is true if the newest order of this source is
+  /// complete, was not read before, and is not older than the lifetime of an order.
   /// @return true when an order can be read
   /// @isr{no}
   [[nodiscard]] virtual bool available() const = 0;

@@ -57,8 +57,8 @@
 
   /* Returns the row numbers of the nodes of an invocation tree, or null if the rows do not contain the tree. The
      calls of the children must be inside the call of the parent, in the declared order. A call that an interrupt made
-     meanwhile is not a call of the parent. The call of a posted command may also follow after the call of the parent.
-     */
+     meanwhile is not a call of the parent. The call of a posted command may also begin after the call of the parent has
+     ended. */
   function embed(tree, rows) {
     function fit(node, start, stop, activation) {
       for (let index = start; index < stop; index += 1) {

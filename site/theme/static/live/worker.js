@@ -222,7 +222,8 @@ function run() {
   tick();
 }
 
-/* Runs without pauses until a time of the robot [ms]. A link to an instant and the time line use this function. */
+/* Runs without pauses until a time of the robot [ms]. The page requests this when the reader opens a link to an instant
+   or moves the slider of the time line. */
 function seek(time) {
   let wanted = time;
   const end = performance.now() + 60000;
@@ -296,7 +297,7 @@ function argumentsOf({ method, registers }) {
 }
 
 /* Returns the name of the firmware image that contains the most of the given modules. If several images contain
-   equally many, the function prefers the paper's design, then the default product. */
+   the same number of these modules, the function prefers the paper's design, then the default product. */
 function imageWith(modules) {
   const modulesOf = (one) => new Set(one.functions.map(([, method]) => ownerOf(method)));
   const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
