@@ -21,7 +21,7 @@ constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 // constant do not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
 constexpr std::int32_t kModelToleranceDivisor = 3;  // 1/3 of the voltage is added to the tolerance
-constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of successive cycles
+constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of doubtful cycles in a row
 
 // Value of the model while the model has no velocity.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
