@@ -22,7 +22,8 @@ enum class Role : std::uint8_t {
   Peripheral   ///< pin of a peripheral
 };
 
-/// @brief Connection of a pin inside the microcontroller: the number of its alternative function.
+/// @brief Internal unit to which a pin is connected: the number of the alternative function of the
+/// pin.
 /// @datatype
 enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 
