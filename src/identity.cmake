@@ -1,6 +1,7 @@
 # Writes the C++ file OUTPUT, which defines the identity of the firmware: the version VERSION, the build id, and the
-# schema hash. The build id is the first 8 hexadecimal digits of the SHA-256 of all files in src and extensions. The
-# interpreter PYTHON computes the schema hash from design/frames.toml.
+# schema hash. The build id is the first 8 hexadecimal digits of the SHA-256 of a list: each line of the list contains
+# the name and the SHA-256 of one file in src or extensions. The interpreter PYTHON computes the schema hash from
+# design/frames.toml.
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/src/* ${SOURCE_DIR}/extensions/*)
 list(SORT files)
 set(digests "")

@@ -85,7 +85,8 @@ foreach(folder IN LISTS folders)
 endforeach()
 file(GENERATE OUTPUT ${map} CONTENT "${rules}")
 
-# The target firmware is the whole robot. The target extensions contains the extensions of all its variants.
+# The target `firmware` contains all logic modules of src except the drivers and the start-up code. The target
+# `extensions` contains all logic modules of the folder extensions, with the same exceptions.
 add_library(firmware INTERFACE)
 target_link_libraries(firmware INTERFACE ${src_modules})
 add_library(extensions INTERFACE)

@@ -107,8 +107,8 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   /// @satisfies FR-78
   void useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms);
 
-  /// @brief Returns the handler of the interrupts of the Hall sensors.
-  /// @return the handler; it exists as long as the builder
+  /// @brief Returns the object that handles the interrupts of the Hall sensors.
+  /// @return Hall sensors of the wheel; the object exists as long as the builder
   /// @pre buildSensors() was called.
   /// @errors If the sensors are not built, the program ends with the assertion PartMissing.
   /// @isr{yes}

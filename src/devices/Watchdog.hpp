@@ -11,8 +11,8 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  /// @brief Restarts the time-out of the watchdog. Only a completed control cycle may call this
-  /// function.
+  /// @brief Restarts the time-out of the watchdog. The caller calls this function only when a
+  /// control cycle has been completed.
   /// @isr{no}
   virtual void refresh() = 0;
 

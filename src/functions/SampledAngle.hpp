@@ -18,7 +18,7 @@ class SampledAngle final : public Function {
 
   /// @brief Calculates the angle, rounded to the nearest integer.
   /// @param arguments Raw: sum of the samples; Scale: factor of the sensor; Divisor and Offset:
-  /// parameters for this number of samples
+  /// parameters that are proportional to the number of samples
   /// @return angle [0.01 degree]; nothing when an argument is missing
   /// @isr{yes}
   /// @satisfies FR-129

@@ -10,9 +10,9 @@ namespace wr {
 
 namespace {
 
-// The clock of the converters is the bus clock divided by 8. The other clock sources of the
-// converters are not the same in all microcontrollers of the family. The calibration needs a slow
-// clock. Therefore it runs before the PLL is started.
+// The clock of the converters is the bus clock divided by 8. No other clock source of the
+// converters is used, because the other sources are not the same in all microcontrollers of the
+// family. The calibration needs a slow clock. Therefore it runs before the PLL is started.
 constexpr std::uint32_t kDivider = 8;
 constexpr std::uint32_t kMinClock = 1'000'000;                                         // [Hz]
 constexpr std::uint32_t kMaxCalibrationClock = 4'000'000;                              // [Hz]
@@ -28,7 +28,7 @@ static_assert(kClock >= kMinClock && kClock <= kMaxClock,
 // A sample takes 40 clock periods of the converter: 20 until the sampled voltage is equal to the
 // voltage of the pin, and 20 for the conversion. A result is the mean of four samples.
 // A result takes 22 us, including some bus clocks. One converter computes at most three results in
-// a tick. They take a small part of the tick.
+// a tick. These results take a small part of the tick.
 constexpr auto kConfiguration =
     adc::CFG1_ADICLK_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
 
@@ -39,7 +39,7 @@ constexpr auto kConfiguration =
 // takes 30 periods, the reads take less than 45 ms.
 constexpr std::uint32_t kMaxPolls = 30'000;
 static_assert(kMaxPolls * 6 > 14'000 * kDivider,
-              "a calibration takes less time than the fastest reads");
+              "even the fastest kMaxPolls reads take longer than a calibration");
 
 }  // namespace
 

@@ -84,9 +84,9 @@ class K64Adc final : public AnalogInput {
   /// @brief Sets up all converters and calibrates them at the same time. Waits less than 45 ms for
   /// the end of each calibration.
   /// @param converters the converters
-  /// @pre The clock gates of the converters are open. The core still uses the slow clock after
-  /// reset, because the full clock is too fast for a calibration. The interrupts of the converters
-  /// are not enabled yet.
+  /// @pre The clock gates of the converters are open. The core still uses the slow clock with which
+  /// it starts after a reset, because the full clock is too fast for a calibration. The interrupts
+  /// of the converters are not enabled yet.
   /// @post If the calibration of a converter failed or did not end in time, this converter never
   /// converts.
   /// @isr{no}

@@ -26,7 +26,7 @@ void K64Timebase::start() {
         return time.microseconds * K64Board::kTicksPerMicrosecond == std::uint64_t{15} << 32U &&
                time.ticks == 0;
       }(),
-      "after 15 periods, the fractions of a microsecond have become whole microseconds");
+      "15 periods of the counter are a whole number of microseconds");
   K64Pit::switchOn();
   pit::TCTRL.at(kChannel).write({0});
   pit::LDVAL.at(kChannel).write({kFirst});
@@ -42,7 +42,8 @@ std::uint32_t K64Timebase::awakeCycles() const {
 }
 
 // The interrupts are blocked during the sleep and until the counter has been read. Thus the
-// interrupt that ends the sleep is handled later, and its cycles do not count as sleep.
+// handler of the interrupt that ends the sleep runs later, and the cycles of this handler do not
+// count as sleep.
 void K64Timebase::sleep() {
   closeInterrupts();
   const std::uint32_t before = dwt::CYCCNT.read().value;

@@ -10,7 +10,8 @@ namespace wr {
 
 namespace {
 
-// The baud rate is clock / (16 * (divider + fine / 32)), in which clock is the clock of the port.
+// The baud rate is clock / (16 * (divider + fine / 32)). Here, `clock` is the frequency of the
+// clock of the port.
 struct Divisor {
   std::uint32_t divider;
   std::uint32_t fine;

@@ -88,8 +88,8 @@ class K64Uart final : public SerialPort {
       dropUpTo(place + 1);
       return element;
     }
-    // Returns the position of the next element to read. A position is the number of elements
-    // written before this element since start.
+    // Returns the position of the next element to read. The position of an element is the number
+    // of elements that were written earlier since start.
     [[nodiscard]] std::size_t first() const { return load(read_); }
     // Returns the position after the last element.
     [[nodiscard]] std::size_t end() const { return load(written_); }

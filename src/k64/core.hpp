@@ -12,8 +12,9 @@ using Priority = std::uint8_t;
 /// wrong by 1 us, the ordered steering angle is wrong by 0.06 degrees.
 inline constexpr Priority kPulsePriority = 1;
 
-/// @brief Priority of the interrupt that records the times of the Hall edges. It is higher than
-/// kInterruptPriority. Thus the interrupts of the other devices do not delay this interrupt.
+/// @brief Priority of the interrupt that records the times of the Hall edges. This priority is
+/// higher than kInterruptPriority. Thus the interrupts of the other devices do not delay this
+/// interrupt.
 inline constexpr Priority kEdgePriority = 2;
 
 /// @brief Priority of the interrupts of all devices other than the remote control and the Hall
@@ -23,8 +24,8 @@ inline constexpr Priority kInterruptPriority = 3;
 /// @brief Priority of the thread of the main controller.
 inline constexpr Priority kMainThreadPriority = 12;
 
-/// @brief Priority of the threads of the wheels. It is higher than the priority of the thread of
-/// the main controller.
+/// @brief Priority of the threads of the wheels. This priority is higher than the priority of the
+/// thread of the main controller.
 inline constexpr Priority kWheelThreadPriority = 8;
 
 /// @brief Waits until all stores to memory and to registers are complete.

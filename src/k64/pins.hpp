@@ -22,7 +22,8 @@ enum class Role : std::uint8_t {
   Peripheral   ///< pin of a peripheral
 };
 
-/// @brief Connection of a pin inside the microcontroller: the number of its alternative function.
+/// @brief Internal unit to which a pin is connected: the number of the alternative function of the
+/// pin.
 /// @datatype
 enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 
@@ -63,8 +64,8 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
     {{Port::C, 14, Mux::Alt3, Role::PulledUp}, "UART4_RX", "J199, Bluetooth", "Bytes from the remote client."},
     {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199, Bluetooth", "Bytes to the remote client."},
-    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low switches the light on: no control cycles run. In the product weeding_robot_warning: a warning, too."},
-    {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low switches the light on: control cycles run."},
+    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low switches the light on. The light shows that no control cycles run. In the product weeding_robot_warning it also shows a warning."},
+    {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low switches the light on. The light shows that control cycles run."},
     {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "Voltage of the front left wheel."},
     {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "Voltage of the front right wheel."},
     {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "Voltage of the rear left wheel."},
@@ -73,10 +74,10 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::C, 17, Mux::Gpio, Role::LowOutput}, "wheel_fr_orientation", "J1-4", "High turns the front right wheel backwards."},
     {{Port::B, 9, Mux::Gpio, Role::LowOutput}, "wheel_rl_orientation", "J1-6", "High turns the rear left wheel backwards."},
     {{Port::A, 2, Mux::Gpio, Role::LowOutput}, "wheel_rr_orientation", "J1-12", "High turns the rear right wheel backwards."},
-    {{Port::C, 5, Mux::Gpio, Role::LowOutput}, "wheel_fl_enable", "J1-15", "High lets current into the front left wheel."},
-    {{Port::C, 7, Mux::Gpio, Role::LowOutput}, "wheel_fr_enable", "J1-13", "High lets current into the front right wheel."},
-    {{Port::C, 11, Mux::Gpio, Role::LowOutput}, "wheel_rl_enable", "J4-10", "High lets current into the rear left wheel."},
-    {{Port::B, 20, Mux::Gpio, Role::LowOutput}, "wheel_rr_enable", "J4-9", "High lets current into the rear right wheel."},
+    {{Port::C, 5, Mux::Gpio, Role::LowOutput}, "wheel_fl_enable", "J1-15", "High enables the motor driver of the front left wheel."},
+    {{Port::C, 7, Mux::Gpio, Role::LowOutput}, "wheel_fr_enable", "J1-13", "High enables the motor driver of the front right wheel."},
+    {{Port::C, 11, Mux::Gpio, Role::LowOutput}, "wheel_rl_enable", "J4-10", "High enables the motor driver of the rear left wheel."},
+    {{Port::B, 20, Mux::Gpio, Role::LowOutput}, "wheel_rr_enable", "J4-9", "High enables the motor driver of the rear right wheel."},
     {{Port::C, 8, Mux::Gpio, Role::LowOutput}, "steering_step", "J1-7", "Each pulse turns the steering by one step."},
     {{Port::C, 9, Mux::Gpio, Role::LowOutput}, "steering_direction", "J1-9", "High turns the steering to the left."},
     {{Port::C, 0, Mux::Gpio, Role::LowOutput}, "steering_enable", "J1-11", "High switches the steering motor on."},

@@ -116,7 +116,7 @@ class MainController {
 
   /// @brief Orders the control systems to follow the set-points that were read last. If the last
   /// order is an order to acknowledge, the control systems do not move. They release latched faults
-  /// if all set-points of this order are neutral.
+  /// if this order is neutral.
   /// @post The control systems are held if there are no set-points or if a stop is in force.
   /// @satisfies FR-14
   /// @satisfies FR-21

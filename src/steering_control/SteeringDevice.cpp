@@ -19,7 +19,7 @@ constexpr std::int32_t kWholeStep = kTicksPerSecond;
 
 constexpr std::int32_t kRateChange =
     SystemConstants::instance().steeringAcceleration() / kTicksPerSecond;
-static_assert(kRateChange > 0, "the motor must reach its rate");
+static_assert(kRateChange > 0, "the rate must change by at least 1 step/s in each tick");
 
 // The motor has its current at most 50 ms after its driver was switched on.
 constexpr std::int32_t kSettlingTicks = kTicksPerSecond / 20;

@@ -67,7 +67,8 @@ struct SetPoints {
   std::uint16_t orderId = 0;  ///< number that the sender has given to the order
   Angle steering{};           ///< angle of the steering device
   std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
-  bool acknowledge = false;  ///< true: a neutral order releases latched faults; it moves nothing
+  bool acknowledge = false;  ///< true: the order moves nothing; if the order is neutral, it
+                             ///< releases latched faults
   bool repeated = false;     ///< true: the order was read in an earlier cycle and is still in force
   std::uint32_t sentAt = 0;  ///< time at which the order was sent, by the sender's clock [ms]
 

@@ -47,8 +47,8 @@ using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
   return Microseconds(count * 1000);
 }
 
-/// @brief Point in time [us since start]. The number is so large that it never overflows in the
-/// life of a robot.
+/// @brief Point in time [us since start]. The number has 64 bits, and therefore does not overflow
+/// in the life of a robot.
 /// @datatype
 class Instant {
  public:

@@ -77,7 +77,8 @@ void Wheel::enableDriver(Trip permitted) {
   if (trip_.load() == permitted) {
     enable_.set(true);
   }
-  if (trip_.load() != permitted) {  // the interrupt may have come before the driver was switched on
+  // The overcurrent trip may have acted between the first check and the enabling of the driver.
+  if (trip_.load() != permitted) {
     enable_.set(false);
   }
 }

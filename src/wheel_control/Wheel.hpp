@@ -27,7 +27,7 @@ class Wheel final {
   /// @brief Binds the wheel to the outputs of its driver. At this time the outputs are at their
   /// safe levels: the driver is off, and the orientation is forwards.
   /// @param pwm sets the duty cycle
-  /// @param orientation output that is on for backwards
+  /// @param orientation output that is on when the motor shall turn backwards
   /// @param enable output that is on to enable the driver
   Wheel(PwmOutput& pwm, DigitalOutput& orientation, DigitalOutput& enable);
 
@@ -86,7 +86,7 @@ class Wheel final {
     None,      ///< the trip has not acted
     Tripped,   ///< the trip has acted: the driver is off
     Decaying,  ///< the driver is off, and stop() was called once after the trip
-    Braking,   ///< the driver is on, without voltage
+    Braking,   ///< the driver is on with the duty cycle 0: the motor brakes
     Off        ///< the trip acted again while the motor braked: the driver stays off
   };
 

@@ -10,15 +10,15 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kMinEffortTension(2000);  // a wheel is expected to turn at a higher voltage
+constexpr Tension kMinEffortTension(2000);  // above this voltage a wheel is expected to turn
 constexpr std::int32_t kMaxEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
-constexpr Tension kMovingTension(3200);     // an order of this voltage moves the robot on the flat
+constexpr Tension kMovingTension(3200);     // this voltage moves the robot on level ground
 constexpr Tension kStartingTension(14000);  // a voltage that starts a wheel on any slope
-constexpr std::int32_t kWeakShare = 16;     // a voltage that the current explains counts with 1/16
-constexpr std::int32_t kStrongShare = 8;    // above kStartingTension it counts with 1/8
+constexpr std::int32_t kWeakShare = 16;     // a blocked motor adds 1/16 of its voltage to effort_
+constexpr std::int32_t kStrongShare = 8;    // above kStartingTension it adds 1/8
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kJitter = 1;  // greatest change of the count if only one sensor works
-constexpr Tension kReversal(500);    // a reversal with a smaller demand does not count as waiting
+constexpr std::int32_t kJitter = 1;  // greatest change of the Hall count if only one sensor works
+constexpr Tension kReversal(500);    // a reversal with a smaller demand is not monitored
 constexpr std::uint8_t kMaxReversalWait = 20;  // cycles for which a reversal may wait
 constexpr Microseconds kSameCycle = milliseconds(50);
 
@@ -97,7 +97,8 @@ bool WheelController::reversalLate() const {
 }
 
 // Detects a wheel that has voltage but shows no motion. On a slope, a wheel with the velocity order
-// 0 may have voltage without motion. Therefore the voltage of such a wheel does not count.
+// 0 may have voltage without motion. Therefore the voltage of such a wheel is not added to
+// effort_.
 void WheelController::watchMotion(const WheelSetPoint& setPoint,
                                   const WheelMeasurements& measured) {
   const HallCount position = measured.position.value_or(HallCount());
@@ -115,9 +116,8 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint,
 }
 
 // Returns the share of a voltage that is added to effort_ while the wheel shows no motion. A motor
-// that turns
-// undetected draws less current than a motor that its load keeps at rest. Therefore only a small
-// part of the voltage of a motor with much current counts.
+// that turns undetected draws less current than a motor that its load keeps at rest. Therefore only
+// a small part of the voltage is added if the motor draws much current.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension,
                                      Current current) const {
   const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kMovingTension;

@@ -68,9 +68,9 @@ class WheelController final {
   /// @isr{no}
   void halt();
 
-  /// @brief Stops a wheel whose overcurrent trip has acted: no voltage is applied. All values that
-  /// control stores are cleared. If this method is called twice in a control cycle, the second call
-  /// does not stop the wheel again.
+  /// @brief Stops a wheel whose overcurrent trip has acted: no voltage is applied. The stored
+  /// values of the algorithms and the applied voltage are cleared. If this method is called twice
+  /// in a control cycle, the second call does not stop the wheel again.
   /// @satisfies FR-89
   /// @satisfies FR-221
   /// @isr{no}

@@ -163,7 +163,8 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
 }
 
 /// @brief The second timer ticks from the start on. At each tick, it executes the commands of the
-/// wheels and the steering. Both commands request a sample.
+/// wheels and the steering. The command of a wheel and the command of the steering each
+/// request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();

@@ -13,8 +13,8 @@ extern const std::uint32_t stackBottom[];
 extern const std::uint32_t stackTop[];
 
 /// @brief Records the fault, and ends the firmware.
-/// @param frame registers that the core has pushed on the stack; this address is outside the stack
-/// if the stack has overflowed
+/// @param frame address of the registers that the core has pushed on the stack; if the stack has
+/// overflowed, this address is outside the stack
 [[noreturn, gnu::used]] void endOfProgram(const std::uint32_t* frame) {
   constexpr std::size_t kProgramCounter = 6;  // index in the exception frame [word]
   constexpr std::size_t kFrame = 8;           // [word]
@@ -59,8 +59,8 @@ extern const std::uint32_t stackTop[];
 namespace wr {
 
 void assertionFailed(AssertId id) {
-  // A return address is odd, because bit 0 of each code address is 1. The address 3 bytes before it
-  // is even and inside the call instruction.
+  // A return address is odd, because bit 0 of each code address is 1. The return address minus
+  // 3 is even, and is an address inside the call instruction.
   const auto after = reinterpret_cast<std::uint32_t>(__builtin_return_address(0));
   K64Board::endWithFault(FaultKind::Assertion, static_cast<std::uint16_t>(id), after - 3);
 }

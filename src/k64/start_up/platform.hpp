@@ -77,9 +77,9 @@ struct RcEdges {
 /// @isr{yes}
 RcEdges enterRcInterrupt();
 
-/// @brief Returns whether an edge of a first Hall sensor waits for the handler of its interrupt.
-/// All Hall sensors share this interrupt.
-/// @return true if an edge of the first Hall sensor of a wheel is not acknowledged yet
+/// @brief Returns whether the first Hall sensor of any wheel has an edge that the handler of the
+/// interrupt has not acknowledged yet. All Hall sensors share this interrupt.
+/// @return true if at least one wheel has such an edge
 /// @isr{yes}
 [[nodiscard]] bool hallEdgeWaits();
 
@@ -89,7 +89,8 @@ RcEdges enterRcInterrupt();
 void allowEdges();
 
 /// @brief Opens the clock gates of the devices and calibrates the converters.
-/// @pre The core still uses the clock after reset: the full clock is too fast for the calibration.
+/// @pre The core still uses the slow clock with which it starts after a reset, because the full
+/// clock is too fast for the calibration.
 /// @isr{no}
 void calibrateConverters();
 

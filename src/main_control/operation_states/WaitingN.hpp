@@ -7,8 +7,8 @@ namespace wr {
 /// @brief The last waiting state: N reads in a row failed.
 ///
 /// @function Waits one more cycle for an order of the present source. When a message arrives, sets
-/// the state Working. When the read fails, starts the search for another source. Meanwhile the
-/// control systems follow the set-points that were read last.
+/// the state Working. If no message arrives in this cycle, starts the search for another source.
+/// Meanwhile the control systems follow the set-points that were read last.
 ///
 /// @secret The action that follows when the last wait brings no message.
 ///

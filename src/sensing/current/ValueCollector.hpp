@@ -58,8 +58,8 @@ class ValueCollector final {
   void collect(std::uint16_t raw);
 
   /// @brief Returns the record of the samples, up to the last complete group of 8.
-  /// @return the record, which does not change before the next call; it is empty before the eighth
-  /// sample after the samples of the zero
+  /// @return the record, which does not change before the next call; it is empty until 8 samples
+  /// have followed the 64 samples for the zero
   /// @pre Only the thread of the wheel calls this function.
   /// @isr{no}
   /// @satisfies FR-125
@@ -79,7 +79,7 @@ class ValueCollector final {
 
   Command& overcurrent_;
   const Timebase& timebase_;
-  std::int32_t learned_ = 0;   // number of samples in zero_ during the calibration
+  std::int32_t learned_ = 0;   // number of samples in the sum zero_ during the calibration
   std::int32_t zero_ = 0;      // sum of samples during the calibration, then the zero
   bool plausible_ = false;     // the zero is computed and plausible
   std::int32_t least_ = 0;     // least sample that is not too high

@@ -9,7 +9,8 @@
 
 namespace wr {
 
-/// @brief Record of the Hall edges of a wheel. All numbers are counted from start and can overflow.
+/// @brief Record of the Hall edges of a wheel. A step is an edge at which exactly one of the two
+/// levels changed. All numbers are counted from start and can overflow.
 /// A reader subtracts two records to get the edges between them.
 /// @datatype
 struct HallRecord {

@@ -84,8 +84,8 @@ class VelSensor final {
   /// @brief Returns the velocity when no edge came since the previous measurement.
   [[nodiscard]] Velocity withoutEdges(Instant now);
 
-  /// @brief Computes a limited velocity. The limit is the velocity of a wheel that caused one more
-  /// edge in the same time. A faster wheel would have caused this edge.
+  /// @brief Computes a limited velocity. The limit is the velocity at which one more edge would
+  /// have come in the same time. A faster wheel would have caused this additional edge.
   [[nodiscard]] Velocity bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const;
 
   SensorCollector& collector_;

@@ -38,9 +38,9 @@ class DirState {
   explicit DirState(SteeringState id);
   ~DirState() = default;
 
-  /// @brief Leaves a state in which the motor is on, if necessary, and switches the motor off. If
-  /// orders no longer arrive, the next state is off. Otherwise, if the steering cannot be
-  /// controlled, the next state is fault.
+  /// @brief Checks whether a state in which the motor is on must be left. If orders no longer
+  /// arrive, switches the motor off and sets the state off. Otherwise, if the steering cannot be
+  /// controlled, switches the motor off and sets the state fault.
   /// @param controller controller whose state changes
   /// @param off state that follows when orders no longer arrive
   /// @param fault state that follows when a fault occurs

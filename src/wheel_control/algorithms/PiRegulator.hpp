@@ -17,8 +17,8 @@ struct PiGains {
 /// @brief A regulator that reduces an error to zero.
 ///
 /// @function Computes a voltage from the present error and from the integral, which is the sum of
-/// the errors. If a voltage that could not be applied explains an error, the error is not added to
-/// the integral.
+/// the errors. If the difference between the calculated and the applied voltage explains an error,
+/// the error is not added to the integral.
 ///
 /// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt
 /// are stored, and how a changed bit in the memory of the integral is corrected. With a wrong
@@ -55,9 +55,9 @@ class PiRegulator final {
   /// @isr{no}
   Tension regulate(std::int32_t error);
 
-  /// @brief Records the voltage that is missing at the wheel in the cycle that begins. If the
-  /// missing voltage explains the error of this cycle, the error is not added to the integral. A
-  /// missing voltage of less than 0.1 V does not explain an error.
+  /// @brief Records the missing voltage of the cycle that begins: the calculated voltage minus the
+  /// applied voltage. If the missing voltage explains the error of this cycle, the error is not
+  /// added to the integral. A missing voltage of less than 0.1 V does not explain an error.
   /// @param shortfall calculated minus applied voltage [mV]
   /// @satisfies FR-301
   /// @isr{no}

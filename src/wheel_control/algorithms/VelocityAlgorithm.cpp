@@ -21,14 +21,15 @@ constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 // constant do not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
 constexpr std::int32_t kModelToleranceDivisor = 3;  // 1/3 of the voltage is added to the tolerance
-constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of successive cycles
+constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of doubtful cycles in a row
 
 // Value of the model while the model has no velocity.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
-// Returns a part of a deviation. The processor divides numbers of more than 32 bits slowly.
-// Therefore the thousands of the deviation and the remainder are computed separately. The products
-// fit into 32 bits, because a set-point and a measured velocity have at most 16 bits.
+// Returns a part of the deviation of the model from the set-point. The processor divides numbers of
+// more than 32 bits slowly. Therefore the thousands of the deviation and the remainder are computed
+// separately. The products fit into 32 bits, because a set-point and a measured velocity have at
+// most 16 bits.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
   return deviation / kThousand * thousandths + deviation % kThousand * thousandths / kThousand;
 }

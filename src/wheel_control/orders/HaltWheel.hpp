@@ -21,8 +21,9 @@ class HaltWheel final : public WheelOrder {
   /// @param wheel wheel with the overcurrent trip
   HaltWheel(WheelController& controller, Wheel& wheel);
 
-  /// @brief Stops the wheel. An order to release ends the latched faults of the controller. This
-  /// order also ends an overcurrent trip, if the velocity of the wheel is known and below 40 rpm.
+  /// @brief Stops the wheel. If the release of faults is ordered, ends the latched faults of the
+  /// controller. In this case also ends an overcurrent trip, if the velocity of the wheel is known
+  /// and below 40 rpm.
   /// @param work contains the order to release; receives the applied voltage and the faults of the
   /// wheel
   /// @satisfies FR-88

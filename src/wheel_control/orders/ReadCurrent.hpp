@@ -19,7 +19,7 @@ class ReadCurrent final : public WheelOrder {
  public:
   /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the current
-  /// @param controller returns the value that it uses
+  /// @param controller returns the current that the controller uses
   ReadCurrent(CntSensor& sensor, WheelController& controller);
 
   /// @brief Reads the current.

@@ -19,7 +19,7 @@ class ReadVelocity final : public WheelOrder {
  public:
   /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the velocity
-  /// @param controller returns the value that it uses
+  /// @param controller returns the velocity that the controller uses
   ReadVelocity(VelSensor& sensor, WheelController& controller);
 
   /// @brief Reads the velocity.

@@ -81,8 +81,8 @@ TEST(FrameDecoder, FR41_AFrameWithOneWrongBitIsDamaged) {
   }
 }
 
-/// @brief A frame counts as damaged in two cases: its COBS code points beyond the end of the frame,
-/// or the code ends before the end of the frame.
+/// @brief A frame counts as damaged if one of its COBS code bytes points beyond the end of the
+/// frame. The wrong code byte may be the first byte, or the last byte before the zero byte.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   FrameDecoder decoder;
