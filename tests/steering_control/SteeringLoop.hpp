@@ -39,7 +39,7 @@ struct SteeringPlant {
 /// broken cable.
 class FakeAngleInput final : public AnalogInput {
  public:
-  /// @brief Binds the converter to the mechanics.
+  /// @brief Connects the converter to the mechanics whose angle it measures.
   FakeAngleInput(const SteeringPlant& plant, unsigned seed) : plant_(plant), random_(seed) {}
 
   [[nodiscard]] std::optional<std::uint16_t> sample() override {

@@ -69,8 +69,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief If the wheel is not slow and turns against the demand in a cycle, the count of slow
-/// cycles restarts.
+/// @brief A cycle in which the wheel is not slow and turns against the demand sets the count of
+/// slow cycles to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {

@@ -147,8 +147,8 @@ TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A sensor at the end of its range causes another trip immediately when the wheel brakes.
-/// The driver is then off.
+/// @brief If the current sensor stays at the end of its range, another trip occurs as soon as the
+/// wheel brakes. The driver is then off.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   pass(true, kTooMuch);
