@@ -63,8 +63,8 @@ def only_one(root: Path, command: str) -> Iterator[None]:
 
 @contextmanager
 def outliving() -> Iterator[None]:
-    """Lets programs that start in this context continue after the command. The browser is such a
-    program."""
+    """Lets programs, such as the browser, continue after the end of the command if they are started
+    inside the ``with`` block."""
     owner = os.environ.pop(HOLDER, None)
     try:
         yield
