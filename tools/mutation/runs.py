@@ -99,8 +99,8 @@ def _pattern(test: str) -> str:
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """Returns a test without a result from the suite whose name was printed last. A fault can end
-    the process in the set-up of a suite, before a test begins.
+    """Returns a test without a result from the suite whose name was printed last. This test is
+    needed because a fault can end the process in the set-up of a suite, before a test begins.
     """
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")

@@ -95,7 +95,7 @@ TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(5000, 401), Tension(5000));
 }
 
-/// @brief Slow cycles are not sufficient while the wheel has voltage.
+/// @brief Slow cycles do not change the orientation while the wheel has voltage.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
   reverse.resume(Tension(9600));
