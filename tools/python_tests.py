@@ -158,7 +158,7 @@ def merge_results(
 
 
 def counted(root: Path, folder: str, log: TextIO, tests: Sequence[str | Path]) -> Counts:
-    """Runs these tests of a folder, and returns their counts."""
+    """Runs the given tests of a folder, and returns their counts."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]

@@ -137,7 +137,7 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
 
     def changed_inputs(self, task: DoitTask) -> frozenset[str]:
         """Returns the inputs that changed, were added or were removed since the last run of the
-        task. Returns nothing if there is no record of this run.
+        task. Returns the empty set if there is no record of the last run.
         """
         before = set(self._get(task.name, "deps:") or ())
         return frozenset(task.dep_changed) | (before - task.file_dep) if before else frozenset()

@@ -103,7 +103,7 @@ class SteeringLoop {
     }
   }
 
-  /// @brief Follows an angle from now on.
+  /// @brief Orders the steering to follow an angle from now on.
   void follow(std::int32_t angle) {
     angle_ = angle;
     holds_ = false;
@@ -111,14 +111,14 @@ class SteeringLoop {
     order();
   }
 
-  /// @brief Holds from now on.
+  /// @brief Orders the steering to hold its angle from now on.
   void hold() {
     holds_ = true;
     ordering = true;
     order();
   }
 
-  /// @brief Returns the state and the values that Main Control gets now.
+  /// @brief Returns the state and the measured values that Main Control now gets from the steering.
   Measurements measured() {
     order();
     Measurements measurements;

@@ -138,8 +138,8 @@ class Places:
                         yield from inner
 
     def _resolved(self, die: DIE) -> DIE:
-        """Returns the type without typedef, const and volatile. If a class is only declared here,
-        returns its definition in another file.
+        """Returns the type without typedef, const and volatile. If the type is a class that is only
+        declared, returns the definition of the class in another file.
         """
         while die.tag in _WRAPPERS:
             inner = _type_of(die)
