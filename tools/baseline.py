@@ -33,7 +33,7 @@ from traceability.sources import SRC, files_below
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
-MAIN = "main"  # name of the composition, which is different in each design
+MAIN = "main"  # the part from main.cpp, which is different in each design
 STACK = "stack"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)
@@ -131,7 +131,7 @@ def sizes_of(root: Path, design: str) -> dict[str, Size]:
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:
-    """Returns the parts that only this design has, and its composition."""
+    """Returns the parts that only this design has, and the part MAIN."""
     others = set().union(*(sizes[other] for other in sizes if other != design))
     return {part for part in sizes[design] if part not in others or part == MAIN}
 

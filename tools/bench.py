@@ -33,7 +33,8 @@ from weeding_robot_client.orders import Orders as Sender
 from weeding_robot_client.orders import arm, connect, not_connected
 from weeding_robot_client.script import Wish
 
-# ./wr bench also measures the baseline design, and the time that tests need to record calls.
+# ./wr bench also runs these tasks. They measure the baseline design, and the time of the tests with
+# and without the recording of calls.
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
 BOARD = "board"  # record of the run on a connected board

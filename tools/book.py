@@ -122,7 +122,8 @@ def commit_of(root: Path) -> tuple[str, int]:
 
 
 def with_date(pdf: bytes, when: int) -> bytes:
-    """Replaces the time of printing by the time ``when``, as a text of the same length."""
+    """Replaces the time of printing in a PDF by the time ``when``. The length of the PDF does not
+    change."""
     text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
     return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
 

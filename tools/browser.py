@@ -13,8 +13,8 @@ def find_browser() -> str | None:
 
 
 def works(browser: str | None) -> bool:
-    """Returns whether the browser starts. Some packages contain only a command that prints a
-    message.
+    """Returns whether the browser starts. In some packages, the command of the browser only prints
+    a message.
     """
     if browser is None:
         return False

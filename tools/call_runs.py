@@ -27,7 +27,7 @@ NAMES = "arm-none-eabi-nm"
 
 
 def record_all(root: Path, log: TextIO) -> str:
-    """Records the calls in each part of a scenario that the design declares."""
+    """Records the calls in each time window for which the design declares a recording."""
     folder = root / "build" / "calls"
     folder.mkdir(parents=True, exist_ok=True)
     symbols = read_symbols(root / ELF, NAMES, folder / "symbols.json")

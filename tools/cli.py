@@ -45,8 +45,8 @@ MODULES = {
 
 
 def parser(names: Iterable[str] = MODULES) -> argparse.ArgumentParser:
-    """Returns the parser of the command line, with these commands. The parsed options contain the
-    parser of the chosen command, which prints the messages about wrong options.
+    """Returns the parser of the command line, with the named commands. The parsed options contain
+    the parser of the chosen command, which prints the messages about wrong options.
     """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
@@ -96,5 +96,5 @@ def main(arguments: list[str]) -> int:
 
 
 def is_of_project(error: OSError) -> bool:
-    """Returns whether the error concerns a file of the project, or concerns no file."""
+    """Returns true if the error concerns a file of the project, or if it concerns no file."""
     return error.filename is None or ROOT in Path(str(error.filename)).absolute().parents

@@ -138,8 +138,8 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     results.parent.mkdir(parents=True, exist_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
-    # The files with the counts of the last run are removed. Otherwise, gcc would add the new
-    # counts.
+    # The files with the counts of the last run are removed. Otherwise, gcc would add the new counts
+    # to these counts.
     for counters in binaries.rglob("*.gcda"):
         counters.unlink()
     program = program_of(root, run_name)
@@ -181,8 +181,8 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """Returns the tests that are repeated with the other firmware images. Tests that need the
-    design of the paper alone are left out.
+    """Returns the tests that are repeated with the other firmware images: the tests with the image
+    PAPER. Tests that are only for one product are left out.
     """
     return [
         f"{suite['name']}.{test['name']}"

@@ -26,7 +26,8 @@ from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
 ON_HOST = "debug"  # preset of the programs that are debugged on this computer
-# Folders with tests of the emulators, which are programs of this computer.
+# Folders with tests of the emulators. The emulators are programs of this computer, and these tests
+# do not run on the virtual board.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
 SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"

@@ -113,7 +113,8 @@ def unpack(root: Path, commit: str, folder: Path) -> None:
 
 
 def copy_syntax(root: Path, copy: Path) -> None:
-    """Copies the cached syntax of the present sources. Then only sources that differ are parsed."""
+    """Copies the stored results of parsing the present sources. Then only sources that differ from
+    the present sources are parsed."""
     (copy / SYNTAX).mkdir(parents=True)
     for facts in (root / SYNTAX).glob("*.facts"):
         shutil.copy(facts, copy / SYNTAX)

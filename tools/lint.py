@@ -164,8 +164,8 @@ def check_headers(root: Path, log: TextIO) -> str:
     """Compiles each header alone. A header of a driver is compiled for the K64, and each other
     header for this computer.
 
-    A header is left out if the source with its name includes it first. The compilation of this
-    source has already shown that the header needs no other header before it.
+    A header is left out if the source of the same name includes this header first. The compilation
+    of this source has already shown that the header needs no other header before it.
     """
     headers = 0
     for preset in ("host", "k64"):
@@ -184,7 +184,8 @@ def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
 
 
 def is_first(root: Path, target: str) -> bool:
-    """Returns whether the header of an object is the first include of the source with its name."""
+    """Returns whether the header of an object is the first include of the source of the same
+    name."""
     header = target.rsplit("_verify_interface_header_sets/", maxsplit=1)[-1].rpartition(".cxx.")[0]
     sources = (root / folder / header.replace(".hpp", ".cpp") for folder in DESIGN)
     texts = (source.read_text(encoding="utf-8") for source in sources if source.exists())

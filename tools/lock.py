@@ -17,7 +17,7 @@ from pathlib import Path
 
 LOCK = Path("build/lock")
 HOLDER = "WR_LOCK"  # environment variable of the programs that the owner of the lock starts
-GRACE = 2.0  # time in which a program can end itself [s]
+GRACE = 2.0  # time that a program gets to end itself, before it is killed [s]
 MOST_WAIT = 10.0  # longest time to wait until the program has ended [s]
 
 
@@ -63,8 +63,8 @@ def only_one(root: Path, command: str) -> Iterator[None]:
 
 @contextmanager
 def outliving() -> Iterator[None]:
-    """Lets programs that start in this context continue after the command. The browser is such a
-    program."""
+    """Lets programs, such as the browser, continue after the end of the command if they are started
+    inside the ``with`` block."""
     owner = os.environ.pop(HOLDER, None)
     try:
         yield

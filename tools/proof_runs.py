@@ -25,7 +25,7 @@ from traceability.reading.proof_record import scenario as scenario_of
 from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
 
-RECORD = "proofs"  # name of the record of complete runs, with the hash of the model of each proof
+RECORD = "proofs"  # name of the record of complete runs; it also has the hashes of the models
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 300  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps

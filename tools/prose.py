@@ -28,8 +28,8 @@ PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:,\s+)?)+): (.*(?:\n  .*)*)", re.MULTILI
 RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!;]*\?)", re.IGNORECASE)
-QUOTED = Path("design/paper.toml")  # This file contains the words of the paper.
-LEAST_WORDS = 2  # A text in quotes with fewer words is a name.
+QUOTED = Path("design/paper.toml")  # The linter skips this file, because it quotes the paper.
+LEAST_WORDS = 2  # A string with fewer words is a name, and is not checked.
 
 
 @dataclass(frozen=True)

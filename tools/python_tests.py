@@ -17,7 +17,7 @@ from traceability.whole_file import write_whole
 
 TESTS = Path("tests/python")
 PYTHON = ("tests/python/", "tools/", "traceability/", "site/portal/", "client/")
-COMMANDS = "tools/cli.py"  # It imports the module of a command when this command runs.
+COMMANDS = "tools/cli.py"  # This file imports the module of a command when the command runs.
 RUNS_TOOLS = "pytest.mark.runs_tools"
 # The tests of this folder mostly wait for a robot in real time. Therefore, more of these tests run
 # in parallel than the computer has processors.
@@ -40,8 +40,9 @@ def imported_files(root: Path, folder: str) -> list[str]:
 
 
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
-    """Returns the test files that are among these Python files or import them. The value of a
-    test file is the test file itself, or else the first of these Python files that it imports.
+    """Returns the test files that are in ``paths`` or import a file of ``paths``. The value of a
+    test file is the test file itself if ``paths`` contains this file, and otherwise a file of
+    ``paths`` that the test file imports.
     """
     found = {}
     for test in sorted((root / TESTS).glob("*/test_*.py")):
@@ -54,7 +55,7 @@ def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
 
 
 def _imported(root: Path, waiting: list[Path]) -> set[Path]:
-    """Returns these files and the files that they import, directly or indirectly."""
+    """Returns the given files and the files that these files import, directly or indirectly."""
     found: set[Path] = set()
     while waiting:
         file = waiting.pop()
@@ -87,8 +88,8 @@ def _files(root: Path, module: str) -> tuple[Path, ...]:
 
 
 def workers(folder: str) -> list[str | Path]:
-    """Returns options of pytest. They state the number of parallel tests, and the tests that must
-    run in one process.
+    """Returns the options of pytest for the number of parallel processes and for the distribution
+    of the tests among these processes.
     """
     if folder == WAITING:
         return ["-n", WAITING_JOBS, "--dist", "load"]
@@ -101,8 +102,8 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
 
 
 def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str]) -> Outcome:
-    """Runs only the test files that a change of these files can affect, and the test files with
-    failed tests. The results of the other test files remain.
+    """Runs only the test files that a change of the files in ``changed`` can affect, and the test
+    files with failed tests. The results of the other test files remain.
     """
     results = root / RESULTS / f"pytest_{folder}.xml"
     before = ET.parse(results).getroot()
@@ -121,10 +122,10 @@ def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str])
 
 
 def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str] | None:
-    """Returns the test files of a folder that a change of these files can affect.
+    """Returns the test files of a folder that a change of the files in ``changed`` can affect.
 
-    Returns None if one of these files is not a Python file of the project. All tests of the folder
-    may read such a file.
+    Returns None if a changed file is not a Python file of the project, because all tests of the
+    folder may read such a file.
     """
     python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
     if python != set(changed):
@@ -132,7 +133,7 @@ def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str
     tests = {str(file.relative_to(root)) for file in (root / TESTS / folder).glob("test_*.py")}
     found = tests & importing_tests(root, python).keys()
     if any(not name.startswith(f"{TESTS}/") for name in python):
-        # These tests run tools as programs, and a program may import each file of the tools.
+        # These tests run tools as programs, and a program may import any file of the tools.
         found |= {name for name in tests if RUNS_TOOLS in (root / name).read_text(encoding="utf-8")}
         found |= tests & importing_tests(root, [COMMANDS]).keys()
     return found
@@ -157,7 +158,7 @@ def merge_results(
 
 
 def counted(root: Path, folder: str, log: TextIO, tests: Sequence[str | Path]) -> Counts:
-    """Runs these tests of a folder, and returns their counts."""
+    """Runs the given tests of a folder, and returns their counts."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
@@ -190,7 +191,7 @@ def reported_numbers(results: Path) -> dict[str, float]:
 
 
 def attempt_tests(log: TextIO, words: Sequence[str | Path], results: Path) -> None:
-    """Runs pytest. Its failure is an error only if there are no results."""
+    """Runs pytest. If pytest fails and has written no results, raises the error."""
     try:
         run(log, words)
     except FailureError:

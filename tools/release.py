@@ -167,8 +167,8 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
 
 
 def write_source(root: Path, made: Release, path: Path) -> None:
-    """Writes the archive of the sources. Each file has the time of the commit and its own
-    permission to execute.
+    """Writes the archive of the sources. Each file has the time of the commit. A file is executable
+    in the archive if it is executable in git.
     """
     words = ["archive", "--format=tar.gz", f"--prefix={made.name}/source/", made.commit]
     subprocess.run(["git", *words, "--output", path], cwd=root, check=True)

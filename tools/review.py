@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 # largest number of versions of a file in which the program looks for the text of the baseline
 MOST_VERSIONS = 200
-MOST_TRIES = 3  # number of times that the program asks for an answer
+MOST_TRIES = 3  # greatest number of times that the program asks the same question
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -162,8 +162,8 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
 def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
-    """Yields the texts that a reviewer reads, with their changes. For a support file, yields only
-    its path.
+    """Yields the texts that a reviewer reads, with their changes. For a file that supports a test,
+    such as a fixture or a scenario, yields the path and the changes, but not the whole text.
     """
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"

@@ -99,8 +99,8 @@ def _show_progress(parts: list[Future[list[Outcome]]], faults: int) -> None:
 
 
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
-    """Returns groups of faults that have no file in common. The faults of a group are inserted
-    together, because their findings can be distinguished.
+    """Returns groups of faults. No two faults of a group change the same file. The faults of a
+    group are inserted together, because their findings can be distinguished.
 
     A fault that does not compile hides the other faults. It is therefore checked alone.
     """

@@ -93,7 +93,7 @@ def heed_interrupts() -> None:
     effect: the process ends without an exception.
 
     Python ignores an exception in the callback of a weak reference, for example during an import.
-    If an interrupt is ignored there, a timer repeats it.
+    If Python ignores an interrupt in this way, a timer repeats the interrupt.
     """
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
         signal.signal(number, signal.default_int_handler)
@@ -111,7 +111,8 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """Ends the given program too if an interrupt comes during this context."""
+    """Ends the given program and all other started programs if an interrupt comes inside the
+    ``with`` block."""
     _started.append(program)
     try:
         yield

@@ -33,7 +33,7 @@ from traceability.whole_file import write_whole
 
 SECONDS = "seconds of tasks"  # key of the duration of each task
 WAKE = 0.2  # period at which a waiting main thread wakes up, so that it receives Ctrl-C [s]
-LONG = 10  # If a task is expected to take longer than this, a line is printed when it starts [s].
+LONG = 10  # The start of a task that is expected to take longer is printed [s].
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Task:
     action: Callable[[TextIO], Outcome | str | None]
     inputs: tuple[str, ...] = ()
     results: tuple[str, ...] = ()  # outputs that are removed before the task runs
-    must_exist: tuple[str, ...] = ()  # other outputs, which are not removed first
+    must_exist: tuple[str, ...] = ()  # other outputs, which remain until the task replaces them
     after: tuple[str, ...] = ()
     inputs_from: tuple[str, ...] = ()  # tasks that determine inputs of this task
     always: bool = (
@@ -137,7 +137,7 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
 
     def changed_inputs(self, task: DoitTask) -> frozenset[str]:
         """Returns the inputs that changed, were added or were removed since the last run of the
-        task. Returns nothing if there is no record of this run.
+        task. Returns the empty set if there is no record of the last run.
         """
         before = set(self._get(task.name, "deps:") or ())
         return frozenset(task.dep_changed) | (before - task.file_dep) if before else frozenset()

@@ -37,8 +37,8 @@ TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
   EXPECT_EQ(turn(4, 20), SteeringState::Turning);
 }
 
-/// @brief Half of the expected motion is sufficient. Less motion is a stall. A step is 0.05
-/// degrees.
+/// @brief A steering that makes half of the expected motion is not stalled. With less motion, it is
+/// stalled. A step is 0.05 degrees.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
@@ -46,7 +46,7 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
-/// @brief Half of the expected motion is also sufficient to the right.
+/// @brief A steering that makes half of the expected motion to the right is also not stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();
@@ -61,9 +61,9 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
   EXPECT_EQ(turn(1, -5, 25), SteeringState::Fault);
 }
 
-/// @brief If the sum of the steps is less than 0.6 degrees, it is not sufficient for a decision.
-/// The observation window lasts until the sum is 0.6 degrees. A slow stall is therefore also
-/// detected.
+/// @brief The steps of less than 0.6 degrees do not show whether the steering is stalled. The
+/// observation window therefore lasts until the sum of the steps is 0.6 degrees. A slow stall is
+/// thus also detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();

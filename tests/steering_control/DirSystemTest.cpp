@@ -59,14 +59,14 @@ TEST_F(DirSystemTest, FR112_AReleaseIsHandedOverOnce) {
   EXPECT_FALSE(target.read()->value.release);
 }
 
-/// @brief Two targets are equal only when all their values are equal.
+/// @brief Two targets of the steering are equal only when all their values are equal.
 TEST_F(DirSystemTest, TargetsAreCompared) {
   EXPECT_EQ(DirTarget{}, DirTarget{});
   EXPECT_NE(DirTarget{}, (DirTarget{.follow = true}));
   EXPECT_NE(DirTarget{}, (DirTarget{.angle = Angle(1)}));
 }
 
-/// @brief State, end stops, position and turn are the values of the newest tick.
+/// @brief The collected state, end stops, position and turn are the values of the newest tick.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TellsTheNewestTick) {
   publish({});
@@ -82,7 +82,7 @@ TEST_F(DirSystemTest, FR116_TellsTheNewestTick) {
   EXPECT_EQ(outputs.turn, -1);
 }
 
-/// @brief The turn is the sign of the rate.
+/// @brief The collected turn is the sign of the rate of the motor: -1, 0 or 1.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   for (const std::int32_t rate : {-500, -1, 0, 1, 500}) {
@@ -93,8 +93,8 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief The collected values are the values at the time of the order of the cycle. A later tick
-/// does not change them.
+/// @brief A cycle collects the values that were present when the cycle gave its order. A later tick
+/// does not change these values.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

@@ -41,7 +41,7 @@ TEST_F(SteeringDeviceTest, FR103_TheRateChangesBy1000StepsPerSecondInASecond) {
   }
 }
 
-/// @brief A turn beyond 500 steps/s counts as 500 steps/s.
+/// @brief If a rate of more than 500 steps/s is set, the motor turns at 500 steps/s.
 /// @verifies FR-103
 TEST_F(SteeringDeviceTest, FR103_TheRateIsLimited) {
   device.turn(StepRate(2000000000));
@@ -79,9 +79,9 @@ TEST_F(SteeringDeviceTest, FR104_AStepIsAPulseOfOneTick) {
   EXPECT_GT(pulses, 800);
 }
 
-/// @brief The test changes the turn at random. At every change, the direction is set one tick
-/// before the first pulse in the new direction. Steps are counted in the direction of the direction
-/// output.
+/// @brief The test changes the rate at random. At every change of direction, the direction output
+/// changes at least one tick before the first pulse in the new direction. The device counts each
+/// step in the direction that this output then has.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   std::mt19937 random(seed());
@@ -101,8 +101,8 @@ TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
 }
 
 /// @brief At 1 step/s, a step takes 1000 ticks. When the motor reverses, a step that was nearly due
-/// is not executed in the other direction. The first step in the other direction needs its whole
-/// time.
+/// is not executed in the other direction. The first step in the other direction again takes 1000
+/// ticks.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
   device.turn(StepRate(1));

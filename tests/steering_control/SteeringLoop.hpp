@@ -39,7 +39,7 @@ struct SteeringPlant {
 /// broken cable.
 class FakeAngleInput final : public AnalogInput {
  public:
-  /// @brief Binds the converter to the mechanics.
+  /// @brief Connects the converter to the mechanics whose angle it measures.
   FakeAngleInput(const SteeringPlant& plant, unsigned seed) : plant_(plant), random_(seed) {}
 
   [[nodiscard]] std::optional<std::uint16_t> sample() override {
@@ -103,7 +103,7 @@ class SteeringLoop {
     }
   }
 
-  /// @brief Follows an angle from now on.
+  /// @brief Orders the steering to follow an angle from now on.
   void follow(std::int32_t angle) {
     angle_ = angle;
     holds_ = false;
@@ -111,14 +111,14 @@ class SteeringLoop {
     order();
   }
 
-  /// @brief Holds from now on.
+  /// @brief Orders the steering to hold its angle from now on.
   void hold() {
     holds_ = true;
     ordering = true;
     order();
   }
 
-  /// @brief Returns the state and the values that Main Control gets now.
+  /// @brief Returns the state and the measured values that Main Control now gets from the steering.
   Measurements measured() {
     order();
     Measurements measurements;

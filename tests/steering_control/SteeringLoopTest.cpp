@@ -12,7 +12,7 @@ namespace wr::test {
 namespace {
 
 /// @brief Standard deviation of a sample, degrees. The mean of 8 samples stays within about 0.05
-/// degrees.
+/// degrees of the true angle.
 constexpr double kNoise = 0.07;
 
 struct SteeringLoopTest : testing::Test {
@@ -38,7 +38,8 @@ TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   for (int tick = 1; tick < 50; ++tick) {
     loop.timer.expired();
   }
-  EXPECT_TRUE(loop.control.motor.device.ready()) << "the motor ticks in the tick of the order";
+  EXPECT_TRUE(loop.control.motor.device.ready())
+      << "the tick that switches the motor on must be the first of its 50 ticks";
 }
 
 /// @brief A new angle turns the steering after the motor has settled. The motor is switched on at
@@ -304,8 +305,9 @@ TEST_F(SteeringLoopTest, FR227_PushesAreForgotten) {
   }
 }
 
-/// @brief If a sensor drifts by 0.5 or by 2 degrees per second, the fault is detected before the
-/// steering has followed the drift by more than 3.5 degrees. This is also true at rest.
+/// @brief The sensor begins to drift by 0.5 or by 2 degrees per second when the steering has
+/// reached its angle. The fault is detected before the steering has followed the drift by more than
+/// 3.5 degrees.
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   for (const double drift : {2.0, -2.0, 0.5}) {
@@ -331,8 +333,8 @@ TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief An end stop with a broken wire counts as reached. The steering turns only to the other
-/// side.
+/// @brief An end stop with a broken wire counts as reached. The steering turns only away from this
+/// end stop.
 /// @verifies FR-225
 TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
   loop.control.motor.leftEnd.broken = true;

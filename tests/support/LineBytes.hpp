@@ -13,7 +13,7 @@ namespace wr::test {
 /// under test.
 using Bytes = std::vector<std::uint8_t>;
 
-/// @brief Returns bytes whose values count from 0.
+/// @brief Returns bytes with the values 0, 1, 2 and so on.
 inline Bytes counting(std::size_t count) {
   Bytes bytes(count);
   std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});

@@ -1,8 +1,8 @@
 // Records the arcs of the firmware's control-flow graphs that each test executes. The build
 // includes this file only with WR_TRACE. Each test writes one file <suite>.<test>.arcs in the
 // folder WR_TRACE_DIR. A line that does not begin with a number is the name of a counter file. The
-// lines after this name belong to this counter file. Each of them has the number of a function that
-// ran, and the counters of this function.
+// lines after this name belong to this counter file. Each of these lines has the number of a
+// function that ran, and the counters of this function.
 //
 // The counters of the whole run are also written to the counter files of gcc, which other programs
 // read.
@@ -19,9 +19,10 @@
 #include <string>
 #include <vector>
 
-// The header of the compiler is a C header. The linker defines two symbols. The counters of all
-// units are between these symbols. The function __gcov_init registers a unit in the runtime of the
-// compiler. Without this call, the runtime neither clears the counters nor writes them to a file.
+// The header gcov.h of the compiler contains C declarations. The linker defines two symbols. The
+// counters of all translation units are between these symbols. The function __gcov_init registers a
+// unit in the runtime of the compiler. Without this call, the runtime neither clears the counters
+// nor writes them to a file.
 extern "C" {
 #include <gcov.h>
 // The linker and the compiler define these names.

@@ -4,9 +4,9 @@
 // Bit 63 is set when the function is left. After kWhole events, calls that repeat an earlier call
 // of the test or of the simulated platform are shortened, because the calls of the timers would
 // otherwise fill the file. Instead of the repeated call, the file contains the number of the event
-// at which the earlier call begins, with bit 62 set. A sequence of equal calls has only one such
-// number. After kMost events, nothing more is recorded, and a file <suite>.<test>.truncated shows
-// this.
+// at which the earlier call begins, with bit 62 set. If several equal calls follow each other, the
+// file contains this number only once. After kMost events, nothing more is recorded, and a file
+// <suite>.<test>.truncated shows this.
 
 #include <gtest/gtest.h>
 

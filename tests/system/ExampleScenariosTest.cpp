@@ -121,8 +121,8 @@ TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
 
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
-/// @brief The robot meets the expectations of all other example scenarios. Only the scenario of ten
-/// minutes is played by other tests, which run the programs.
+/// @brief The robot meets the expectations of the example scenarios that no test above plays. The
+/// scenario of ten minutes is left out, because the tests of the programs play this scenario.
 /// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   play(GetParam());

@@ -134,7 +134,8 @@ class Comparison {
   int cycles = 0;
 
  protected:
-  /// Targets that have more inputs than the serial line of the PC override these functions.
+  /// The comparison for a target with more inputs than the serial line of the PC overrides these
+  /// functions.
   virtual void beginSequence() {}
   virtual void beforeCycle() {}
   virtual void compareInside() {}

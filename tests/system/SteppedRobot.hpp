@@ -34,7 +34,7 @@ inline constexpr int kPc = 1;
 inline constexpr int kNobody = 255;
 inline constexpr int kNotArmed = 3;
 
-/// The whole firmware in stepped time, and a PC on its serial line.
+/// The whole firmware, and a PC on its serial line. The test advances the time step by step.
 class SteppedRobot {
  public:
   SteppedRobot() : SteppedRobot(switchOn()) {}
@@ -59,7 +59,7 @@ class SteppedRobot {
   /// Advances the time by a part of the period.
   void wait(microseconds duration) { require(line_->runUntil(line_->now() + duration)); }
 
-  /// Returns the physics of the robot, which contain its true values, its ground and its faults.
+  /// Returns the simulated mechanics of the robot, with its true values, its ground and its faults.
   [[nodiscard]] plant::Robot& physics() { return line_->robot(); }
 
   void arrive(std::span<const std::uint8_t> bytes) { line_->send(bytes); }

@@ -10,7 +10,8 @@ namespace wr::torture {
 using Image = std::vector<std::uint8_t>;
 using Records = std::vector<Record>;
 
-/// @brief Returns the torture program with a seed and a number of actions.
+/// @brief Returns the torture program, which contains the given seed and the given number of
+/// actions.
 /// @throws std::runtime_error when the program has not been built
 [[nodiscard]] Image image(std::uint32_t seed, std::uint32_t actions);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kActions = 3000;
 constexpr std::size_t kFewestEvents =
-    25'000;  // in each run; the runs with the fixed seeds together have 100,000
+    25'000;  // in each run; the four runs with fixed seeds together have at least 100,000
 
 /// @brief Runs random exceptions on the processor of the virtual K64 and on the processor of QEMU.
 class TortureTest : public testing::Test {

@@ -43,8 +43,8 @@ TYPED_TEST(Behaviour, ReportsInEachCycle) {
   EXPECT_EQ(this->robot.report().timeMs, 300U);
 }
 
-/// @brief A Confirm of another session is unexpected. An order before the connection is also
-/// unexpected.
+/// @brief A Confirm of another session is counted as unexpected. An order before the connection is
+/// also counted as unexpected.
 TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   this->robot.order({.id = 1});
   this->robot.hello();
@@ -56,7 +56,7 @@ TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
 }
 
 /// @brief Damaged frames, impossible lengths, types and versions, and values out of range are
-/// counted separately. None of these frames is an order.
+/// counted separately. The robot reads no order from these frames.
 TYPED_TEST(Behaviour, CountsBadFrames) {
   this->robot.commandByPc();
   scenario::Bytes damaged = this->robot.pc.keepAlive();

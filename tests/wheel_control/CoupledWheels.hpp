@@ -106,7 +106,7 @@ class CoupledWheels {
   static constexpr int kParts = 4;                 // number of simulation steps in 1 ms
   static constexpr double kPart = 0.001 / kParts;  // duration of a step [s]
   static constexpr double kWheelInertia = 0.006;   // inertia of a wheel at the shaft [kg m2]
-  static constexpr double kBodyInertia = 0.13;     // inertia without wheels, at the shafts [kg m2]
+  static constexpr double kBodyInertia = 0.13;     // inertia of the body, at the shafts [kg m2]
   static constexpr double kGrip = 5;               // torque of a tyre per slip [N m s/rad]
 
   void move() {

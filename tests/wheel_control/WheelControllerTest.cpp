@@ -55,7 +55,7 @@ TEST_F(WheelControllerTest, FR80_FR82_FR85_EachQuantityHasItsAlgorithm) {
   EXPECT_EQ(controller.applied(), Tension(1500));
 }
 
-/// @brief A change of the quantity clears the memory of the controller.
+/// @brief A change of the ordered quantity clears the memory of the controller.
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -67,8 +67,8 @@ TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief For any demand, the wheel gets at most the supply voltage. The algorithm gets the applied
-/// voltage. Therefore, its integral does not grow.
+/// @brief For any demand, the wheel gets at most the supply voltage. Because the algorithm gets the
+/// applied voltage, its integral does not grow while the supply limits the voltage.
 /// @verifies FR-86
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
@@ -77,7 +77,8 @@ TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
   }
   EXPECT_EQ(controller.applied(), Tension(24000));
   control(currentOf(0), Velocity(3000), Current(4000));
-  EXPECT_EQ(controller.applied(), Tension(15708)) << "the induced voltage at 300 rpm, and no more";
+  EXPECT_EQ(controller.applied(), Tension(15708))
+      << "the voltage must be exactly the induced voltage at 300 rpm";
 }
 
 /// @brief A measured value can be used for 150 ms.
@@ -216,9 +217,9 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   }
 }
 
-/// @brief A wheel that its load keeps at rest draws the full current of its voltage. In this case,
-/// only a sixteenth of the voltage is counted up to 14 V, and an eighth above 14 V. A current of at
-/// most half of the full current does not reduce the count. An order of 3.2 V is always counted
+/// @brief The motor of a wheel that its load keeps at rest draws the full current of its voltage.
+/// If the current is more than half of the full current, only a sixteenth of a voltage up to 14 V
+/// is counted, and only an eighth of a higher voltage. An order of up to 3.2 V is always counted
 /// fully.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
@@ -264,7 +265,7 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   EXPECT_EQ(controller.applied(), Tension(7000));
 }
 
-/// @brief The limit of 4.5 V s for the count of voltage and time is exact. The count begins at 0
+/// @brief The limit of 4.5 V s for the sum of voltage times time is exact. The sum begins at 0
 /// after a motion, after the release, and after cycles whose voltage may be too low to turn a
 /// wheel.
 /// @verifies FR-91
@@ -276,7 +277,8 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
     one.measure(Velocity(), Current());
     one.controller.control(tensionOf(static_cast<std::int16_t>(tension)), one.measured());
   };
-  // Each of these functions ends with the same voltage at the output. It returns the count.
+  // Each of these functions ends with the voltage kUsual at the output. It returns the sum of
+  // voltage times time at this moment [mV cycles].
   const auto afterMotion = [](ControlledWheel& one) {
     one.control(tensionOf(kUsual));
     return 0;
@@ -313,8 +315,8 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   }
 }
 
-/// @brief The count falls by 2 V s for each second with a voltage that may be too low to turn a
-/// wheel, down to 0.
+/// @brief The sum of voltage times time falls by 2 V s per second while the voltage may be too low
+/// to turn a wheel. The sum never falls below 0.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   control(tensionOf(7000));
@@ -322,7 +324,7 @@ TEST_F(WheelControllerTest, FR91_TheCountFalls) {
     controlStanding(tensionOf(cycle < 4 ? 7000 : 1000));  // counts 35000 mV cycles
   }
   for (int cycle = 0; cycle < 10; ++cycle) {
-    controlStanding(tensionOf(cycle < 9 ? 1000 : 7000));  // 15000 mV cycles are left
+    controlStanding(tensionOf(cycle < 9 ? 1000 : 7000));  // the sum is still 15000 mV cycles
   }
   for (int cycle = 0; cycle < 5; ++cycle) {
     EXPECT_FALSE(controller.blind()) << cycle;
@@ -331,7 +333,8 @@ TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A halt does not clear the count. Each pulse of voltage adds to the count.
+/// @brief A halt does not clear the sum of voltage times time. Each pulse of voltage adds to the
+/// sum.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   for (int pulse = 0; pulse < 3; ++pulse) {
@@ -434,8 +437,9 @@ TEST_F(WheelControllerTest, FR222_TheWaitBeginsAgain) {
   }
 }
 
-/// @brief A reversal also waits at the smallest set-point and at the smallest demand that counts. A
-/// wheel whose ordered velocity is 0 does not wait.
+/// @brief A reversal waits even if the velocity order against the orientation is only 0.1 rpm, or
+/// the demand against the orientation is only 0.5 V. With a velocity order of 0 or a smaller
+/// demand, no reversal waits.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_WhichReversalsWait) {
   struct Case {

@@ -103,8 +103,8 @@ TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
   EXPECT_DEATH(other.start(), "assertion 3 failed");
 }
 
-/// @brief Measured and applied values are collected in the entry of the wheel. Other entries do not
-/// change.
+/// @brief The system writes measured and applied values into the entries of its wheel. The entries
+/// of other wheels do not change.
 /// @verifies FR-93
 /// @verifies FR-94
 TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {

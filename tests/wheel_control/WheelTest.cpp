@@ -175,7 +175,8 @@ TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   EXPECT_TRUE(wheel.isCutOff());
 }
 
-/// @brief A trip that occurs between the check of the latch and the switching also has priority.
+/// @brief A trip that occurs after the check of the latch, but before the driver is switched on,
+/// also has priority.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsBeforeTheSwitch) {
   Interrupted output;

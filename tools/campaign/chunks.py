@@ -18,7 +18,7 @@ from typing import Any
 from tools.lock import BusyError
 
 FOLDER = Path("build/campaign")
-SEEDS = 1 << 20  # number of seeds that the chunks of one campaign can have
+SEEDS = 1 << 20  # greatest number of chunks of a campaign, because each chunk has its own seed
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ class Chunk:
 
 
 def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
-    """Returns the chunks of a campaign. A longer campaign begins with the chunks of a shorter
-    campaign.
+    """Returns the chunks of a campaign. A longer campaign with the same seed begins with the chunks
+    of a shorter campaign. Only the last chunk of the shorter campaign may have fewer cases.
     """
     if count < 1 or count > size * SEEDS:
         raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")

@@ -24,7 +24,7 @@ class Kind:
     # presets, and the targets that are built in each preset before the campaign
     targets: tuple[tuple[str, tuple[str, ...]], ...]
     files: tuple[Path, ...]  # files that a chunk needs; the first file is the program
-    # function that returns the options for these files
+    # function that returns the options of the program for these files
     options: Callable[[Sequence[Path]], list[str]]
     summarise: Callable[[Path, Cases], dict[str, Any]]
 

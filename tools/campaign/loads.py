@@ -1,5 +1,5 @@
-"""The campaign of random drives with a loaded serial line, with its program and the summary of its
-drives."""
+"""The campaign of random drives in which the PC keeps its serial line busy, with the program and
+the summary of the drives."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 PROGRAM = Path("build/host/sim/weeding_robot_loads")
-LISTED = 10  # number of drives that the record lists; their control cycles are the longest
+LISTED = 10  # number of recorded drives: the drives with the longest control cycles
 
 
 def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:

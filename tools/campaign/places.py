@@ -13,7 +13,7 @@ from elftools.elf.elffile import ELFFile
 
 from traceability.sources import files_below
 
-NOWHERE = "other"  # padding, libraries and tables of the compiler
+NOWHERE = "other"  # name for padding, libraries and tables of the compiler
 _ADDRESS = 0x03  # DW_OP_addr
 _WRAPPERS = {"DW_TAG_typedef", "DW_TAG_const_type", "DW_TAG_volatile_type"}
 _CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
@@ -21,8 +21,8 @@ _CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
 
 class Places:
     """The module to which each address in flash or RAM belongs. This is the innermost class at the
-    address that is a module. If there is none, it is the module with the name of the source
-    file."""
+    address that is a module. If no class at the address is a module, it is the module with the name
+    of the source file."""
 
     def __init__(self, root: Path, elf: Path) -> None:
         self._modules = {
@@ -138,8 +138,8 @@ class Places:
                         yield from inner
 
     def _resolved(self, die: DIE) -> DIE:
-        """Returns the type without typedef, const and volatile. If a class is only declared here,
-        returns its definition in another file.
+        """Returns the type without typedef, const and volatile. If the type is a class that is only
+        declared, returns the definition of the class in another file.
         """
         while die.tag in _WRAPPERS:
             inner = _type_of(die)

@@ -168,7 +168,7 @@ class _Finder:
 
     def early_return(self, function: Cursor, body: Cursor) -> None:
         if len(list(body.get_children())) < 2:
-            return  # The mutant would be equal to a mutant of the only statement.
+            return  # A mutant of the only statement already has the same effect.
         void = function.result_type.kind == TypeKind.VOID
         if function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR):
             void = True
@@ -235,14 +235,14 @@ class _Finder:
     def literal(self, cursor: Cursor) -> None:
         text = self.short(cursor)
         if not text[:1].isdigit():
-            return  # The number comes from a macro.
+            return  # The source has the name of a macro here, and no number.
         mutants = tuple(self.mutant(cursor, "constant", f"{text} {way} 1") for way in "+-")
         start, end = cursor.extent.start.offset, cursor.extent.end.offset
         self.add(Point(start, end, "(mutant::offset(#) + ", ")", mutants))
 
     def negated(self, cursor: Cursor) -> None:
         if any(self.operator(part)[0] in RELATIONS for part in _layers(cursor)):
-            return  # A mutant of the relation is already the negation.
+            return  # A relation such as a < b already has its negation a >= b as a mutant.
         mutant = self.mutant(cursor, "condition", f"not {self.short(cursor)}")
         self.wrap(cursor, "(mutant::on(#) != static_cast<bool>(", "))", mutant)
 

@@ -19,7 +19,7 @@ from traceability.reading.results import plain_name
 SLOWER = 10  # A test counts as hanging after this multiple of its time without a mutant.
 LEAST_SECONDS = 2.0
 ASLEEP = 30  # A program that only waits is ended after this multiple of its processor time limit.
-HANGS = 2  # number of tests that may hang; the tests after them are not decided
+HANGS = 2  # After this number of hanging tests, the other tests stay without a result.
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
 
 SUITE = re.compile(rb"^\[-+\] \d+ tests? from ([\w/]+)(?:, .*)?$", re.MULTILINE)
@@ -67,7 +67,7 @@ def _run(
     # Every run of a random test has the same seed. A difference is therefore an effect of the
     # mutant.
     environment = {**os.environ, "WR_MUTANT": str(mutant), "WR_SEED": "1"}
-    # An argument of a program is too short for the names of all tests.
+    # The names of all tests are too long for an argument of a program.
     with NamedTemporaryFile("w", dir=program.parent, suffix=".flags") as flags:
         flags.write(f"--gtest_color=no\n--gtest_filter={':'.join(map(_pattern, tests))}\n")
         flags.flush()
@@ -99,8 +99,8 @@ def _pattern(test: str) -> str:
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """Returns a test without a result from the suite whose name was printed last. A fault can end
-    the process in the set-up of a suite, before a test begins.
+    """Returns a test without a result from the suite whose name was printed last. This test is
+    needed because a fault can end the process in the set-up of a suite, before a test begins.
     """
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")

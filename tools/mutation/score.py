@@ -46,7 +46,7 @@ class Plan:
 
 @dataclass
 class Tried:
-    """A mutant that was tried, with the tests that found it. For each requirement, it states
+    """A mutant that was tried, with the tests that found it. ``own`` states for each requirement
     whether a test of the requirement found the mutant.
 
     ``own`` contains no value for a requirement if its tests were not decided.
@@ -97,8 +97,8 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
 
 
 def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
-    """Returns the numbers of the mutants in random order. The requirements contribute their mutants
-    in turn."""
+    """Returns the numbers of the mutants in random order. In each round, every requirement adds one
+    of its mutants."""
     numbers = list(range(1, len(mutants) + 1))
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
@@ -254,9 +254,9 @@ class Justifications:
         """Returns for each mutant the reason why no test can find it. The reason is empty if the
         mutant has no justification.
 
-        Each change in an entry justifies one mutant. A source line can have the same change at
-        several places. The entry then contains the change once for each place at which no test can
-        find it."""
+        Each change that an entry lists belongs to one mutant. If a source line can have the same
+        change at several places, the entry lists the change once for each place at which no test
+        can find it."""
         left = {key: list(reasons) for key, reasons in self.reasons.items()}
         return [
             reasons.pop() if (reasons := left.get(self._key(mutant))) else "" for mutant in mutants

@@ -28,8 +28,8 @@ def write_switched(root: Path, log: TextIO) -> list[Mutant]:
     """Writes the copy with the mutants of the firmware and its extensions. Parts that only the K64
     has are left out. Returns the mutants, whose numbers begin at 1.
 
-    A mutant that does not compile is omitted. An example is a mutant of a sum that must be a
-    constant.
+    A mutant that does not compile is omitted. For example, if C++ demands a constant expression, a
+    mutant of a sum in this expression does not compile.
     """
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []

@@ -54,8 +54,8 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds registers in the table of the drivers for which design/board_beliefs.toml has no
-    entry."""
+    """Finds registers for which design/board_beliefs.toml has no entry. The registers are in the
+    table of the drivers."""
     believed, block = {belief.register for belief in model.beliefs}, ""
     for number, line in enumerate(_text(facts, REGISTERS).splitlines(), 1):
         if begin := re.match(r"namespace (\w+) \{", line):

@@ -151,8 +151,8 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _enabled_at(constant: str, context: ExecutionContext, facts: Facts) -> Place:
     """Returns the place of the last call that enables an interrupt line with this priority
-    constant. If some of these calls name an interrupt line of the context, only they are
-    considered."""
+    constant. If some of these calls name an interrupt line of the context, the other calls are
+    ignored."""
     constants = facts.syntax.constants
     calls = [
         call
@@ -242,7 +242,7 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _loops(facts: Facts) -> Iterator[Finding]:
     """Finds loops that do not count their iterations and have no entry in design/justified.toml.
-    Also finds entries there whose function has no such loop."""
+    Also finds entries of design/justified.toml whose function has no such loop."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
@@ -282,8 +282,8 @@ def _enabled(facts: Facts) -> Iterator[Finding]:
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
-    """Returns the functions that these handlers call in the extensions. Products with extensions
-    have their own versions of the handlers there."""
+    """Returns the functions that the given handlers call in products with extensions. The
+    extensions contain separate versions of the handlers for these products."""
     return [
         call.target
         for handler in handlers

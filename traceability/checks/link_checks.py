@@ -25,7 +25,7 @@ from traceability.sources import file_hash, files_below
 PAGES = ("README.md", "docs")
 # Matches the path of a project file that is in backticks or is the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
-URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # links in a style sheet
+URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
@@ -35,7 +35,7 @@ HELP = '"--help"'  # this option exists for every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
-CACHE = "pages-cache/links"  # the folder with this cache is next to the site
+CACHE = "pages-cache/links"  # path of the cache, in the folder that contains the site
 # If at most this number of pages changed, one process reads them. Several processes would not be
 # faster.
 FEW = 100

@@ -18,7 +18,7 @@ from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
 FEWEST_WORDS = 3  # smallest number of words of a useful sentence
-FEWEST_OF_BRIEF = 2  # words: a verb and its object
+FEWEST_OF_BRIEF = 2  # smallest number of words of a brief: a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
 # A description of a number must contain one of these words. They show the meaning of the number: a
 # unit, a count, the number of an item, bytes, or the value of a field.
@@ -37,7 +37,7 @@ QUANTITY = re.compile(
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
 UNITS = re.compile(r"\[([^\]]+)\]")
 PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
-INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # the text of @isr
+INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # the permitted texts of @isr
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:

@@ -288,8 +288,8 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _has_subclass_role(subclass: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
-    """Returns whether a class has the role of a subclass. The role may belong to this pattern
-    application, or to another application that is sufficient.
+    """Returns whether a class has the role of a subclass in this pattern application, or in another
+    application that is sufficient.
 
     For most patterns, a role in any application of one of the base classes is sufficient. Each
     subclass of a Command or of a Builder, for example, has its own application. For State, Strategy

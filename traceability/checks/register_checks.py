@@ -172,16 +172,16 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
-    """Returns whether an address belongs to a block with these registers. This is the case if the
-    address is between the first and the last register, or in the same memory page as the last
-    register."""
+    """Returns whether an address belongs to the block that has the given registers. This is the
+    case if the address is between the first and the last register, or in the same memory page as
+    the last register."""
     first, last = min(registers), max(registers)
     return first <= address <= last or _page(address) == _page(last)
 
 
 def _page(address: int) -> int:
-    """Returns the number of the memory page (4 KiB) that contains an address. In the address range
-    of the core, several blocks share a page. There, returns the address itself."""
+    """Returns the number of the memory page (4 KiB) that contains an address. For an address of the
+    core, returns the address itself, because several blocks of the core share a page."""
     return address >> 12 if address < CORE else address
 
 

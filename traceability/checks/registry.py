@@ -163,7 +163,7 @@ _FIXED = [
         "The comment above every design module has @brief and one @function. No two modules have "
         "the same @function.",
         _TEXT_BLIND,
-        "write a purpose above the class that no other module has.",
+        "above the class, write a purpose that no other module has.",
     ),
     Check(
         "module-secret",
@@ -241,19 +241,20 @@ _FIXED = [
         "assumes that the value depends on SystemConstants. Then the code must compute the value "
         "from SystemConstants, or design/tuned.toml must declare the dependence. The page about a "
         "change of SystemConstants lists the computed and the declared constants.",
-        "The check does not find a value that depends on another constant if neither its name nor "
-        "its comment shows this.",
+        "The check does not find a value that depends on another constant if neither the name nor "
+        "the comment of the value shows the dependence.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
     ),
     Check(
         "pattern-change",
         "Likely changes name existing parts",
-        "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the pattern: "
-        "the subclasses that a change adds or alters, and their base classes. An entry for an "
-        "application names this application, modules with a role in it, and modules of extensions "
-        "as examples. All these parts exist. Each name in backticks in a step exists.",
-        "The check cannot judge whether the steps are sufficient. For some steps, the extensions "
-        "show that they are sufficient.",
+        "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the "
+        "pattern: the subclasses that a change adds or alters, and their base classes. An entry "
+        "for an application names this application, modules with a role in the application, and "
+        "modules of extensions as examples. All these parts exist. Each name in backticks in a "
+        "step exists.",
+        "The check cannot judge whether the steps are sufficient. The extensions are examples in "
+        "which some of these steps were sufficient.",
         "correct the name.",
     ),
     Check(
@@ -261,9 +262,10 @@ _FIXED = [
         "Each likely change has an example",
         "For each application of a pattern, changes/ contains a folder with the id of the "
         "application. The files in the folder make the likely change. The folder names a class "
-        "that derives from a base class of the recipe, or it edits a module that the recipe "
-        "alters. The folder names tests on the host and on the virtual K64, and these tests exist. "
-        "If the change alters existing source lines, the folder states the reason.",
+        "that derives from a base class of the recipe, or the folder edits a module that the "
+        "recipe lists as altered. The folder names tests on the host and on the virtual K64, and "
+        "these tests exist. If the change alters existing source lines, the folder states the "
+        "reason.",
         "The check cannot judge whether the change is likely, or whether the tests of the change "
         "find a fault in it.",
         "complete the folder of the change as changes/README.md explains.",
@@ -320,8 +322,8 @@ _FIXED = [
     Check(
         "uses-allowed",
         "Only allowed uses",
-        "Every include, call and name of a class from one logic module in another is allowed in "
-        "design/uses.toml.",
+        "If the code of a logic module includes, calls or names a class of another logic module, "
+        "design/uses.toml allows this use.",
         "The check does not find a use that needs no name, such as an access to a fixed address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
@@ -469,8 +471,8 @@ _FIXED = [
         "Shared data of contexts is protected",
         "A member that one context changes and another context uses is a Pipe, or "
         "design/execution.toml declares its protection. A member that is declared as atomic is "
-        "atomic. Each use of a member that is declared as masked is under an InterruptLock. Only "
-        "one context writes each pipe, and only one context reads it.",
+        "atomic. While code uses a member that is declared as masked, an InterruptLock exists. "
+        "Only one context writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It cannot judge whether the protection is sufficient. It does not "
         "compare two threads of the same kind, such as the threads of two wheels.",
@@ -522,10 +524,10 @@ _FIXED = [
         "No run needs more time than the bound",
         "No measured control cycle took longer than the computed bound of the control cycle. In "
         "the runs of the bench and in the tests of the firmware image, the measured time of a "
-        "cycle ends with the report. In the published random drives, it ends with the end of the "
-        "main thread. Random drives with noise at the inputs have a larger bound, which includes "
-        "the interrupts that the noise causes. The recorded time of each path is at most the "
-        "computed bound of this path.",
+        "cycle ends with the report. In the published random drives, the measured time ends when "
+        "the main thread ends. Random drives with noise at the inputs have a larger bound, which "
+        "includes the interrupts that the noise causes. The recorded time of each path is at most "
+        "the computed bound of this path.",
         "The check does not detect that an interrupt can occur more often than design/times.toml "
         "states.",
         "find the bound that is too small and correct it. It is the declared bound of a loop or a "
@@ -568,10 +570,10 @@ _FIXED = [
         "fsm-seen",
         "Each transition is made in a test",
         "Each transition was made in a test on the host that passed. The recorded calls of the "
-        "test show the transition: the Context calls the operation of the old state, and its "
-        "following calls can only be calls of the successor. For each requirement that a "
-        "transition names, a test of the requirement makes the transition. No test makes a change "
-        "that is not declared.",
+        "test show the transition: the Context calls the operation of the old state, and only the "
+        "successor has all methods of states that the Context calls afterwards. For each "
+        "requirement that a transition names, a test of the requirement makes the transition. No "
+        "test makes a change that is not declared.",
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
@@ -649,7 +651,7 @@ _FIXED = [
         "Hidden names stay inside",
         "If a module lists a header, class, function or constant in @hides, only this module uses "
         "it. If a logic module lists a name in @hides, only files of its folder use this name. If "
-        "a constant is listed, no other constant has the same value and a similar name.",
+        "@hides lists a constant, no other constant has the same value and a similar name.",
         "The check does not find a second constant or function that states the same fact under a "
         "different name.",
         "call an operation of the module instead.",
@@ -683,9 +685,9 @@ _FIXED = [
         "tree-order",
         "The order and the number of calls match the tree",
         "The body of each parent makes the calls in the order of the tree. If a node has no mark, "
-        "one statement without a condition calls it. The mark ? means a call under a condition, or "
-        "after a condition that may return. The mark * means a call in a loop or by several "
-        "statements.",
+        "one statement without a condition calls the method of the node. The mark ? means a call "
+        "under a condition, or after a condition that may return. The mark * means a call in a "
+        "loop or by several statements.",
         "The check does not detect which condition guards the call, or the order of calls in "
         "different iterations of a loop.",
         "restore the code, or correct the order or the mark in the tree.",
@@ -774,8 +776,7 @@ _FIXED = [
         "req-caller",
         "Each public method has a caller",
         "Code of the firmware calls every public method of a design module, or the method that it "
-        "overrides. A builder calls each step and uses each part. Methods without a caller are "
-        "justified in design/justified.toml.",
+        "overrides. Methods without a caller are justified in design/justified.toml.",
         "The check does not detect whether the calling code is ever executed. It also accepts a "
         "call in dead code.",
         "call the method, remove the method, or justify it in design/justified.toml.",
@@ -786,8 +787,8 @@ _FIXED = [
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
         "tools recognise the macro of every test. No test is disabled, and no test of a "
         "requirement skips itself.",
-        "The check does not detect whether the test tests the requirement. Mutation tests show "
-        "this.",
+        "The check does not detect whether the test fails when the code violates the requirement. "
+        "Mutation tests show this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
     ),
     Check(
@@ -814,14 +815,14 @@ _FIXED = [
         "Verifying tests ran and passed",
         "Every test that verifies a requirement ran in the last test run and passed. Every other "
         "test ran. The build of the tests names every folder with tests.",
-        "The check does not compare results while they are stale.",
+        "The check does not compare results that are older than the sources.",
         "correct the code or the test, then run ./wr test.",
     ),
     Check(
         "req-unknown",
         "Tags name requirements that exist",
         "Every @satisfies and @verifies names one requirement of requirements/.",
-        "The check does not find a tag with the id of a wrong requirement that exists.",
+        "The check does not find a tag that names an existing, but wrong requirement.",
         "correct the id.",
     ),
     Check(
@@ -844,9 +845,9 @@ _FIXED = [
         "Each source line serves a requirement",
         "Each source line of a method of the design is executed by a passing test of a "
         "requirement, and the method serves this requirement. A method serves a requirement in "
-        "three cases: the tree of the requirement contains the method, the method has the tag, or "
-        "a caller of the method serves the requirement. Other lines are justified in "
-        "design/justified.toml.",
+        "three cases: the tree of the requirement contains the method, the @satisfies of the "
+        "method names the requirement, or no tree contains the method and a caller of the method "
+        "serves the requirement. Other lines are justified in design/justified.toml.",
         "The check does not read the drivers of the K64; the page of the virtual K64 lists their "
         "lines. It does not detect whether the test checks the effect of the line.",
         "execute the line in a test of its requirement, remove it, or justify it in "
@@ -855,9 +856,9 @@ _FIXED = [
     Check(
         "hazard-name",
         "The safety case names existing parts",
-        "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an id "
-        "AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe state, "
-        "this file declares it.",
+        "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an "
+        "id AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe "
+        "state, another entry of the file declares this part.",
         "The check does not find hazards that nobody found.",
         "correct the name.",
     ),
@@ -890,8 +891,8 @@ _FIXED = [
     Check(
         "hazard-requirement",
         "Goals and requirements name each other",
-        "Each goal lists the requirements that name it in @goal. Each listed requirement exists "
-        "and has the @goal.",
+        "Each goal lists the requirements that name this goal in @goal. Each listed requirement "
+        "exists and names the goal in @goal.",
         "The check cannot judge whether the requirement really contributes to the goal. If some "
         "requirements of a goal are not verified, the check reports nothing, but the page of the "
         "goal shows the goal as open.",
@@ -900,9 +901,10 @@ _FIXED = [
     Check(
         "hazard-scenario",
         "Fault scenarios have goals and passed",
-        "Every file of sim/scenario/safety names a safety goal that lists it. A test plays the "
-        "scenario, and passed on each target for which the test is built. Every scenario that a "
-        "goal lists exists. A result that is older than the sources is not counted as passed.",
+        "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. A "
+        "test plays the scenario, and this test passed on each target for which it is built. "
+        "Every scenario that a goal lists exists. A result that is older than the sources is not "
+        "counted as passed.",
         "The check does not find faults without a scenario.",
         "complete the links, play the scenario in a test, or correct the failure.",
     ),

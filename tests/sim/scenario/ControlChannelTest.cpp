@@ -94,7 +94,8 @@ TEST_F(ControlChannelTest, AnActionTakesNoTime) {
   EXPECT_EQ(robot.now(), before);
 }
 
-/// @brief An expectation about the robot is answered.
+/// @brief The channel answers an expectation about the robot with "ok" if the expectation is met,
+/// and otherwise with an error.
 TEST_F(ControlChannelTest, AnExpectationIsAnswered) {
   scenario::ControlChannel channel("", robot);
   EXPECT_EQ(channel.perform("expect true_velocity0 between -1 1"), "ok");
@@ -110,7 +111,8 @@ TEST_F(ControlChannelTest, WordsThatAreNoActionAreRefused) {
   EXPECT_THAT(channel.perform("slope 1\nat 0 slope 2"), HasSubstr("one line"));
 }
 
-/// @brief Actions of the PC are rejected, because the PC link is in use.
+/// @brief Actions of the PC are rejected, because another program may already use the PC link.
+/// Other actions that need a scenario are rejected too.
 TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   scenario::ControlChannel channel("", robot);
   for (const char* words : {"connect", "hello", "order velocity 5", "bytes 00", "mark", "arm"}) {

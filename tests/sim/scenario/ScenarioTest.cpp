@@ -229,7 +229,7 @@ TEST(ScenarioTest, SafetyActionsOfTheWorld) {
   EXPECT_TRUE(worldOf<scenario::world::SetCoincident>(steps[12]).on);
 }
 
-/// @brief `arm` connects, and sends neutral orders for thirteen cycles.
+/// @brief The action `arm` connects the PC, and then sends neutral orders for thirteen cycles.
 TEST(ScenarioTest, ArmConnectsAndOrdersNeutral) {
   const scenario::Scenario scenario = scenarioOf("at 50 arm\nat 2000 end\n");
   const auto& steps = scenario.steps();
@@ -368,7 +368,7 @@ TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   EXPECT_THAT(text, testing::ContainsRegex(",3..(,-?[0-9]+[.][0-9])+\n$"));
 }
 
-// A robot that a finding stops during the run.
+// A robot whose run stops at kBreaks, because the virtual board reports a finding.
 class BrokenRobot final : public scenario::RobotSession {
  public:
   void send(std::span<const std::uint8_t> /*bytes*/) override {}

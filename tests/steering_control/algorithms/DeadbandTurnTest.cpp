@@ -9,9 +9,10 @@ constexpr StepRate kRest(0);
 constexpr StepRate kLeft(500);
 constexpr StepRate kRight(-500);
 
-/// @brief The algorithm, which the tests use through its interface.
+/// @brief The algorithm DeadbandTurn, which the tests call through the interface SteeringAlgorithm.
 struct DeadbandTurnTest : testing::Test {
-  /// @brief Returns the demanded turn at a distance from the target, for any target.
+  /// @brief Returns the demanded turn at a distance from the target. Checks that this turn does not
+  /// depend on the position of the target, and that left and right have the same rules.
   StepRate turn(std::int32_t away, StepRate now) {
     const StepRate atZero = algorithm.turn(Angle(away), Angle(0), now);
     EXPECT_EQ(algorithm.turn(Angle(away - 3200), Angle(-3200), now), atZero);

@@ -23,8 +23,8 @@ class Action final : public Command {
 
 class ControlCycleOfRobotOnHost : public testing::Test {
  protected:
-  // Advances the time by a period in one step. Then the second timer ticks, because the steering
-  // works only with these ticks.
+  // Advances the time by a whole period at once. Then runs the ticks of the second timer, because
+  // the steering completes no work without these ticks.
   void skipPeriod() {
     constexpr int kBeats = 8;
     robot.time.advance(robot.robot.period());

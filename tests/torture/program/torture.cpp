@@ -213,7 +213,7 @@ void maskInterrupts(std::uint32_t inner) {
   setInterruptMask(before);
 }
 
-/// @brief Masks faults. Sometimes the handler of an exception returns while the mask is set. Its
+/// @brief Masks faults. Sometimes the handler of an exception returns while the mask is set. This
 /// return clears the mask.
 void maskFaults(std::uint32_t inner) {
   if (unmaskable > 0) {
@@ -243,8 +243,8 @@ void sleep() {
   setInterruptMask(0);
 }
 
-/// @brief Clears the flag that the floating-point registers are in use. The next exception does not
-/// preserve them.
+/// @brief Clears the flag which shows that the floating-point registers are in use. The next
+/// exception then does not preserve these registers.
 void forgetFloatingPoint() {
   if (depth == 0) {
     setControl(control() & ~bit(2));

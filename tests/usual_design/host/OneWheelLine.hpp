@@ -20,8 +20,8 @@
 
 namespace wr::test {
 
-/// A design of Main Control and one wheel on the host, in the simulated robot and in stepped time.
-/// The other wheels have no firmware, so they coast.
+/// A design of Main Control and one wheel on the host, connected to the simulated robot. The caller
+/// advances the time step by step. The other wheels have no firmware, so they coast.
 /// @tparam Design the design
 template <class Design>
 class OneWheelLine final : public scenario::RobotSession {
@@ -111,7 +111,7 @@ class OneWheelLine final : public scenario::RobotSession {
 
   [[nodiscard]] Time nextPulse() const { return nextPulse_; }
 
-  // Runs 1 ms. The tick and the clock pulse are at its beginning. Then the edges of this ms follow.
+  // Runs 1 ms: first the tick, then the clock pulse if it is due, and then the edges of this ms.
   void step() {
     advanceTo(nextStep_);
     tickTimer_.periodPassed();

@@ -721,8 +721,8 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
     const std::int32_t edges = record.count - seenCount_;
     const Instant from = standing_ ? measuredAt_ : *seenEdge_;
     if (standing_) {
-      // The wheel was at rest between two edges. On average, the first edge occurs after half of
-      // the distance between two edges.
+      // The wheel was at rest at an unknown position between two edges. On average, the wheel
+      // reaches the first edge after half of the distance between two edges.
       const std::int32_t direction = std::clamp<std::int32_t>(edges, -1, 1);
       measured = velocityOf(2 * edges - direction, (now - from) * 2);
     } else {

@@ -61,8 +61,8 @@ TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
 }
 
-/// @brief A missing voltage of less than 0.1 V does not explain an error. The integral can
-/// therefore raise a demand that waits for a change of orientation.
+/// @brief A missing voltage of less than 0.1 V does not explain an error. While a small demand
+/// waits for a change of orientation, the integral can therefore still raise this demand.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   regulator.missed(Tension(99));

@@ -28,8 +28,9 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief A wheel that follows the model gets only the voltage of a motor without load. A rounded
-/// velocity may add one unit to the error, which is 7 mV.
+/// @brief A wheel that follows the model gets only the voltage of a motor without load. Because
+/// velocities are rounded, the error may differ by one unit (0.1 rpm), which changes the voltage by
+/// 7 mV.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;

@@ -69,8 +69,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief If the wheel is not slow and turns against the demand in a cycle, the count of slow
-/// cycles restarts.
+/// @brief A cycle in which the wheel is not slow and turns against the demand sets the count of
+/// slow cycles to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -95,7 +95,7 @@ TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(5000, 401), Tension(5000));
 }
 
-/// @brief Slow cycles are not sufficient while the wheel has voltage.
+/// @brief Slow cycles do not change the orientation while the wheel has voltage.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
   reverse.resume(Tension(9600));

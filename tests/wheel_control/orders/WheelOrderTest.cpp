@@ -128,8 +128,8 @@ TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   }
 }
 
-/// @brief A protective stop controls and then halts the wheel in one cycle. The current of the
-/// wheel still has at least 50 ms to decay before the driver is on again.
+/// @brief At a protective stop, the wheel is controlled and then halted in the same cycle. The
+/// current of the wheel still has at least 50 ms to decay before the driver is on again.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
   pass(true, kMiddle);
@@ -147,8 +147,8 @@ TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A sensor at the end of its range causes another trip immediately when the wheel brakes.
-/// The driver is then off.
+/// @brief If the current sensor stays at the end of its range, another trip occurs as soon as the
+/// wheel brakes. The driver is then off.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   pass(true, kTooMuch);

@@ -20,7 +20,7 @@ constexpr int unloaded(int tenthRpm) {
 /// cycle.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
-  this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // the fault keeps the error small
+  this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // the measured velocity stays 0
   this->robot.commandByPc();
   this->robot.orderedCycles(step, 1);
   EXPECT_EQ(this->robot.report().tension[0], unloaded(200));
