@@ -30,6 +30,7 @@ HEAP = re.compile(
     r"\bnew\s+[A-Za-z(]|\bdelete\s*(?:\[\]\s*)?[A-Za-z_]|\b(?:malloc|calloc|realloc|free)\s*\(\s*\w"
     r"|#include <(?:vector|string|map|set|unordered_map|unordered_set|deque|list|forward_list"
     r"|memory|any|queue|stack|sstream|iostream|regex|thread|future)>"
+    r"|\bstd::(?:function|string|vector|map|set|list|deque|any|unique_ptr|shared_ptr)\b"
 )
 KINDS = (INTERRUPT, THREAD, START)
 

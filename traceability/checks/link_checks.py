@@ -30,7 +30,8 @@ COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z
 PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
-KEY = re.compile(r"\bkey ``(\w)``")
+# A key in a sentence, or in the first column of a table of keys.
+KEY = re.compile(r"\bkey ``(\w)``|^(?:\w+, )?(\w)  +\w")
 HELP = '"--help"'  # this option exists for every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
@@ -269,7 +270,9 @@ def missing_parts(root: Path) -> Iterator[Finding]:
     for place, line in lines_below(root, PAGES, (".md", ".rst")):
         wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
         wrong += [f"program {name}" for name in PROGRAM.findall(line) if name not in targets]
-        wrong += [f"key {name}" for name in KEY.findall(line) if name not in keys]
+        wrong += [
+            f"key {key}" for found in KEY.findall(line) for key in found if key and key not in keys
+        ]
         wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
         for name in wrong:
             yield Finding(place, "link-doc", f"there is no {name}")

@@ -17,8 +17,23 @@ ENUMERATOR = re.compile(r"(\w+)\s*(?:=\s*(0[xX][\da-fA-F]+|\d+))?\s*(?:,|$)")
 
 
 def check(_model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _types(facts)
     yield from _numbers(facts)
     yield from _examples(facts)
+
+
+def _types(facts: Facts) -> Iterator[Finding]:
+    """Finds frames in design/frames.toml whose type differs from the enumerator of FrameType with
+    the same name."""
+    path = facts.root / FRAMES
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    numbers = _enumerators("FrameType", facts)
+    for frame in facts.declared.entries.whole(path).get("frame", []):
+        name, kind = str(frame.get("name")), frame.get("type")
+        if name in numbers and numbers[name] != kind:
+            at = next((n for n, line in enumerate(lines, 1) if line == f'name = "{name}"'), 1)
+            text = f"the frame {name} has the type {numbers[name]:#x} in FrameType, not {kind:#x}"
+            yield Finding(Place(FRAMES, at), "doc-frame", text)
 
 
 def _numbers(facts: Facts) -> Iterator[Finding]:

@@ -461,7 +461,8 @@ _FIXED = [
         "exec-heap",
         "No heap in the source",
         "No file of src and extensions has new, delete, malloc or free. No such file includes a "
-        "header of the standard library whose types allocate memory.",
+        "header of the standard library whose types allocate memory, or names such a type, for "
+        "example std::function.",
         "The check does not find library code that allocates memory internally. The symbols of "
         "the firmware image show such code.",
         "use an array of fixed size or a std::optional.",
@@ -1022,7 +1023,8 @@ _FIXED = [
         "doc-frame",
         "Numbers of the protocol agree with the code",
         "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
-        "the same name in the firmware.",
+        "the same name in the firmware. Each frame has the type of the enumerator of FrameType "
+        "with the same name.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",

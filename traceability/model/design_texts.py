@@ -19,8 +19,15 @@ LABELS = ("id", "name", "pattern", "place", "ask", "register", "object", "kind",
 LISTS = ("names", "methods", "members", "modules", "classes", "paths")
 PAGES = (("docs", "*.rst"), ("", "README.md"))
 TITLE = re.compile(r"^(?:#+ (.+)|(.+)\n[=\-~]{3,})$", re.MULTILINE)
-# A fact is a number, a pin, a name in a Sphinx role (such as :module:), or words in backticks.
-FACT = re.compile(r"(?<![\w.])-?\d[\w.]*|\bPT[A-E]\d+|:\w+:`[^`]+`|``[^`]+``|(?<!`)`[^`]+`(?!`)")
+# A fact is a number, a pin, a name in a Sphinx role (such as :module:), words in backticks, or a
+# number in words. "one", "first" and "second" are left out, because they often mean something else.
+FACT = re.compile(
+    r"(?<![\w.])-?\d[\w.]*|\bPT[A-E]\d+|:\w+:`[^`]+`|``[^`]+``|(?<!`)`[^`]+`(?!`)"
+    r"|\b(?:two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|twenty|twice|half|third"
+    r"|fourth|fifth|sixth|seventh|eighth|ninth|tenth)\b"
+)
+# Instructions on these pages can endanger people. Each change of their words needs a review.
+SAFETY_PAGES = ("docs/bring_up.rst", "docs/hazards.rst")
 # A text with at most this number of words is a name. Other checks compare names with the code.
 WORDS = 3
 
@@ -47,9 +54,11 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
     path: the names of the tables that contain the text, and its key.
 
     The numbers in a table are appended to each text of this table, because the text states the
-    reason for these numbers. Thus a change of a number also requires a review.
+    reason for these numbers. Thus a change of a number also requires a review. If a table has
+    numbers and no sentence, the numbers are a text of their own.
     """
     numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
+    has_reason = False
     for key, value in table.items():
         path = f"{above}{key}"
         if isinstance(value, Mapping):
@@ -65,7 +74,10 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
             texts = value if isinstance(value, list) else [value]
             said = [text for text in texts if isinstance(text, str) and _is_prose(text)]
             if said:
+                has_reason = True
                 yield path, "\n".join((*said, *numbers))
+    if numbers and not has_reason:
+        yield f"{above}numbers", "\n".join(numbers)
 
 
 def _label(item: Mapping[str, Any]) -> str:
@@ -99,6 +111,18 @@ def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
 
     A change of other words in the section does not change this result, and needs no review.
     """
+    for name, place, text in _sections(root):
+        facts = FACT.findall(text)
+        if facts and place.file not in SAFETY_PAGES:
+            yield name, place, "\n".join(facts)
+
+
+def safety_sections(root: Path) -> Iterator[tuple[str, Place, str]]:
+    """Returns each section of ``SAFETY_PAGES``: its name, its place and its text."""
+    return (section for section in _sections(root) if section[1].file in SAFETY_PAGES)
+
+
+def _sections(root: Path) -> Iterator[tuple[str, Place, str]]:
     for folder, names in PAGES:
         for path in sorted((root / folder).glob(names)):
             file = str(path.relative_to(root))
@@ -106,7 +130,7 @@ def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
             titles = [*TITLE.finditer(source)]
             ends = [*(title.start() for title in titles[1:]), len(source)]
             for title, end in zip(titles, ends, strict=False):
-                facts = FACT.findall(source[title.end() : end])
-                if facts:
-                    line = source.count("\n", 0, title.start()) + 1
-                    yield f"{file} {title[1] or title[2]}", Place(file, line), "\n".join(facts)
+                line = source.count("\n", 0, title.start()) + 1
+                text = source[title.end() : end].strip()
+                if text:
+                    yield f"{file} {title[1] or title[2]}", Place(file, line), text

@@ -16,8 +16,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
-from traceability.model.design_texts import page_facts, reasons
+from traceability.model.design_texts import page_facts, reasons, safety_sections
 from traceability.model.trees import accepted
+from traceability.reading.comments import code_of
 from traceability.reading.link_texts import (
     FINDERS,
     TREE,
@@ -68,11 +69,13 @@ NAMES_OF_TEXTS = {
     "justification": "the justification of lines of {}",
     "reason": "the text {}",
     "facts": "the numbers and names in the section {}",
+    "page": "the text of the section {}",
     "function": "{}",
 }
 KINDS = tuple(NAMES_OF_TEXTS)
 DESIGN = "design"  # used instead of an id for texts that belong to no requirement
-OF_DESIGN = ("reason", "facts", "function")
+OF_DESIGN = ("reason", "facts", "page", "function")
+EVIDENCE = ("sim/plant", "sim/scenario")  # folders of code on which the results of tests depend
 LINKS = "links"  # the table of the baseline with the texts of each requirement
 NEEDS: Keys = {
     "requirement": str,
@@ -154,13 +157,15 @@ class LinkTexts:
         return [
             *(LinkText("reason", *reason) for reason in reasons(self.facts.root)),
             *(LinkText("facts", *fact) for fact in page_facts(self.facts.root)),
+            *(LinkText("page", *section) for section in safety_sections(self.facts.root)),
             *texts.values(),
         ]
 
     def _uncovered(self, covered: set[str]) -> Iterator[tuple[Place, int, str]]:
         """Yields each function body, each specification, and the constants of each file, if they
-        are not in ``covered``. Each result consists of the place, the number of the last source
-        line (0 if it is unknown), and a text that begins with a line for the name."""
+        are not in ``covered``. Also yields the code of each file in ``EVIDENCE``. Each result
+        consists of the place, the number of the last source line (0 if it is unknown), and a text
+        that begins with a line for the name."""
         for body in self.facts.syntax.bodies:
             own = body.place.file.startswith(tuple(f"{top}/" for top in SOURCES))
             if own and f"body {body.id}" not in covered:
@@ -170,6 +175,9 @@ class LinkTexts:
             text = next(FINDERS["constants"](self.support.text(file), file))
             if text and f"constants {file}" not in covered:
                 yield Place(file, 1), 0, f"a constant\n{text}"
+        for path in files_below(self.facts.root, EVIDENCE, (".cpp", ".hpp")):
+            file = str(path.relative_to(self.facts.root))
+            yield Place(file, 1), 0, f"the code\n{code_of(self.support.text(file))}"
         for module in self.model.modules.values():
             for method in module.methods:
                 if f"method {method.id}" not in covered:
@@ -198,7 +206,11 @@ class LinkTexts:
         if name in case.goals:
             goal = case.goals[name]
             hazards = (case.hazards[hazard] for hazard in goal.hazards)
-            rows = (f"{h.id} {h.title} {h.situation} {h.harm} {h.answer}" for h in hazards)
+            rows = (
+                f"{h.id} {h.title} {h.situation} {h.harm} {h.severity} {h.exposure} {h.avoidance} "
+                f"{h.answer}"
+                for h in hazards
+            )
             text = "\n".join((goal.title, goal.text, goal.because, *goal.exceptions, *rows))
             yield LinkText("goal", name, goal.place, text)
 

@@ -12,11 +12,13 @@ from collections.abc import Iterator
 from traceability.reading.comments import code_of, read_comments
 from traceability.reading.gtest_cases import read_tests
 
-OF_LINKS = ("satisfies", "isr")  # Tags that are left out of the specification of a method.
+OF_LINKS = ("satisfies",)  # Tags that are left out of the specification of a method.
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
 STRING = re.compile(r'"(?:\\.|[^"\\\n])*"')
-CONSTANT = re.compile(r"\b(?:constexpr|constinit)\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
+CONSTANT = re.compile(
+    r"\b(?:constexpr|constinit)\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;|\benum\s[^;{}]*\{[^}]*\};"
+)
 BOUND = re.compile(r"// (bound|passes): ([^\n;]*)")
 CODE = ("body", "test", "function")  # kinds of texts that are code
 # Matches the declaration of a variable or a parameter: a type and a name.
@@ -148,7 +150,8 @@ def code_with_bounds(text: str) -> str:
 
 
 def texts_of_constants(text: str, _file: str) -> Iterator[str]:
-    """Yields the constants, the tables and the constant-initialised objects of a file."""
+    """Yields the constants, the tables, the constant-initialised objects and the enumerations of a
+    file."""
     code = STRING.sub(lambda match: match[0].replace(";", ","), code_of(text))
     yield "\n".join(match[0] for match in CONSTANT.finditer(code))
 

@@ -29,6 +29,22 @@ values = [
   { number = 15, name = "Second" },
   { number = 17, name = "Third" },
 ]
+
+[[frame]]
+name = "Hello"
+type = 0x01
+
+[[frame]]
+name = "Welcome"
+type = 0x91
+""",
+    "src/main_control/operation_states/FrameType.hpp": """\
+#pragma once
+namespace wr {
+/// @brief Type of a frame.
+/// @datatype
+enum class FrameType { Hello = 0x01, Welcome = 0x81 };
+}  // namespace wr
 """,
     "docs/protocol_examples.txt": """\
 # name; from; body without crc; crc; bytes on the line
@@ -62,7 +78,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[str, str, int,
 @pytest.mark.parametrize(
     ("check", "places"),
     [
-        ("doc-frame", [("frames.toml", 6)]),
+        ("doc-frame", [("frames.toml", 6), ("frames.toml", 15)]),
         ("doc-example", [("protocol_examples.txt", 3), ("protocol_examples.txt", 4)]),
         ("exec-heap", [("Loop.cpp", 7)]),
         ("stack-recursion", [("Loop.cpp", 4), ("Loop.cpp", 5)]),
@@ -75,5 +91,8 @@ def test_each_fault_is_found_at_its_line(
 
 
 def test_the_message_states_both_numbers(found: list[tuple[str, str, int, str]]) -> None:
-    (text,) = (text for check, _, _, text in found if check == "doc-frame")
-    assert text == "Second of Kind is 16, not 15"
+    texts = [text for check, _, _, text in found if check == "doc-frame"]
+    assert texts == [
+        "Second of Kind is 16, not 15",
+        "the frame Welcome has the type 0x81 in FrameType, not 0x91",
+    ]

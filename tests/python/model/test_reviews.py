@@ -29,10 +29,16 @@ TREE = "design/trees/reading.tree"
 REMARK = "Read the text, the tree and the test; both limits are there."
 REASONS, PAGE = "design/justified.toml", "docs/page.rst"
 OTHERS = "src/main_control/operation_states/helper.cpp"
+TYPES = "src/services/Kind.hpp"
+SAFETY_PAGE = "docs/bring_up.rst"
+PLANT = "sim/plant/Plant.hpp"
 TEXTS = {
     REASONS: '[[method]]\nnames = ["one"]\nwhy = "The timers of the robot never stop."\n',
     PAGE: "Memory\n======\n\nThe stack has 8 KB.\n",
     OTHERS: "namespace wr {\nint helper() {\n  return 1;\n}\n}  // namespace wr\n",
+    TYPES: "namespace wr {\nenum class Kind {\n  First = 1,\n};\n}  // namespace wr\n",
+    SAFETY_PAGE: "Wires\n=====\n\nConnect nothing to this plug.\n",
+    PLANT: "struct Plant {\n  double mass = 175.0;\n};\n",
 }
 OTHER = {"name": "Ada Reader", "email": "ada@example.org"}
 
@@ -190,6 +196,9 @@ def test_a_lost_tag_is_shown_at_the_method(tree: Path) -> None:
         (REASONS, "never stop", "often stop", "the text design/justified.toml method.one.why"),
         (PAGE, "8 KB", "16 KB", "the numbers and names in the section docs/page.rst Memory"),
         (OTHERS, "return 1;", "return 2;", f"helper in {OTHERS}"),
+        (TYPES, "First = 1", "First = 2", f"a constant in {TYPES}"),
+        (SAFETY_PAGE, "nothing", "the motor", f"the text of the section {SAFETY_PAGE} Wires"),
+        (PLANT, "175.0", "75.0", f"the code in {PLANT}"),
     ],
 )
 def test_a_text_without_a_requirement_has_a_baseline(
