@@ -57,7 +57,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="do not try the faults again that the last run found, if their files have not changed",
     )
     parser.add_argument(
-        "--publish", action="store_true", help="write the score to tests/records; commit this file"
+        "--publish",
+        action="store_true",
+        help="also write the score to a file in tests/records, which you then commit",
     )
     parser.set_defaults(run=mutate)
 

@@ -9,6 +9,7 @@ import json
 import re
 import subprocess
 from dataclasses import asdict, dataclass
+from itertools import dropwhile, takewhile
 from pathlib import Path
 from typing import Any
 
@@ -306,6 +307,14 @@ def field(field_entry: Field) -> dict[str, Any]:
     return data
 
 
+def first_comment(text: str) -> str:
+    """Returns the text of the first comment of a scenario, which can have several lines."""
+    lines = dropwhile(lambda line: not line.startswith("#"), text.splitlines())
+    return " ".join(
+        line[1:].strip() for line in takewhile(lambda line: line.startswith("#"), lines)
+    )
+
+
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
     """Returns the scenarios that the page can play: the examples, and the fault scenarios."""
     titles = {
@@ -317,8 +326,7 @@ def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
     for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):
         for path in sorted((root / folder).glob("*.scenario")):
             text = path.read_text(encoding="utf-8")
-            comment = next((x[1:].strip() for x in text.splitlines() if x.startswith("#")), "")
-            title, says = titles.get(path.stem, (path.stem.replace("_", " "), comment))
+            title, says = titles.get(path.stem, (path.stem.replace("_", " "), first_comment(text)))
             played.append(
                 {
                     "name": path.stem,

@@ -153,7 +153,8 @@ def _enabling(facts: Facts) -> dict[int, str]:
 
 def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
     """Returns all pipes of the robot. A pipe has the methods that write it and the methods that
-    read it. Each of these methods has the execution contexts that may execute the method.
+    read it. For each of these methods, the pipe also names the execution contexts that may execute
+    the method.
     """
     members = {
         member.name

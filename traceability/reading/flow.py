@@ -100,8 +100,8 @@ class FlowReader:
         return f"{at.file}:{name}" if at else name
 
     def sources(self, cursor: Cursor) -> list[str]:
-        """Returns the places from which an expression gets its reference. For ``a.b().c``, this is
-        only the member c."""
+        """Returns the variables, members and results of functions to which an expression can refer.
+        For ``a.b().c``, this is only the member c."""
         return list(dict.fromkeys(self._sources(cursor)))
 
     def _sources(self, cursor: Cursor) -> Iterator[str]:

@@ -11,7 +11,7 @@ struct FirmwareIdentity {
   std::uint8_t major;           ///< major number of the version
   std::uint8_t minor;           ///< minor number of the version
   std::uint8_t patch;           ///< patch number of the version
-  std::array<char, 8> buildId;  ///< first 8 hexadecimal digits of the SHA-256 of the sources
+  std::array<char, 8> buildId;  ///< first 8 hexadecimal digits of a hash of the sources
   std::uint32_t schemaHash;     ///< CRC-32 of the frame, name, type and offset of each field in
                                 ///< design/frames.toml
 };

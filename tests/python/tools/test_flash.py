@@ -24,7 +24,7 @@ class Desk:
     def __init__(self, root: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self.root = root
         self.capsys = capsys
-        self.tools = root / "tools"  # the whole PATH of the computer
+        self.tools = root / "tools"  # the only folder in PATH of the simulated computer
         self.image = root / "image.bin"
         self.tools.mkdir()
         (root / "usb").mkdir()
