@@ -33,7 +33,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--publish",
         action="store_true",
-        help="with --drift: also write the result to a file in tests/records, which you then commit",
+        help="with --drift: also write the result to a file in tests/records, which you then "
+        "commit",
     )
     parser.set_defaults(run=run)
 
