@@ -52,8 +52,8 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _unstated(model: Model) -> Iterator[Finding]:
-    """Finds requirements whose source is a place of the paper, although no statement at this place
-    names the requirement as its answer."""
+    """Finds requirements that name a place of the paper as their source, but that no statement of
+    this place lists in ``here``."""
     answered = {
         (statement.where, target) for statement in model.statements for target in statement.here
     }

@@ -901,7 +901,7 @@ _FIXED = [
     ),
     Check(
         "hazard-scenario",
-        "Fault scenarios have goals and passed",
+        "Fault scenarios have a goal, and their tests passed",
         "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. A "
         "test plays the scenario, and this test passed on each target for which it is built. "
         "Every scenario that a goal lists exists. A result that is older than the sources is not "

@@ -216,7 +216,7 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
     """Finds requirements with a priority that is too low. The level of the safety goals that a
-    requirement serves determines its least priority."""
+    requirement serves determines the lowest priority that it may have."""
     case = model.safety
     for requirement in model.requirements.values():
         demanded = [
