@@ -797,8 +797,8 @@ _FIXED = [
         "Justifications are needed",
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
-        "lists changes of this line. If all mutants of the present sources were tried, no test "
-        "found any of these changes.",
+        "lists changes of this line. When all mutants of the present sources have been tried, the "
+        "check also verifies that no test found any of these changes.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),

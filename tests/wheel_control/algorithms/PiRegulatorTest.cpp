@@ -75,7 +75,7 @@ TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300));
 }
 
-/// @brief A missing voltage also explains the smallest error.
+/// @brief If a voltage is missing, even an error of 1 is not added to the integral.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_LeastErrorIsExplained) {
   for (const int sign : {1, -1}) {
