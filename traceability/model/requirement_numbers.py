@@ -37,9 +37,12 @@ UNITS = {
     "sample": ("sample", Fraction(1)),
     "edge": ("edge", Fraction(1)),
     "byte": ("byte", Fraction(1)),
+    "time": ("repetition", Fraction(1)),  # as in "seven times"
     "baud": ("baud", Fraction(1)),
 }
-_UNIT = r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s|cycles?|samples?|edges?|bytes?|baud)"
+_UNIT = (
+    r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s|cycles?|samples?|edges?|bytes?|times|baud)"
+)
 _LIST = rf"(?=(?: to | and | or |, )[\d.]+ ?(?P<later>{_UNIT})(?![\w/]))"
 _STATED = re.compile(
     rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(WORDS)})"

@@ -19,6 +19,7 @@ def constant(number: int, unit: str = "") -> Quantity:
 def test_digits_and_words_with_a_unit_are_read() -> None:
     text = "shall end after 200 ms, in five cycles, between 21 and 29 V, as in FR-12 at 3 places"
     assert list(stated_numbers(text)) == ["200 ms", "five cycles", "21 V", "29 V"]
+    assert list(stated_numbers("seven times in a row")) == ["seven times"]
 
 
 def test_a_number_is_compared_in_the_unit_of_the_constant() -> None:
