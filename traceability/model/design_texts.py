@@ -21,7 +21,8 @@ PAGES = (("docs", "*.rst"), ("", "README.md"))
 TITLE = re.compile(r"^(?:#+ (.+)|(.+)\n[=\-~]{3,})$", re.MULTILINE)
 # A fact is a number, a pin, a name in a Sphinx role (such as :module:), or words in backticks.
 FACT = re.compile(r"(?<![\w.])-?\d[\w.]*|\bPT[A-E]\d+|:\w+:`[^`]+`|``[^`]+``|(?<!`)`[^`]+`(?!`)")
-# A text with at most this number of words is a name. Other checks compare names with the code.
+# A text with at most this number of words counts as a name and not as a sentence. It is left out
+# here, because other checks compare names with the code.
 WORDS = 3
 
 
@@ -94,10 +95,11 @@ def _line_of(text: str, source: str) -> int:
 
 
 def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Returns each section of a page that contains facts. Each result consists of a name, the place
-    of the section, and its facts (numbers, pins and names) in their order in the section.
+    """Returns the facts (numbers, pins and names) in each section of the pages. Each result
+    consists of a name, the place of the section, and the facts of the section in their order.
 
-    A change of other words in the section does not change this result, and needs no review.
+    A section without facts is left out. A change of other words does not change the facts, and
+    needs no review.
     """
     for folder, names in PAGES:
         for path in sorted((root / folder).glob(names)):
