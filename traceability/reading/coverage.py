@@ -22,8 +22,8 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Build folders of programs that are not the test program of the firmware. Code that only these
-# programs contain is ignored.
+# Build folders of the programs that do not belong to the test program of the firmware. Code that is
+# only in these programs is ignored.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 

@@ -38,11 +38,11 @@ class Instruction:
     name: str
     operands: str
     cycles: int
-    call: str = ""  # symbol of the called function; "" if it is no call
+    call: str = ""  # symbol of the called function; "" if the instruction is no call
     indirect: bool = False
     jumps: int | None = None  # target address of a jump
-    # True if the next instruction in memory is not executed after this one, because this one always
-    # jumps or returns.
+    # True if the instruction always jumps or returns. The next instruction in memory is then not
+    # executed after it.
     ends: bool = False
 
 
@@ -65,8 +65,8 @@ class Block:
 
 @dataclass
 class Loop:
-    """A loop: the head, and all blocks that lead from the head back to the head. Each iteration
-    passes through the head."""
+    """A loop: its first block (the head), and all blocks on a path from the head back to the head.
+    Each iteration passes through the head."""
 
     head: int
     blocks: set[int]
