@@ -154,7 +154,7 @@ class RoleBinding:
 
 @dataclass(frozen=True)
 class Module:
-    """A design module. If ``datatype`` is true, it is a value type with documentation."""
+    """A design module, or a documented value type if ``datatype`` is true."""
 
     name: str
     qualified: str
@@ -959,8 +959,8 @@ class StackContext:
 
 @dataclass(frozen=True)
 class TimeBound:
-    """The longest processor time that a context can need. For an interrupt, this is the time of one
-    execution. For a thread, it is the time of all its handlers in a control cycle."""
+    """The longest processor time that a context can need: for an interrupt, the time of one
+    execution, and for a thread, the time of all its handlers in a control cycle."""
 
     context: str
     name: str
@@ -1245,8 +1245,7 @@ class MadeChange:
 
 @dataclass(frozen=True)
 class LikelyChange:
-    """The work that a likely change needs. Because of the use of a pattern, only a few modules must
-    be edited."""
+    """The work that a likely change needs. The pattern limits the change to a few modules."""
 
     application: str
     pattern: str

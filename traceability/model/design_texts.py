@@ -47,8 +47,8 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
     """Returns the texts with sentences in a TOML table and in the tables inside it. Each text has a
     path: the names of the tables that contain the text, and its key.
 
-    The numbers in a table are appended to each text of this table, because the text states the
-    reason for these numbers. Thus a change of a number also requires a review.
+    The texts of a table often state the reasons for the numbers in the table. Each text therefore
+    ends with these numbers, so that a change of a number also requires a review.
     """
     numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
     for key, value in table.items():

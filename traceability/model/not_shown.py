@@ -103,8 +103,8 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     )
     if short:
         yield (
-            f"{_count(short, 'tree')} of one node: such a tree shows that a method ran, but shows "
-            "no sequence of calls.",
+            f"Number of invocation trees with only one node: {short}. Such a tree shows that a "
+            "method ran, but shows no sequence of calls.",
             "trees",
         )
 

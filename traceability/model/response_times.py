@@ -187,7 +187,7 @@ def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
 
 def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
     """Returns the number of processor cycles from the clock pulse until the main thread has
-    finished its work. The interrupts that occur meanwhile are included.
+    finished its work. The cycles of the interrupts in this time are included.
     """
     all_bounds = list(contexts)
     own = sum(bound.cycles for bound in all_bounds if bound.entries is None)
@@ -236,8 +236,8 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
-    """Returns the time [cycle] until a context has executed ``own`` cycles of its own. The
-    interrupts that occur meanwhile are included.
+    """Returns the time [cycle] until a context has executed ``own`` cycles of its own. The cycles
+    of the interrupts in this time are included.
     """
     cycles = own
     for _ in range(MOST_ROUNDS):

@@ -141,9 +141,9 @@ class LinkTexts:
         ]
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
-        """Returns the texts that belong to no requirement. They are the reasons and the facts of
-        the design documents, and all functions, constants and specifications that are not in
-        ``covered``."""
+        """Returns the texts that belong to no requirement. These are the sentences in the design
+        files, the facts in the pages, and all functions, constants and specifications that are not
+        in ``covered``."""
         texts: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"

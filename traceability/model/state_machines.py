@@ -229,8 +229,8 @@ class Watcher:
     """The search for the states of a Context in the recorded calls of a test.
 
     Only the calls inside a method of the Context are examined, because the Context calls only the
-    present state. After a change, all states are possible. Each further call excludes the states
-    that do not have the called method, until one state is left.
+    present state. After a change of state, all states are possible at first. Each further call
+    excludes the states that do not have the called method, until only one state is left.
     """
 
     def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
@@ -308,8 +308,8 @@ class _Run:
             self.changed = tuple(method for method in between if method in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """Records that an operation of the present state begins. The operation excludes all states
-        that do not have it."""
+        """Records that an operation of the present state begins. All states that do not have this
+        operation are then excluded."""
         states = self.watcher.runners[method]
         if not self.present & states:
             self._forget()

@@ -52,9 +52,7 @@ class Activation:
     raised: int
     begin: int
     end: int
-    below: (
-        int  # number of the activation that was interrupted; -1 without an interrupted activation
-    )
+    below: int  # number of the interrupted activation; -1 if no activation was interrupted
 
     @property
     def line(self) -> int:

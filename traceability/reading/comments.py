@@ -120,8 +120,8 @@ NO_COMMENT = Comment(Place("", 0), [])
 
 
 class Comments:
-    """A reader that finds the comment at a place. It reads a file when a comment of this file is
-    requested for the first time."""
+    """A reader that finds the comment at a place. When a comment of a file is requested for the
+    first time, the reader reads this file."""
 
     def __init__(self, root: Path) -> None:
         self.root = root

@@ -75,8 +75,8 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 
 def _key(root: Path, binding: str) -> str:
-    """Returns the key of the cache. A new run of the tests and a change of this reader give a new
-    key."""
+    """Returns the key of the cache. The key changes if the tests run again, or if the code of this
+    reader changes."""
     run = run_hash(root, binding)
     here = Path(__file__).parent
     parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")

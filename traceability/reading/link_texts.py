@@ -74,8 +74,7 @@ def requirements(text: str) -> list[tuple[str, str]]:
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
     """Returns each documentation comment with the declaration below it. Each result consists of the
-    line numbers of the comment and the declaration, the declaration, and the comment and the
-    declaration as one text."""
+    line numbers of both parts, the declaration, and one text that contains both parts."""
     return list(_specifications(text))
 
 

@@ -111,8 +111,8 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
     """Returns the source lines of each instruction. The first line is the line from which the
-    instruction was compiled. If this line is in an inlined function, the next lines are the places
-    at which the function was called, from the innermost to the outermost call."""
+    instruction was compiled. If this line is in an inlined function, the next lines are the source
+    lines of the inlined calls, from the innermost to the outermost call."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout

@@ -43,7 +43,7 @@ def read_published(root: Path, name: str) -> Published | None:
 
 
 def last_score(root: Path, name: str) -> LastRecord | None:
-    """Returns the last published result of a test that is too long for each build. The result is
+    """Returns the last published result of a test that does not run in each build. The result is
     marked as not current, because the sources may have changed since."""
     record = read_published(root, name)
     if record is None:

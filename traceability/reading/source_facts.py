@@ -25,7 +25,8 @@ from traceability.sources import DESIGN, SRC
 
 @dataclass
 class Facts:
-    """The inputs of the model. Checks use them if the model does not contain enough details."""
+    """The inputs of the model. Checks use these inputs if the model does not contain enough
+    details."""
 
     root: Path
     comments: Comments

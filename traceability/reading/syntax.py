@@ -169,11 +169,10 @@ INCLUDE = re.compile(
 
 
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
-    """Returns the project files that a file includes. The source text is read instead of the list
-    of the compiler.
+    """Returns the project files that a file includes. The source text is searched for the includes.
 
-    The reason: if a file includes a header for the second time, the list of the compiler does not
-    contain the second include.
+    The list of the compiler is not used, because it is not complete: if a translation unit has
+    already included a header, the list contains no further include of this header.
     """
     includes: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()

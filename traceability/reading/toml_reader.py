@@ -15,7 +15,7 @@ from typing import Any, ClassVar, Protocol, TypeVar, get_args, get_origin, get_t
 
 from traceability.schema import Place
 
-MAY_BE_EMPTY = ("guard", "action")  # keys of a transition that may have an empty text
+MAY_BE_EMPTY = ("guard", "action")  # keys of a transition whose text may be empty
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
 
