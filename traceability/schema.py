@@ -69,8 +69,8 @@ class PaperStatement:
 
 @dataclass(frozen=True)
 class Tuned:
-    """Constants that depend on the constant ``to``. If somebody changes ``to``, these constants
-    need new values too."""
+    """Constants that depend on the constant ``to``. If the value of ``to`` is changed, these
+    constants need new values too."""
 
     to: str
     why: str
@@ -154,7 +154,7 @@ class RoleBinding:
 
 @dataclass(frozen=True)
 class Module:
-    """A design module. If ``datatype`` is true, it is a value type with documentation."""
+    """A design module, or a documented value type if ``datatype`` is true."""
 
     name: str
     qualified: str
@@ -190,7 +190,7 @@ class Module:
     lines_covered: int | None = None
     branches_total: int | None = None
     branches_covered: int | None = None
-    # file -> source line -> number of executions
+    # file -> source line -> 1 if a test executed the line, otherwise 0
     line_hits: Mapping[str, dict[int, int]] = field(default_factory=dict)
     flash_bytes: int | None = None
     ram_bytes: int | None = None
@@ -276,10 +276,11 @@ class TreeNode:
     # targets on which the method does not exist; for example the host for a method of a K64 driver
     outside: Sequence[str] = field(default_factory=list)
     children: Sequence[TreeNode] = field(default_factory=list)
-    # True if the code and the tree disagree about the kind of the call: one has a direct call, and
-    # the other has a post.
+    # True if the code and the tree differ in the kind of the call: a direct call in one of them,
+    # and a post in the other.
     otherwise: bool = False
-    # the tree declares: "" one call, "?" a call under a condition, "*" several calls
+    # number of calls that the tree declares: "" one call, "?" one call under a condition, "*"
+    # several calls
     often: str = ""
     often_in_code: str | None = None
     too_early: str = (
@@ -462,8 +463,8 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text that has changed since its baseline and on which a requirement depends. ``KINDS`` in
-    model/reviews.py lists the kinds of texts."""
+    """A text that was changed, added or removed since the baseline, so that a person must review
+    it. ``KINDS`` in model/reviews.py lists the kinds of texts."""
 
     kind: str
     name: str
@@ -708,9 +709,9 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """A reason why some code breaks a rule. The rules: each method, test and source line serves a
-    requirement; code of the firmware calls each method ("uncalled"); each loop counts its
-    iterations ("loop")."""
+    """A reason why some code breaks a rule. There are three rules: each method, test and source
+    line serves a requirement; the firmware itself calls each public method ("uncalled"); the head
+    of each loop counts the iterations ("loop")."""
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]
@@ -768,8 +769,8 @@ class Mutation:
 
 @dataclass(frozen=True)
 class TestRun:
-    """The run of the tests on one target: its time, and the seeds of the tests that use random
-    numbers."""
+    """The run of the tests on one target: the date of the run, and the seeds of the tests that use
+    random numbers."""
 
     date: str
     seeds: Sequence[str]
@@ -960,14 +961,14 @@ class StackContext:
 
 @dataclass(frozen=True)
 class TimeBound:
-    """The longest processor time that a context can need. For an interrupt, this is the time of one
-    execution. For a thread, it is the time of all its handlers in a control cycle."""
+    """The longest processor time that a context can need: for an interrupt, the time of one
+    execution, and for a thread, the time of all its handlers in a control cycle."""
 
     context: str
     name: str
     cycles: int
-    # In each interval of `ticks` ms, the context starts at most this often. None means: once in a
-    # control cycle.
+    # Greatest number of starts of the context in each interval of `ticks` ms. None if the context
+    # starts once in a control cycle.
     entries: int | None
     ticks: int
     noise: (
@@ -1010,8 +1011,9 @@ class TimeProof:
         # interrupts.
         float
     )
-    noise_ms: float  # the same as cycle_ms, but with noise at all inputs
-    # the longest measured time from the clock pulse to the report in the runs of the bench
+    noise_ms: float  # the same time as ``cycle_ms``, but with noise at all inputs
+    # the longest measured time from the clock pulse to the report, in the runs of the bench and in
+    # the tests of the firmware image
     seen_ms: float | None
     paths: Sequence[PathBound]
     # loops and memory copies without a known bound: function and place of each
@@ -1245,17 +1247,19 @@ class MadeChange:
 
 @dataclass(frozen=True)
 class LikelyChange:
-    """The work that a likely change needs. Because of the use of a pattern, only a few modules must
-    be edited."""
+    """The work that a likely change needs. The pattern limits the change to a few modules."""
 
     application: str
     pattern: str
     hidden_by: str  # module that hides the change
-    altered: Sequence[str]  # modules that the change edits; each hides one variant
+    # existing modules that implement one variant each; to change a variant, edit its module
+    altered: Sequence[str]
     role: str  # role of the class that the change adds; "" if the change adds no class
     derives: Sequence[str]  # base classes of the class that the change adds
     logic: str  # folder of the existing classes
-    edits: Sequence[str]  # modules that must be edited to register the added class
+    # modules that must be edited, because they must name the added class; equal to ``altered`` if
+    # the change adds no class
+    edits: Sequence[str]
     untouched: Sequence[str]
     requirements: Sequence[str]  # requirements that must be reviewed after the change
     tests: Sequence[str]
@@ -1393,7 +1397,7 @@ class LoopFigure:
 @dataclass(frozen=True)
 class LoopRun:
     """The result of a closed-loop run. ``passed`` is true if the run met all expectations of the
-    scenario. If not, ``said`` is the output of the run."""
+    scenario. If ``passed`` is false, ``said`` is the output of the run."""
 
     passed: bool
     said: str

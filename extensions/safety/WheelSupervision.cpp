@@ -47,7 +47,8 @@ constexpr std::uint8_t kDeviatingCycles = 2;
 // In the third cycle the value has been missing for more than 0.2 s.
 constexpr std::uint8_t kMissingCycles = 3;
 
-// It is a fault if the measured current (in mA) does not change in this number of successive cycles.
+// It is a fault if the measured current (in mA) does not change in this number of successive
+// cycles.
 constexpr std::uint8_t kEqualCycles = 7;
 
 // Limits for the fault: too many Hall edges are implausible. The first two numbers count half

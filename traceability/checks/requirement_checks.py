@@ -41,7 +41,7 @@ DISABLED, SKIPS = "DISABLED_", "GTEST_SKIP("
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
-# The kinds of texts on which each link depends.
+# Kind of a changed text -> end of the name of the check (suspect-...) that reports the change.
 _LINKS = {
     **dict.fromkeys(("requirement", "tree", "goal", "transition"), "requirement"),
     **dict.fromkeys(("method", "body", "constants"), "method"),
@@ -243,8 +243,8 @@ def _lines_of(root: Path, body: BodyFact) -> list[str]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """Returns the names of a justification that are no longer necessary. A name with "/" counts as
-    necessary while at least one name of the entry is necessary."""
+    """Returns the names of a justification that are no longer necessary. If at least one name of an
+    entry is necessary, each name with "/" (a file or a folder) counts as necessary too."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -269,8 +269,8 @@ def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
 
 
 def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
-    """Returns the place of the first requirement to which a finding applies. A finding about test
-    results uses this place, because test results are not in a source file."""
+    """Returns the place of the first requirement to which a finding applies. Findings about test
+    results point to this place, because test results are not in a source file."""
     ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
     return ordered[0].place if ordered else Place("requirements", 1)
 

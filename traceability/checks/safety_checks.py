@@ -1,5 +1,5 @@
 """hazard-*: the safety case is complete. If two entries must name each other, such as a hazard and
-a goal, neither of the two links is missing."""
+a goal, both entries do."""
 
 from __future__ import annotations
 
@@ -215,8 +215,8 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds requirements with a priority that is too low. The level of the safety goals that a
-    requirement serves determines the lowest priority that it may have."""
+    """Finds requirements with a priority that is too low. The levels of the safety goals that a
+    requirement serves determine the lowest priority that the requirement may have."""
     case = model.safety
     for requirement in model.requirements.values():
         demanded = [

@@ -26,8 +26,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _open(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public data members and friend declarations. Through such a member or such a friend,
-    another class can use a module without its interface."""
+    """Finds public data members and friend declarations. A public data member lets other classes
+    use a module without its interface, and a friend declaration does the same for the friend."""
     for module in model.modules.values():
         if module.datatype:
             continue

@@ -24,7 +24,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _self_calls(facts: Facts) -> Iterator[Finding]:
     """Finds functions that call themselves through functions of the same source file. This check
-    reads only sources. It is used while the firmware image is older than the sources."""
+    needs no firmware image. It replaces the other checks of the stack while the image is older than
+    the sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())

@@ -98,7 +98,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
         ]
         if step.event not in machine.events:
             text = f"the event '{step.event}' has no operation"
-            fix = "name it in [events], or correct the event"
+            fix = "write the operation of the event in [events], or correct the name of the event"
             findings.append(finding(text, fix, step.event, step))
         if not step.requirements:
             text = f"{words(step)} serves no requirement"
@@ -147,7 +147,7 @@ def _asked_for(
         for requirement in requirements
         if not any(method.split("::")[0] in family for method in _serving(requirement))
     ]
-    fix = "write the number of the requirement"
+    fix = "write a number that the requirement states"
     return problems + [
         (
             f"no requirement of {words(step)} states the number '{figure[0]}'",
@@ -172,8 +172,8 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Returns whether another transition from the same state at the same event makes this
-    transition ambiguous. The guards must distinguish the two transitions."""
+    """Returns true if the guards do not distinguish the transition ``step`` from another transition
+    that has the same state and the same event."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)
@@ -209,7 +209,7 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
         return
     given = ", ".join(sorted(code.initial)) or "no state"
     text = f"{code.composition} begins with {given}, but the machine begins with {machine.initial}"
-    fix = "correct 'initial', or give the first state to the Context"
+    fix = "correct 'initial', or pass the initial state of the machine to the Context"
     place = facts.declared.entries.line_in(machine.place, "initial")
     yield Finding(place, "fsm-code", text, fix)
 
@@ -245,8 +245,8 @@ def _operation(
 
 
 def _differs(row: Transition, change: Change) -> bool:
-    """Returns whether only one of the two is conditional: the change in the code, or the declared
-    transition (the row).
+    """Returns true if the change in the code has a condition and the declared transition ``row``
+    has none, or the other way round.
 
     An event with a time, such as "after 2 s", counts as a condition of the transition. A guard
     about the state of another machine ("in ...") is not compared, because the caller checks this
@@ -276,7 +276,8 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     conditions of the change itself, and of the changes above it in the same operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    # Changes at the same place are different targets of one call.
+    # One call can have several possible new states. The code then has several changes at the same
+    # place.
     before += [other for other in changes if other.place == change.place]
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
@@ -292,7 +293,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
             text = f"the table [guards] lists no condition for the guard '{row.guard}'"
-            yield Finding(row.place, "fsm-code", text, "write it, or correct the guard")
+            yield Finding(row.place, "fsm-code", text, "add a condition, or correct the guard")
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
                 text = (

@@ -97,8 +97,8 @@ def _executed(requirement: Requirement, model: Model) -> Iterator[Finding]:
         return
     if requirement.runs:
         return
-    # If no passed test has recorded its calls, no node has a measured result. The finding then
-    # points to the root.
+    # If there are no recorded calls of passed tests, it is unknown for each node whether a test
+    # made the call. The finding then points to the root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
     text = (
         f"no passing test of {requirement.id} made the call of {failed.label} at this place of the "

@@ -88,7 +88,8 @@ def _extensions(model: Model) -> Iterator[Finding]:
 
 
 def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
-    """Finds numbers in src that are values of an enumeration which only an extension names."""
+    """Finds places in src that use a number which an extension adds to an enumeration of src. The
+    extension adds the number by a conversion to the enumeration."""
     numbers = facts.syntax.enum_numbers
     added = {
         (fact.kind, fact.number): fact.place for fact in numbers if is_extension(fact.place.file)

@@ -16,8 +16,8 @@ METRICS = Path("build/metrics.json")
 
 
 def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, Any]) -> Path:
-    """Writes the metrics. ``measured`` contains additional metrics from other steps of the run, by
-    their names."""
+    """Writes the metrics. ``measured`` contains additional metrics, which other steps of the run
+    measured."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
     values = metrics(model, report) | measured
@@ -28,7 +28,8 @@ def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, 
 
 
 def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:
-    """Returns the metrics of the built site. They are counted from the findings about its links."""
+    """Returns two metrics of the built site: the number of pages, and the number of findings about
+    dead links."""
     return {
         "site.pages": len(list(site.rglob("*.html"))),
         "site.dead_links": sum(1 for finding in findings if finding.check == "link-site"),

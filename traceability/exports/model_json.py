@@ -16,7 +16,8 @@ from traceability.model.report import Report
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-# For each data class of the model, the additional fields that the JSON file takes from the report.
+# The fields of the JSON file that are in the report and not in the model, by the data class to
+# which they are added.
 VERDICT = {"state": str, "reasons": list[str]}
 ADDED: dict[type, dict[str, Any]] = {
     Model: {"findings": list[schema.Finding]},

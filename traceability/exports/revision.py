@@ -36,7 +36,7 @@ class RequirementState:
 
 @dataclass(frozen=True)
 class Revision:
-    """The summary of a commit, which is compared with other commits."""
+    """The summary of a commit, for the comparison with other commits."""
 
     commit: str
     requirements: Mapping[str, RequirementState]

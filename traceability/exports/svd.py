@@ -9,7 +9,7 @@ from traceability.reading.register_table import Register, RegisterBlock, read_re
 
 NAME = "weeding_robot.svd"
 VERSION = "1.3"
-PAGE = 0x1000  # size [byte] of the address range that contains most blocks of registers
+PAGE = 0x1000  # usual size [byte] of the address range of one block of registers
 ACCESS = {
     "Read": "read-only",
     "Write": "write-only",
@@ -51,8 +51,8 @@ def svd_of(blocks: list[RegisterBlock]) -> str:
 
 
 def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
-    """Adds a block of registers, and also the other blocks of the same kind. They have the same
-    registers at other addresses."""
+    """Adds a block of registers. If the microcontroller has several blocks of this kind, also adds
+    the other blocks, which have the same registers at other addresses."""
     first, *others = INSTANCES.get(block.name, ("",))
     name, base = f"{block.name.upper()}{first}", _base(block)
     peripheral = ET.SubElement(peripherals, "peripheral")

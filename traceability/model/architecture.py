@@ -8,7 +8,7 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Connection
 
-POST = "ControlThread::post"  # requests that a thread executes its command later
+POST = "ControlThread::post"  # method that requests the later execution of the command of a thread
 BODIES = "field ControlThread::body_"  # data member that refers to the command of a thread
 
 

@@ -212,7 +212,7 @@ def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
 
 def _places(facts: Facts) -> list[Place]:
     """Returns the places in the sources where a class or a function is defined. The functions are
-    needed for the folders that contain no class."""
+    included, because some folders contain functions but no class."""
     classes = [fact.place for fact in facts.syntax.classes]
     return classes + [body.place for body in facts.syntax.bodies]
 
@@ -321,9 +321,9 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """Returns the function body of a method. ``bodies`` contains the bodies of all overloads of the
-    method. The body that begins on the source line of the declaration belongs to this overload.
-    Without such a body, returns the first body in ``bodies``. Returns None if ``bodies`` is empty.
+    """Returns the body of the overload that ``fact`` declares. ``bodies`` contains the bodies of
+    all overloads of the method. If a body begins on the source line of the declaration, returns
+    this body. Otherwise, returns the first body in ``bodies``, or None if ``bodies`` is empty.
     """
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
@@ -332,8 +332,9 @@ def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
 
 
 def _specified(method: Method, modules: dict[str, Module]) -> Method:
-    """Returns the method with its specification. If the method has no comment, the specification
-    comes from the nearest method with a comment that it overrides.
+    """Returns the method with its specification. If the method has no comment, the specification is
+    the comment of the overridden method. If that method has no comment either, the search continues
+    in the next base class.
     """
     upper = None if method.documented else method.overrides
     while upper is not None:
@@ -375,7 +376,8 @@ def _with_calls(model: Model, facts: Facts) -> Model:
         folder = model.logic_modules.get(logic_of(body.place.file))
         if not body.owner and folder is not None and not folder.modules:
             # The compositions of several products contain functions with the same name. Only the
-            # first function is stored, because the first composition builds the robot itself.
+            # first of these functions is stored. The functions of src come before the functions of
+            # extensions.
             functions.setdefault(body.id, Function(body.id, body.place, calls))
         made[body.id, body.place.file, body.place.line] = calls
         for target in {target for call in calls for target in call.targets} - {body.id}:

@@ -28,7 +28,8 @@ FACT = re.compile(
 )
 # Instructions on these pages can endanger people. Each change of their words needs a review.
 SAFETY_PAGES = ("docs/bring_up.rst", "docs/hazards.rst")
-# A text with at most this number of words is a name. Other checks compare names with the code.
+# A text with at most this number of words counts as a name and not as a sentence. It is left out
+# here, because other checks compare names with the code.
 WORDS = 3
 
 
@@ -53,8 +54,8 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
     """Returns the texts with sentences in a TOML table and in the tables inside it. Each text has a
     path: the names of the tables that contain the text, and its key.
 
-    The numbers in a table are appended to each text of this table, because the text states the
-    reason for these numbers. Thus a change of a number also requires a review. If a table has
+    The texts of a table often state the reasons for the numbers in the table. Each text therefore
+    ends with these numbers, so that a change of a number also requires a review. If a table has
     numbers and no sentence, the numbers are a text of their own.
     """
     numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
@@ -106,10 +107,11 @@ def _line_of(text: str, source: str) -> int:
 
 
 def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Returns each section of a page that contains facts. Each result consists of a name, the place
-    of the section, and its facts (numbers, pins and names) in their order in the section.
+    """Returns the facts (numbers, pins and names) in each section of the pages. Each result
+    consists of a name, the place of the section, and the facts of the section in their order.
 
-    A change of other words in the section does not change this result, and needs no review.
+    A section without facts is left out. A change of other words does not change the facts, and
+    needs no review.
     """
     for name, place, text in _sections(root):
         facts = FACT.findall(text)

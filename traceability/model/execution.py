@@ -22,7 +22,7 @@ START = "start"
 THREAD = "thread"
 INTERRUPT = "interrupt"
 DISPATCH = "Command::execute"  # operation that the handler of a thread calls
-ENABLE = "K64Thread::enable"  # Its arguments are an interrupt line and the priority of this line.
+ENABLE = "K64Thread::enable"  # method with the arguments: interrupt line, priority of this line
 
 
 @dataclass
@@ -76,8 +76,8 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
     """Returns for each interrupt handler the numbers of its interrupt lines, from the vector table.
-    A constant in the code contains the interrupt line of the first handler in a list of handlers.
-    Each further handler in this list has the next interrupt line.
+    This table consists of lists of handlers. For each list, a constant contains the interrupt line
+    of the first handler, and each further handler has the next interrupt line.
     """
     lines: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
@@ -87,8 +87,9 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 
 
 def _vectors(facts: Facts) -> dict[str, list[str]]:
-    """Returns for each constant with the number of an interrupt line a list of handlers. The first
-    handler has this interrupt line. Each further handler has the next interrupt line.
+    """Returns the lists of handlers in the vector table. The key of a list is the name of the
+    constant that contains the interrupt line of its first handler. Each further handler has the
+    next interrupt line.
     """
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
@@ -101,8 +102,8 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Returns the interrupt lines that have a handler, but that no call in the firmware enables.
-    Each line has the name of its handler.
+    """Returns the interrupt lines that have a handler but are enabled by no call in the firmware:
+    number of the interrupt line -> name of the handler.
     """
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
@@ -152,9 +153,8 @@ def _enabling(facts: Facts) -> dict[int, str]:
 
 
 def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
-    """Returns all pipes of the robot. A pipe has the methods that write it and the methods that
-    read it. For each of these methods, the pipe also names the execution contexts that may execute
-    the method.
+    """Returns all pipes of the robot. For each pipe, the result contains the methods that write or
+    read the pipe, and the execution contexts that may execute each of these methods.
     """
     members = {
         member.name
@@ -224,8 +224,8 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
     """Returns the data members that one context changes and that another context reads or changes.
 
     A data member of a value type such as Velocity is left out. Instead, the result contains the
-    data member of the module that stores this value. References are left out, because only the
-    context "start" sets them.
+    member in which a module stores the value. References are left out, because only the context
+    "start" sets them.
     """
     fields = {
         f"{fact.name}::{member.name}": member
@@ -287,7 +287,8 @@ def shared_member(
 
 
 def way_to(method: str, reached: dict[str, str]) -> list[str]:
-    """Returns a chain of methods from a handler to ``method``. Each of them calls the next one."""
+    """Returns a chain of methods from a handler to ``method``, in which each method calls the next
+    method."""
     way = [method]
     while reached.get(way[0]):
         way.insert(0, reached[way[0]])

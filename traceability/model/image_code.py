@@ -1,4 +1,5 @@
-"""Reads the machine code of the firmware image. The result is read once and used in all proofs."""
+"""Reads the machine code of the firmware image. All proofs use the same result, so the machine code
+is read only once."""
 
 from __future__ import annotations
 

@@ -20,7 +20,8 @@ from traceability.schema import Requirement
 @dataclass
 class Reached:
     """An affected element and the reason why it is affected. The distance of a changed module is 0.
-    A module that depends directly on an affected module has a distance that is greater by 1.
+    If a module B depends directly on an affected module A, the distance of B is the distance of A
+    plus 1.
     """
 
     id: str
@@ -50,7 +51,7 @@ class Impact:
 
 
 class UnknownSubjectError(Exception):
-    """The name in the command is not a file, a module or a requirement of the model."""
+    """The argument of ``./wr impact`` is not a file, a module or a requirement of the model."""
 
 
 class Impacts:
@@ -68,8 +69,8 @@ class Impacts:
         }
 
     def _next(self, name: str) -> dict[str, str]:
-        """Returns the modules that a change of the module ``name`` may affect directly. Each of
-        them has the reason why it may be affected.
+        """Returns the modules that a change of the module ``name`` may affect directly, with the
+        reason for each module.
         """
         module = self.model.modules[name]
         reasons: dict[str, str] = {}

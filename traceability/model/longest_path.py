@@ -38,7 +38,7 @@ class Problem:
     rounds: Iterable[tuple[Loop, Bound]]  # loops with their maximum numbers of iterations
     counted: Sequence[tuple[int, int]]  # (address of a block, maximum number of its executions)
     facts: Iterable[FlowFact] = field(default_factory=list)
-    # name of a counter of executions outside the blocks -> cost of one execution
+    # name of a counter that counts executions in other functions -> cost of one execution
     apart: Mapping[str, int] = field(default_factory=dict)
 
     def solve(self) -> int | None:

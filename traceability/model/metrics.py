@@ -96,7 +96,7 @@ def coverage(root: Path) -> dict[str, Any]:
 
 def drift(model: Model) -> dict[str, Any]:
     """Returns the number of seeded faults, and the number of seeded faults that a check found.
-    Returns no metric if the faults were seeded in another state of the project.
+    Returns no metric if files have changed since the faults were seeded.
     """
     if model.outcomes is None:
         return {}

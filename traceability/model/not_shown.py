@@ -1,5 +1,5 @@
-"""The limits of the evidence of a build. The pages list these limits, because a reader could
-otherwise assume more evidence than there is."""
+"""Lists the evidence that a build lacks. The pages show this list, because a reader could otherwise
+assume more evidence than there is."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PAPER = {paper.name: paper for paper in SCENARIOS}
 
 @dataclass(frozen=True)
 class NotShown:
-    """A limit of this build, and the page with the details."""
+    """A sentence about evidence that this build lacks, and the page with the details."""
 
     text: str
     page: str  # id of the page in the navigation
@@ -103,8 +103,8 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     )
     if short:
         yield (
-            f"{_count(short, 'tree')} of one node: such a tree shows that a method ran, but shows "
-            "no sequence of calls.",
+            f"Number of invocation trees with only one node: {short}. Such a tree shows that a "
+            "method ran, but shows no sequence of calls.",
             "trees",
         )
 
@@ -137,8 +137,9 @@ def _times(model: Model) -> Iterator[tuple[str, str]]:
 
 
 def _share(model: Model, name: str, paper: Paper) -> float:
-    """Returns the greater of two ratios: the average time to its target, and the longest time to
-    its target. Returns 0 if the scenario was not measured."""
+    """Returns the greater of two quotients: the average time divided by the target of the average
+    time, and the longest time divided by the target of the longest time. Returns 0 if the scenario
+    was not measured."""
     measured = (model.bench or {}).get(name)
     if measured is None:
         return 0

@@ -9,7 +9,8 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
-# Kinds of justifications that are compared with the code by the checks, and not by this module.
+# For these kinds of justifications, the checks and not this module find the code that needs the
+# justification.
 JUSTIFIED_BY_CHECKS = ("uncalled", "loop")
 
 
@@ -56,8 +57,8 @@ def tests_without(model: Model) -> list[Test]:
 
 
 def justify(model: Model, declared: Iterable[Justified]) -> Model:
-    """Records in each justification the names of the methods and tests that need it. Records in
-    each gap of unexecuted source lines the reason from its justification."""
+    """Records in each justification the names of the methods and tests that need it. For source
+    lines that no test executes, records the reason from the justification."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     reasons: dict[str, str] = {}

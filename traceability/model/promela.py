@@ -68,8 +68,8 @@ def observed(composition: str) -> dict[str, set[str]]:
 
 
 def without(composition: str, formula: str) -> str:
-    """Returns the composition. Each observing variable that the formula does not need has the
-    keyword ``hidden``, which keeps the variable out of the state space of Spin."""
+    """Returns the composition. If the formula does not need an observing variable, the variable
+    gets the keyword ``hidden``. Spin then does not store the variable in its states."""
     head, mark, rest = composition.partition(OBSERVED)
     block, end, rest = rest.partition(OBSERVED_END)
     needed = set(WORD.findall(formula))

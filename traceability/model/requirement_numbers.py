@@ -75,8 +75,8 @@ def quantity_of(constant: ConstantFact) -> Quantity:
 
 
 def is_same(stated: Quantity, constant: Quantity) -> bool:
-    """Returns whether a quantity in a text equals a constant. A constant without a unit may have
-    any unit of the same kind as the quantity."""
+    """Returns whether a quantity in a text equals a constant. If the constant has no unit, all
+    units for this kind of quantity are tried, and one equal value is enough."""
     if constant.kind:
         return stated == constant
     scales = {scale for kind, scale in UNITS.values() if kind == stated.kind}

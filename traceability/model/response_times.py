@@ -1,8 +1,8 @@
 """Upper bounds of three kinds of times: the response time of each interrupt, the response time of
 the control cycle, and the time from an input to its effect.
 
-Each bound includes the interrupts that can occur before the response, each interrupt as often as it
-can occur.
+Each bound includes the time of the interrupts that can occur before the response. The computation
+assumes that each interrupt occurs as often as it can.
 """
 
 from __future__ import annotations
@@ -141,8 +141,8 @@ def _of_context(
 
     The bound of an interrupt is the bound of its longest handler. A control cycle executes all
     handlers of a thread, and can activate a thread several times. The bound of a thread is
-    therefore the sum over all its handlers and activations. Each element of ``activations`` lists
-    the methods that the context does not call in this activation.
+    therefore the sum over all its handlers and activations. ``activations`` contains an element for
+    each activation: the methods that the thread does not call in that activation.
     """
     arrival = arrivals.get(context.id)
     if arrival and not arrival["entries"]:
@@ -187,7 +187,7 @@ def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
 
 def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
     """Returns the number of processor cycles from the clock pulse until the main thread has
-    finished its work. The interrupts that occur meanwhile are included.
+    finished its work. The cycles of the interrupts in this time are included.
     """
     all_bounds = list(contexts)
     own = sum(bound.cycles for bound in all_bounds if bound.entries is None)
@@ -236,8 +236,8 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
-    """Returns the time [cycle] until a context has executed ``own`` cycles of its own. The
-    interrupts that occur meanwhile are included.
+    """Returns the time [cycle] until a context has executed ``own`` cycles of its own. The cycles
+    of the interrupts in this time are included.
     """
     cycles = own
     for _ in range(MOST_ROUNDS):
@@ -254,8 +254,10 @@ def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noi
     """Returns how often an interrupt can occur within ``cycles``. Requests that already wait when
     this period begins are included.
 
-    With noise, an input can cause ``bound.noise`` interrupts after each tick. The computation adds
-    one tick and the longest response time of the tick to the period.
+    With noise, an input can cause ``bound.noise`` interrupts each time after the handler of the
+    tick has run. The computation adds one tick to the period, because such interrupts can begin in
+    the tick before the period. It also adds the longest response time of the tick, because the
+    handler of the tick can be late.
     """
     assert bound.entries is not None
     if noise and bound.noise is not None:

@@ -73,7 +73,7 @@ NAMES_OF_TEXTS = {
     "function": "{}",
 }
 KINDS = tuple(NAMES_OF_TEXTS)
-DESIGN = "design"  # used instead of an id for texts that belong to no requirement
+DESIGN = "design"  # key for texts without a requirement; other keys are ids of requirements
 OF_DESIGN = ("reason", "facts", "page", "function")
 EVIDENCE = ("sim/plant", "sim/scenario")  # folders of code on which the results of tests depend
 LINKS = "links"  # the table of the baseline with the texts of each requirement
@@ -144,9 +144,9 @@ class LinkTexts:
         ]
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
-        """Returns the texts that belong to no requirement. They are the reasons and the facts of
-        the design documents, and all functions, constants and specifications that are not in
-        ``covered``."""
+        """Returns the texts that belong to no requirement. These are the sentences in the design
+        files, the facts in the pages, and all functions, constants and specifications that are not
+        in ``covered``."""
         texts: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"
@@ -165,7 +165,7 @@ class LinkTexts:
         """Yields each function body, each specification, and the constants of each file, if they
         are not in ``covered``. Also yields the code of each file in ``EVIDENCE``. Each result
         consists of the place, the number of the last source line (0 if it is unknown), and a text
-        that begins with a line for the name."""
+        whose first line is the name."""
         for body in self.facts.syntax.bodies:
             own = body.place.file.startswith(tuple(f"{top}/" for top in SOURCES))
             if own and f"body {body.id}" not in covered:
@@ -445,8 +445,9 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """Returns the reason why a requirement no longer depends on a text, and the place to report.
-    The place is the method or the test if it still exists, and otherwise the requirement."""
+    """Returns the reason why a requirement no longer depends on a text, and the place to report. If
+    the method or the test still exists, its place is returned. Otherwise, the place of the
+    requirement is returned."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:

@@ -28,9 +28,9 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
     """Returns the safety case with the tests that execute its scenarios, and with the cost of the
     safety functions.
 
-    A parameterised test may execute each scenario if its file names the folder of the scenarios.
-    The recordings of the test show which scenarios it executed. If it has no recordings, it counts
-    as a test of all scenarios.
+    If the file of a parameterised test names the folder of the scenarios, the test may execute each
+    scenario. The recordings of the test show which scenarios the test executed. A test without
+    recordings counts as a test of all scenarios.
     """
     case = facts.declared.safety
     if not case.goals:
@@ -54,8 +54,8 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
 
 def _playing(path: Path) -> str:
-    """Returns the text of a test file if the text contains the word scenario. Otherwise returns an
-    empty text."""
+    """Returns the text of a test file if the text contains the word ``scenario``. Otherwise returns
+    an empty text."""
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return text if "scenario" in text.lower() else ""
 

@@ -2,7 +2,8 @@
 context may make.
 
 The reports of the compiler contain the stack frames and the calls. For an indirect call, the model
-shows the objects that the builders passed. The call can then reach the methods of these objects.
+shows the objects that the builders passed to the caller. The call can execute the methods of these
+objects.
 
 A chain of calls through decorators contains each Concrete Decorator of the pattern at most once. No
 other method occurs twice in a chain of calls.
@@ -31,7 +32,8 @@ from traceability.schema import Place, StackCall, StackContext, StackProof
 
 DECLARED = Path("design/stack.toml")
 RUN_OF_THREAD = "ControlThread::run"
-# ARMv7-M ARM, B1.5.6: the frame that the hardware stores at an entry, and one word that aligns it.
+# ARMv7-M ARM, B1.5.6: the frame that the hardware stores when it starts a handler, and one word for
+# the alignment of the frame.
 FRAME = 32 + 4
 FRAME_WITH_FLOATS = 104 + 4
 
@@ -43,7 +45,8 @@ class Declared:
     calls: dict[str, str] = field(default_factory=dict)
     # Class -> number of its objects in a chain. In a chain, each object wraps the next object.
     entries: dict[str, int] = field(default_factory=dict)
-    # Class in a chain with a fixed order -> the classes of all objects after its own object.
+    # Class of an object in a chain with a fixed order -> the classes of all later objects in the
+    # chain.
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 

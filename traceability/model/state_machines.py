@@ -26,7 +26,7 @@ class Change:
 
     source: str  # name of the state
     operation: str
-    target: str  # "" when the code does not show the new state
+    target: str  # "" if the new state is not known from the code
     place: Place
     # the methods through which the operation reaches the change, in the order of the calls
     path: tuple[str, ...]
@@ -131,7 +131,8 @@ class _Changes:
         self.states = machine.states
         self.family = {base, *facts.subclasses.get(base, [])}
         methods = set(code.holders.values())
-        # If a call is in a template, the class of the called method is not known.
+        # If a call is in a template, the class of the called method can be unknown. The fact about
+        # the call then contains ANY_CLASS instead of this class.
         self.changers = methods | {
             f"{ANY_CLASS}::{method.rpartition('::')[2]}" for method in methods
         }
@@ -190,8 +191,8 @@ class _Changes:
         return sorted(methods) or [""]
 
     def initial(self) -> set[str]:
-        """Returns the initial states. The composition passes such a state to an object that is not
-        a state."""
+        """Returns the initial states. A state is an initial state if the composition passes it to
+        an object that is not a state."""
         members = {
             f"field {self.code.composition}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.composition)]
@@ -228,8 +229,8 @@ class Watcher:
     """The search for the states of a Context in the recorded calls of a test.
 
     Only the calls inside a method of the Context are examined, because the Context calls only the
-    present state. After a change, all states are possible. Each further call excludes the states
-    that do not have the called method, until one state is left.
+    present state. After a change of state, all states are possible at first. Each further call
+    excludes the states that do not have the called method, until only one state is left.
     """
 
     def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
@@ -252,7 +253,7 @@ class Watcher:
         return [runners, self.code.runs, self.code.holders, *(sorted(item) for item in others)]
 
     def turns(self, method: str) -> bool:
-        """Returns whether the present state may be a different state after a call of the method."""
+        """Returns whether the Context may have a different state after a call of the method."""
         return method in self.changers | self.constructors | self.foreign
 
     def concerns(self, method: str) -> bool:
@@ -307,8 +308,8 @@ class _Run:
             self.changed = tuple(method for method in between if method in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """Records that an operation of the present state begins. The operation excludes all states
-        that do not have it."""
+        """Records that an operation of the present state begins. All states that do not have this
+        operation are then excluded."""
         states = self.watcher.runners[method]
         if not self.present & states:
             self._forget()

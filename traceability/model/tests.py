@@ -1,5 +1,5 @@
-"""The tests. Each test has the requirements that it verifies, its result on each target, and the
-modules that it executed."""
+"""The tests of the model. For each test, the model contains the requirements that the test
+verifies, the result on each target, and the modules that the test executed."""
 
 from __future__ import annotations
 

@@ -43,8 +43,8 @@ class Spread:
     """A limit for the iterations of the loop in ``method``. It applies to the sum of the iterations
     in all calls that one call of ``within`` causes.
 
-    The limit is the number ``rounds``. If ``counter`` is not empty, the declared facts about
-    ``within`` limit this counter instead.
+    If ``counter`` is empty, the limit is the number ``rounds``. Otherwise, ``counter`` is the name
+    of the sum, and the declared facts about ``within`` limit this sum.
     """
 
     method: str
@@ -77,9 +77,9 @@ class Times:
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
-        # methods on the present path of calls that are the ``within`` of a ``Spread``
+        # methods that are on the present path of calls and are the ``within`` of a ``Spread``
         self.inside: frozenset[str] = frozenset()
-        self.without: frozenset[str] = frozenset()  # not called in the present activation
+        self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
         # assumed number of iterations of the loops of a method in ``spread``
         self.rounds: int | None = None
@@ -222,11 +222,12 @@ class Times:
         return self.prover.targets(function, SourcePlace(*place))
 
     def _never(self, code: Code, block: Block) -> bool:
-        """Returns true if a block is never executed, because the compiler has also inlined the
-        called method at the same place.
+        """Returns true if a block contains a virtual call that is never executed, because the
+        compiler has inlined the called method at the same place.
 
-        The compiled code compares the target of the call with the expected method. If no other
-        method is possible, the call after the comparison is never executed.
+        The compiled code compares the target of the call with the method that the compiler expects.
+        If both are equal, the inlined code is executed, and otherwise the call. If no other method
+        is possible, the call is never executed.
         """
         function = self.prover.graph.get(code.symbol)
         for one in block.instructions:
@@ -384,9 +385,9 @@ class Times:
         }
 
     def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
-        """Returns the bound of a loop. If the loop is in an inlined function, the source line of
-        the inlined call can have a bound ``in all``. This bound has priority over the bound at the
-        source line of the loop."""
+        """Returns the bound of a loop. If the loop is in an inlined function, the comment at the
+        inlined call can declare a bound that ends with ``in all``. This bound has priority over the
+        bound in the comment at the loop."""
         if self.rounds is not None and any(method == name for _, name in self.spread):
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]

@@ -281,8 +281,8 @@ class Search:
         """Searches for the tree in the recordings, from the smallest to the largest recording.
         Returns the first recording that contains the whole tree, or None.
 
-        Also returns the number of nodes that were found in the order of the tree. This is the
-        largest number in all recordings.
+        Also returns how many nodes were found in the order of the tree. If the numbers in the
+        recordings differ, returns the largest number.
         """
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}

@@ -113,7 +113,7 @@ class Owners:
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
     """Yields the source lines of each method that the tests of its requirements do not execute on
     the host. For a method without a requirement, the tests of all requirements count. Drivers are
-    left out, because they have a separate page."""
+    left out, because a separate page shows their source lines."""
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}
     for body in facts.syntax.bodies:

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, fields
 from traceability.reading.flow import FlowFact
 from traceability.schema import Place
 
-# This name replaces the name of the class if the class of a called method depends on the parameters
-# of a template.
+# If the class of a called method depends on the parameters of a template, this text is used instead
+# of the name of the class.
 ANY_CLASS = "?"
 
 
@@ -49,8 +49,8 @@ class FieldFact:
 
 @dataclass
 class SilentFact:
-    """A declaration without a comment. Other files can use the declaration, and therefore it needs
-    a comment."""
+    """A declaration that needs a comment, because other files can use the declaration, but that has
+    no comment."""
 
     name: str
     # For a variable, this place includes its last source line, because a comment may be at the end
@@ -215,8 +215,10 @@ class Syntax:
     casts: list[Place] = field(default_factory=list)
     # places that contain assembler instructions
     instructions: list[Place] = field(default_factory=list)
-    volatile: list[Place] = field(default_factory=list)  # places that access volatile memory
-    objects: list[FieldFact] = field(default_factory=list)  # variables that no class contains
+    # declarations that are volatile, or that refer to a volatile object
+    volatile: list[Place] = field(default_factory=list)
+    # variables whose lifetime is the whole program; constants are left out
+    objects: list[FieldFact] = field(default_factory=list)
     flows: list[FlowFact] = field(default_factory=list)
     branches: list[BranchFact] = field(default_factory=list)
     initial: list[InitialFact] = field(default_factory=list)

@@ -217,7 +217,7 @@ class Reader:
             self.initialised = ""
 
     def leave(self, cursor: Cursor) -> None:
-        """If a return statement is inside conditions, records the operands of these conditions."""
+        """Records the operands of all conditions that enclose a return statement."""
         if cursor.kind == CursorKind.RETURN_STMT and self.chances > 0:
             self.left = True
             self.left_by += [question for group in self.asked for question in group]
@@ -269,7 +269,7 @@ class Reader:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
-            # Some forms of C++ numbers are not numbers in Python. Such values are left out.
+            # A number of C++ is left out if Python cannot read this form of number.
             with contextlib.suppress(ValueError):
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
@@ -280,7 +280,8 @@ class Reader:
         member = self.field_fact(cursor, place)
         if lasts and not member.constant and "&" not in member.type:
             marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
-            # True if the variable has a section of its own. A reset does not clear such a variable.
+            # True if the variable is in its own section of the memory. Such a variable is left out,
+            # because a reset does not clear it.
             placed = any("section" in _words(mark) for mark in marks)
             self.facts.objects += [] if placed else [member]
 
@@ -356,8 +357,8 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records that a function takes the address of another function, because it may then call
-        this function through the address. A direct call is not recorded here."""
+        """Records a call of a function whose address is taken, because the function can later be
+        called through the address. A direct call is not recorded here."""
         pending = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in pending:
             self.call(target, body, place, virtual=False)
@@ -599,7 +600,8 @@ class Reader:
             place=place,
             access=cursor.access_specifier.name.lower(),
             constant=cursor.type.is_const_qualified(),
-            # The comment may be at the end of the source line.
+            # Without a comment above the declaration, the comment can be at the end of the source
+            # line.
             comment=comment_line(cursor) or cursor.extent.end.line,
         )
 
@@ -828,7 +830,7 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # This attribute shows that the types of the library functions are already declared.
+        # If this attribute exists, the types of the library functions are already declared.
         _library.bound = True  # type: ignore[attr-defined]  # an attribute of the function
     return library
 

@@ -230,8 +230,8 @@ Frames = list[tuple[str, str]]
 
 
 def profile(raw: dict[str, Any], root: Path) -> Profile:
-    """Returns for each module and each function the mean number of instructions in a cycle: in the
-    whole cycle, and up to the report."""
+    """Returns two mean numbers of instructions for each module and each function: in the whole
+    cycle, and from the clock pulse to the report."""
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     return profile_of(counts, frames_of(root / ELF, counts))
 
@@ -253,8 +253,9 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 
 
 def owner(frames: Frames) -> tuple[str, str]:
-    """Returns the module and the function to which an instruction belongs. If functions are inlined
-    into each other, the innermost function of the project counts."""
+    """Returns the module and the function to which an instruction belongs. If the compiler has
+    inlined functions into each other, the instruction belongs to the innermost function of the
+    project."""
     for function, file in frames:
         if {"src", "extensions", "tests"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function

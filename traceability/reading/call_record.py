@@ -52,12 +52,12 @@ class Activation:
     raised: int
     begin: int
     end: int
-    below: int  # number of the activation that this activation interrupted; -1 without one
+    below: int  # number of the interrupted activation; -1 if no activation was interrupted
 
     @property
     def line(self) -> int:
-        """Returns the number of the interrupt line. It is negative for the program outside
-        interrupts."""
+        """Returns the number of the interrupt line. The number is negative for exceptions of the
+        core and for the program outside interrupts."""
         return self.exception - FIRST_LINE
 
 
@@ -134,8 +134,8 @@ class _Reader:
         ] = {}
         self.raised: dict[int, int] = {}
         self.closing = (
-            # number of the next return events to ignore: their calls were already closed when the
-            # activation ended
+            # number of return events that are ignored next, because their calls were already closed
+            # at the end of the activation
             0
         )
 

@@ -28,8 +28,8 @@ class Chain:
     says: str
     recording: str
     steps: Sequence[str]
-    # true if the chain begins at the last possible place in the recording; false for the first
-    # possible place
+    # A recording can contain the chain several times. True if the last of these chains is followed,
+    # false for the first of these chains.
     last: bool
     place: Place
 
@@ -174,8 +174,8 @@ def _field_places(
 
 
 def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
-    """Returns the unit of a set-point in a frame. The field with the quantity in the same frame
-    determines this unit."""
+    """Returns the unit of a set-point in a frame. Another field of the same frame contains the
+    quantity of the set-point, and the quantity determines the unit."""
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()

@@ -41,7 +41,7 @@ class Kit:
     place: Place
     hard: str = ""  # name of the event in the list of hard changes
     why: str = ""  # reason why the change must edit existing files
-    # added classes that have the role of the recipe
+    # added classes that have the role ``adds`` of the recipe
     classes: list[str] = field(default_factory=list)
     extension: str = ""  # folder of the extension that makes the change
     image: str = ""

@@ -17,7 +17,8 @@ class Recipe:
     ``alters``, ``adds`` and ``derives`` name roles of the pattern."""
 
     pattern: str
-    # Each module with one of these roles implements one variant. The change edits such a module.
+    # Each module with one of these roles implements one variant. To change a variant, only its
+    # module must be edited.
     alters: list[str]
     adds: str = ""  # role of the class that the change adds
     derives: str = ""  # the added class derives from a class with this role

@@ -7,8 +7,8 @@ import re
 from clang.cindex import Cursor, CursorKind
 
 NAMESPACE = "wr"
-# Clang names a lambda by the path of its file. The folders of this computer are removed from this
-# name.
+# In Clang, the name of a lambda contains the path of the source file. The folders are removed from
+# the path, because they differ between computers.
 FOLDERS_OF_LAMBDA = re.compile(r"(?<=\(lambda at )\S*/")
 CLASSES = {
     CursorKind.CLASS_DECL,

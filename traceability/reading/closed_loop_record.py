@@ -133,8 +133,8 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
-    A true value (of the simulated robot) has the time at which it was read. A value that the robot
-    reported has the time of the clock pulse.
+    For a true value of the simulated robot, the time is the time at which the value was read. For a
+    value that the robot reported, it is the time of the clock pulse.
     """
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
@@ -201,8 +201,8 @@ def measure(figure: dict[str, Any], points: Points) -> float | None:
 
 
 def settling(points: Points, start: float, target: float, band: float) -> float | None:
-    """Returns the settling time: the time from ``start`` to the first value from which on all
-    values are within the band. Returns None if the last value is outside the band."""
+    """Returns the settling time: the time from ``start`` until the values are in the band and stay
+    there. Returns None if the last value is outside the band."""
     inside: float | None = None
     for at, value in points:
         if abs(value - target) > band * abs(target):

@@ -20,8 +20,8 @@ from traceability.schema import Place
 from traceability.sources import files_below
 
 SUFFIXES = (".hpp", ".cpp", ".dox")
-# The arguments of a tag follow its name. They can be in braces, or be a single word, or be a text.
-# The settings of Doxygen declare the tags that this project adds.
+# After the name of a tag, the arguments follow in braces, as a single word, or as a text. The
+# settings of Doxygen declare the tags that this project adds.
 IN_BRACES = {"role": 2, "patternapp": 3, "isr": 1, "hides": 1}
 WORD = ("param", "tparam", "throws", "satisfies", "verifies", "requirement", "dir", "page")
 OF_CODE = ("brief", "return", "pre", "post", "errors", "function", "secret", "why", "changes")
@@ -102,7 +102,7 @@ class Comment:
 
     @cached_property
     def details(self) -> str:
-        """Returns the paragraphs of the comment that are not the paragraph of a tag."""
+        """Returns all paragraphs of the comment except the brief and the texts of the tags."""
         first = [self.one("")] if self.of("brief") else []
         return "\n\n".join(
             filter(None, [*first, *(text for tag in self.tags for text in tag.more)])
@@ -120,8 +120,8 @@ NO_COMMENT = Comment(Place("", 0), [])
 
 
 class Comments:
-    """A reader that finds the comment at a place. It reads a file when a comment of this file is
-    requested for the first time."""
+    """A reader that finds the comment at a place. When a comment of a file is requested for the
+    first time, the reader reads this file."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -168,8 +168,8 @@ def comment_blanked(text: str) -> str:
 
 
 def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
-    """Yields each ``//`` and ``/* */`` comment, with its line number. The last value is true if
-    there is code before the comment on the same line."""
+    """Yields for each ``//`` and ``/* */`` comment: the line number, true if there is code before
+    the comment on this line, and the text."""
     line, at = 1, 0
     for token in TOKENS.finditer(text):
         written = token["comment"]
@@ -182,7 +182,7 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 def read_comments(file: str, text: str) -> Iterator[Comment]:
     """Yields the documentation comments of a file."""
     block: list[str] = []
-    # first line number of the block; whether the block is after its declaration
+    # first line number of the block; true if the block is after its declaration
     start, behind = 0, False
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)

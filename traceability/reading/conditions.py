@@ -18,7 +18,8 @@ IsOwn = Callable[[Cursor | None], bool]
 
 def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
     """Returns the operands of a condition, such as ``Class::operation`` or ``Class::member >= 3``.
-    Instead of a local variable, returns the operands of its initialiser."""
+    If the condition is a local variable, returns the operands in the initialiser of this
+    variable."""
     variable = _local(condition)
     if variable is not None:
         return questions(variable, is_own)
@@ -69,7 +70,8 @@ def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
             return
     elif cursor.kind in NUMBERS:
         digits = next((token.spelling for token in cursor.get_tokens()), "").rstrip("uUlL")
-        # The compiler can read a < b as (a <=> b) < 0. This 0 is not in the source text.
+        # The compiler can read a < b as (a <=> b) < 0. This 0 has no digits in the source text, and
+        # is no operand.
         if digits[:1].isdigit():
             yield digits
         return

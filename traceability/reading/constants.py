@@ -16,13 +16,12 @@ from traceability.reading.clang_names import class_name
 UNIT = re.compile(r"\[([^\]]+)\]")
 RANGE = " to "  # If square brackets contain this text, they state a range and not a unit.
 UNSIGNED = {TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG}
-INTEGER = 1  # kind that libclang gives to an integer that it evaluated
+INTEGER = 1  # number by which libclang reports that a result is an integer
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """Returns the names by which a text can refer to a constant. For a constant of a class, this is
-    the name with the class before it. For another constant, these are the plain name, and the name
-    with the name of the file before it."""
+    """Returns the names by which a text can refer to a constant: ``Class::name`` for a constant of
+    a class, and otherwise ``name`` and ``File::name``."""
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]
@@ -30,8 +29,9 @@ def constant_names(cursor: Cursor, file: str) -> list[str]:
 
 
 def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
-    """Yields the constants that a declaration defines. Each constant has a suffix for the name, the
-    value and the unit."""
+    """Yields the constants that a declaration defines. Each result consists of a suffix of the
+    name, the value, and the unit. The suffix is ``.member`` for a member of a constant object, and
+    otherwise empty."""
     if cursor.kind == CursorKind.ENUM_CONSTANT_DECL:
         bits = 8 * cursor.semantic_parent.enum_type.get_size()
         unsigned = cursor.semantic_parent.enum_type.get_canonical().kind in UNSIGNED

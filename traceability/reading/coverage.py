@@ -22,8 +22,8 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Build folders of programs that are not the test program of the firmware. Code that only these
-# programs contain is ignored.
+# Build folders of the programs that do not belong to the test program of the firmware. Code that is
+# only in these programs is ignored.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
@@ -75,8 +75,8 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 
 def _key(root: Path, binding: str) -> str:
-    """Returns the key of the cache. A new run of the tests and a change of this reader give a new
-    key."""
+    """Returns the key of the cache. The key changes if the tests run again, or if the code of this
+    reader changes."""
     run = run_hash(root, binding)
     here = Path(__file__).parent
     parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")

@@ -44,8 +44,7 @@ class ClauseText:
     pattern: str
     says: str
     fix: str
-    # Roles that the clause mentions. A page shows the modules with these roles as the places of the
-    # clause.
+    # Roles that the clause mentions. For each clause, a page lists the modules with these roles.
     about: list[str]
     place: Place
 

@@ -140,8 +140,8 @@ def words_of(texts: Iterable[str]) -> list[str]:
 
 
 def read_sources(text: str) -> list[SourceReference]:
-    """Returns the references in a text such as "goal: SG-2; paper: Section VII". A reference
-    without a valid kind before a colon has the kind ""."""
+    """Returns the references in a text such as "goal: SG-2; paper: Section VII". If a reference
+    does not begin with a valid kind and a colon, its kind is ""."""
     sources: list[SourceReference] = []
     for part in filter(None, (reference.strip() for reference in text.split(";"))):
         kind, colon, name = part.partition(":")

@@ -35,8 +35,8 @@ def doxygen_executable() -> str:
 
 @dataclass
 class DoxygenRun:
-    """A run of Doxygen in the background. ``process`` is None if no input changed, because the
-    recorded output is still valid."""
+    """A run of Doxygen in the background. If no input changed, the recorded output is still valid,
+    and ``process`` is None."""
 
     root: Path
     xml: Path

@@ -54,8 +54,8 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """A flow of references. The place ``into`` can refer to each object to which a place in
-    ``sources`` refers."""
+    """A flow of references. If a place in ``sources`` refers to an object, the place ``into`` can
+    refer to the same object."""
 
     into: str
     sources: list[str]
@@ -122,7 +122,8 @@ class FlowReader:
                 yield f"result {self.function(target)}"
                 return
             if not target.is_copy_constructor() and not target.is_move_constructor():
-                # A constructor makes a new object. The place that receives it identifies it.
+                # A constructor makes a new object. The place that stores the object also identifies
+                # the object.
                 return
         for child in cursor.get_children():
             yield from self._sources(child)
@@ -196,7 +197,7 @@ class FlowReader:
             return
         values = list(call.get_arguments())
         into = self.receiver(call)
-        # In the call of an operator, the first argument is the object.
+        # In the call of an operator, the first argument is the object that the operator changes.
         if not into and len(values) > 1:
             into, values = self.sources(values[0]), values[1:]
         for name in into:
@@ -261,9 +262,9 @@ class FlowReader:
 
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the types on which the statement makes a decision. A class is yielded if the statement
-    compares addresses of its objects. An enumeration is yielded if the number of an enumerator is
-    compared, is the subject of a switch, or is an index."""
+    """Yields the types on which a decision in the statement depends: each class if addresses of its
+    objects are compared, and each enumeration if the number of an enumerator is compared, is an
+    index, or is the condition of a switch."""
     children = list(cursor.get_children())
     if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
         if operator_of(cursor, children[0]) in COMPARISONS:

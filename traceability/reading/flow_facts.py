@@ -7,7 +7,7 @@ import ast
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-ENTRIES = "entries"  # this name means the number of calls of the method
+ENTRIES = "entries"  # this counter is the number of calls of the method
 
 
 @dataclass(frozen=True)

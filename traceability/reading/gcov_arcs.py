@@ -95,8 +95,9 @@ class Graph:
 
     @functools.cached_property
     def branches(self) -> dict[int, tuple[str, Branch]]:
-        """Returns the file and the branch of each arc that is a branch. A block with several
-        leaving arcs ends with a branch. These arcs belong to the last source line of the block."""
+        """Returns the file and the branch of each arc that belongs to a branch. If several arcs
+        leave a block, the block ends with a branch, and these arcs belong to the last source line
+        of the block."""
         leaving, _ = self._sides()
         branches: dict[int, tuple[str, Branch]] = {}
         seen: dict[Line, int] = {}

@@ -75,8 +75,8 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """Returns each documentation comment with the declaration below it. Each result has the numbers
-    of their source lines, the declaration, and both as one text."""
+    """Returns each documentation comment with the declaration below it. Each result consists of the
+    line numbers of both parts, the declaration, and one text that contains both parts."""
     return list(_specifications(text))
 
 
@@ -91,7 +91,7 @@ def support(text: str) -> str:
     """Returns the text of a test file outside its tests: fixtures, computed expected values,
     helpers and lists of parameters.
 
-    For a scenario, and for a file without tests, returns the whole text except the comments.
+    If the file is a scenario or contains no tests, returns the whole text without comments.
     """
     rest = text
     for case in read_tests(text):

@@ -1,5 +1,5 @@
-"""Reads the maximum number of iterations of each loop. A comment in the source or the head of the
-loop states this number."""
+"""Reads the maximum number of iterations of each loop. The number is in a comment of the source
+file, or in the head of the loop."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Bounds:
         try:
             rounds = self.value(match[1] if match else head[2] if head else "")
         except (KeyError, SyntaxError, ValueError):
-            # The bound contains an unknown name. The loop then counts as a loop without a bound.
+            # If the bound contains an unknown name, the loop counts as a loop without a bound.
             return None
         return Bound(rounds, match is not None and match[2] is not None)
 

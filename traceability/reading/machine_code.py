@@ -38,11 +38,11 @@ class Instruction:
     name: str
     operands: str
     cycles: int
-    call: str = ""  # symbol of the called function; "" if it is no call
+    call: str = ""  # symbol of the called function; "" if the instruction is no call
     indirect: bool = False
     jumps: int | None = None  # target address of a jump
-    # True if the next instruction in memory is not executed after this one, because this one always
-    # jumps or returns.
+    # True if the instruction always jumps or returns. The next instruction in memory is then not
+    # executed after it.
     ends: bool = False
 
 
@@ -65,8 +65,8 @@ class Block:
 
 @dataclass
 class Loop:
-    """A loop: the head, and all blocks that lead from the head back to the head. Each iteration
-    passes through the head."""
+    """A loop: its first block (the head), and all blocks on a path from the head back to the head.
+    Each iteration passes through the head."""
 
     head: int
     blocks: set[int]
@@ -111,8 +111,8 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
     """Returns the source lines of each instruction. The first line is the line from which the
-    instruction was compiled. If this line is in an inlined function, the next lines are the places
-    at which the function was called, from the innermost to the outermost call."""
+    instruction was compiled. If this line is in an inlined function, the next lines are the source
+    lines of the inlined calls, from the innermost to the outermost call."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout

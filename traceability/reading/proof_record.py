@@ -18,7 +18,7 @@ PROVE = "./wr prove --again"  # the command that proves all properties and write
 SCENARIOS = RESULTS / "proofs"  # folder for scenarios that play counterexamples
 FOLDER = Path("build/proofs")
 ROUND_MS = 100
-# time of the events in the first cycle; they come before the clock pulse of this cycle
+# time of the events in the first cycle [ms]; the clock pulse of this cycle is later
 START_MS = 50
 AFTER_MS = 10  # time between two events in the same cycle [ms]
 
@@ -31,7 +31,7 @@ class ProofEvent:
     id: str
     says: str
     actions: Sequence[str]  # actions that cause the event; empty if no action can cause it
-    # action that ends the effect of the event in the next cycle; "" if no action is needed
+    # action in the next cycle that ends the effect of the event; "" if no action is needed
     ends: str
     wait: int  # time that the scenario waits for the event [ms]
 

@@ -19,7 +19,7 @@ RECORDS = Path("tests/records")
 
 @dataclass(frozen=True)
 class Published:
-    """The result of the last run of a command that was published."""
+    """The published result of the last run of a command."""
 
     command: str
     commit: str  # empty without git
@@ -36,14 +36,15 @@ def publish(root: Path, name: str, command: str, commit: str, result: Mapping[st
 
 
 def read_published(root: Path, name: str) -> Published | None:
-    """Returns the last published result of a command. Returns None if there is none."""
+    """Returns the last published result of a command. Returns None if there is no published
+    result."""
     data = read_json(root / RECORDS / f"{name}.json")
     return Published(**data) if isinstance(data, dict) else None
 
 
 def last_score(root: Path, name: str) -> LastRecord | None:
-    """Returns the last published result of a mutation test. The result is marked as not current,
-    because the sources may have changed since."""
+    """Returns the last published result of a test that does not run in each build. The result is
+    marked as not current, because the sources may have changed since."""
     record = read_published(root, name)
     if record is None:
         return None

@@ -20,7 +20,7 @@ class Register:
     name: str
     address: int
     bits: int
-    access: str  # enumerator of the C++ enumeration Access
+    access: str  # enumerator of the C++ enumeration ``Access``
     flags: dict[str, int] = field(default_factory=dict)  # name of a bit -> number of the bit
 
 

@@ -12,8 +12,8 @@ RECORD = RESULTS / "release.json"
 
 
 def release_metrics(root: Path, commit: str) -> dict[str, Any]:
-    """Returns the metric that shows whether the two builds of this commit gave files that are equal
-    byte by byte. Returns an empty dictionary if the builds were not compared."""
+    """Returns the metric that is true if the files of the two builds of this commit are equal byte
+    by byte. Returns an empty dictionary if the builds were not compared."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not commit or not record["commit"].startswith(commit):
         return {}

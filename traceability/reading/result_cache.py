@@ -16,8 +16,8 @@ Result = TypeVar("Result")
 
 
 def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
-    """Returns a result that depends only on these parts. If the cache does not contain the result,
-    computes and stores it.
+    """Returns the result of ``make``, which depends only on ``parts``. If the cache does not
+    contain the result, calls ``make`` and stores the result.
 
     Two parts count as equal if their ``repr`` is equal.
     """

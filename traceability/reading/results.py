@@ -83,7 +83,8 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """Returns the targets for which a test is built. They depend on the folder of the test file."""
+    """Returns the targets for which a test is built. The folder of the test file determines these
+    targets."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):
@@ -130,7 +131,7 @@ def count_totals(root: Path) -> dict[str, float] | None:
 
 def read_results_hash(root: Path, binding: str) -> str | None:
     """Returns the hash of the present sources if the test results belong to these sources. Returns
-    "other sources" if they do not, and None without results."""
+    "other sources" if the results belong to other sources, and None if there are no results."""
     if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
         return None
     return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"

@@ -77,8 +77,8 @@ def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
 
 
 def numstat(text: str) -> list[TouchedFile]:
-    """Returns the files and counts that ``git diff --numstat`` lists. A binary file has the count
-    0."""
+    """Returns the files and counts that ``git diff --numstat`` lists. For a binary file, both
+    counts are 0."""
     rows = [line.split("\t") for line in text.splitlines()]
     return [
         TouchedFile(file, int(added) if added != "-" else 0, int(removed) if removed != "-" else 0)

@@ -34,8 +34,8 @@ SOURCES = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """The outcome of a seeded fault. ``said`` are the findings of the checks. If there is a finding
-    at the expected ``line``, ``said`` is only this finding."""
+    """The outcome of a seeded fault. ``said`` lists the findings of the checks. If there is a
+    finding at the expected ``line``, ``said`` lists only this finding."""
 
     name: str
     check: str
@@ -48,8 +48,8 @@ class Outcome:
 
 
 def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str) -> None:
-    """Writes the outcomes. ``left_out`` is the number of faults that were not tried, because they
-    need test results or a built site and these did not exist."""
+    """Writes the outcomes. ``left_out`` is the number of faults that were not tried, because the
+    test results or the built site that these faults need did not exist."""
     record = {
         "commit": commit,
         "left_out": left_out,

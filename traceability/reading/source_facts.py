@@ -25,7 +25,8 @@ from traceability.sources import DESIGN, SRC
 
 @dataclass
 class Facts:
-    """The inputs of the model. Checks use them if the model does not contain enough details."""
+    """The inputs of the model. Checks use these inputs if the model does not contain enough
+    details."""
 
     root: Path
     comments: Comments
@@ -76,8 +77,8 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """Returns the class to which a piece of code belongs. Code of a class that has no file of
-        its own belongs to the class with the name of the file."""
+        """Returns the class to which a piece of code belongs. If a class has no file of its own,
+        its code belongs to the class after which the file is named."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
@@ -274,8 +275,8 @@ class References:
         """Returns all methods and functions that the functions in ``start`` may call, directly or
         indirectly. For each of them, the result contains the first caller that was found.
 
-        ``within`` replaces a virtual method by one of its overriding methods. Calls inside the
-        methods in ``ends`` are not followed.
+        If ``within`` contains a virtual method, only the overriding method in ``within`` counts as
+        called. Calls inside the methods in ``ends`` are not followed.
         """
         callers = dict.fromkeys(start, "")
         work = list(callers)

@@ -1,4 +1,4 @@
-"""Finds the files, besides the tested code, on which the result of a test depends."""
+"""Finds the files on which the result of a test depends. The tested code is left out."""
 
 from __future__ import annotations
 

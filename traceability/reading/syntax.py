@@ -110,8 +110,8 @@ def code_hash(path: Path) -> str:
 def _reader_hash(board: bool) -> str:
     here = Path(__file__).parent
     own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
-    # Most facts contain a Place. Its definition is not in a reader, so it must be a part of the
-    # hash.
+    # Most facts contain a Place. The class Place is in no module of READERS, so the hash must
+    # contain the fields of Place.
     shape = repr(signature(Place))
     return hashlib.sha256(own + f"{Place} {shape} {clang_arguments(board)}".encode()).hexdigest()
 
@@ -169,11 +169,10 @@ INCLUDE = re.compile(
 
 
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
-    """Returns the project files that a file includes. They are read from the source text and not
-    from the compiler.
+    """Returns the project files that a file includes. The source text is searched for the includes.
 
-    The list of the compiler is not complete: if a header was included before, a second include of
-    this header is missing in the list.
+    The list of the compiler is not used, because it is not complete: if a translation unit has
+    already included a header, the list contains no further include of this header.
     """
     includes: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()

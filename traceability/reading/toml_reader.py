@@ -15,7 +15,7 @@ from typing import Any, ClassVar, Protocol, TypeVar, get_args, get_origin, get_t
 
 from traceability.schema import Place
 
-MAY_BE_EMPTY = ("guard", "action")  # keys of a transition in a state machine
+MAY_BE_EMPTY = ("guard", "action")  # keys of a transition whose text may be empty
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
 
@@ -132,8 +132,8 @@ class Entries:
         return [Place(str(path.relative_to(self.root)), number) for number in numbers[:count]]
 
     def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
-        """Returns whether an entry has all keys that it needs. Reports missing, empty and unknown
-        keys as problems."""
+        """Returns whether an entry has all keys that it needs. Reports a problem for each missing,
+        empty or unknown key."""
         keys = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
@@ -166,14 +166,14 @@ class Entries:
         return place
 
     def others(self) -> None:
-        """Reports each table and each top-level name that no tool reads as a problem."""
+        """Reports a problem for each table and each top-level name that no tool reads."""
         for path, keys in self._asked.items():
             for name in self._read.get(path, {}).keys() - keys:
                 text = f"the name {name} is unknown: no tool reads it"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
 
     def absent(self, files: Iterable[Path]) -> None:
-        """Reports each expected file that does not exist as a problem."""
+        """Reports a problem for each expected file that does not exist."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
             text, fix = "there is no such file", "write the file: a complete design contains it"

@@ -46,8 +46,8 @@ SHOWN = 60
 
 @dataclass(slots=True)
 class Row:
-    """A call in a recording. The rows after this row and before ``end`` are calls inside this call,
-    or calls of interrupts.
+    """A call in a recording. The rows after this row and before the row ``end`` are calls inside
+    this call, or calls of interrupts.
 
     Each execution of an interrupt has a different ``activation``. The code outside interrupts has
     the activation 0.
@@ -263,7 +263,7 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
     inside the call of its parent. The calls of the children must have the order of the tree.
 
     If an interrupt occurs during the call of the parent, the calls by this interrupt do not count
-    as calls of the parent. A post is different: the posted method may run later and in another
+    as calls of the parent. After a post, the posted method may run later, and in another
     activation.
     """
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
