@@ -73,8 +73,8 @@ inline constexpr int kLongestWindow = 7000;
 /// firmware reports a wheel without Hall edges 1 s after the wheel got voltage.
 [[nodiscard]] int windowOf(const Fault& fault);
 
-/// @brief Chooses a kind of fault. The most frequent kinds change a bit in RAM, which belongs to an
-/// object or to the program.
+/// @brief Chooses a kind of fault. The two most frequent kinds change a bit in RAM: a bit of an
+/// object, or a bit of the program.
 [[nodiscard]] Kind chooseKind(Random& random);
 
 /// @brief Chooses a fault of a kind.
