@@ -78,7 +78,8 @@ class Range:
 
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
-    """Returns for each timing model the time [ms] of the longest cycle in all scenarios."""
+    """Returns for each timing model the longest time from a clock pulse to its report [ms], in all
+    scenarios."""
     times = [
         (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
     ]

@@ -63,7 +63,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
 
 
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
-    """Returns the first methods of modules that a context executes. For a thread, this is the
+    """Returns the methods at which a context enters the modules. For a thread, this is the
     method of its command. For another context, these are the methods that its handlers call.
     Methods of builders are left out, because a builder only passes on a reference to a module.
     """

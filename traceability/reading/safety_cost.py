@@ -88,7 +88,8 @@ def numstat(text: str) -> list[TouchedFile]:
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
     """Returns the correction that names the file. If there is none, returns the correction that
-    names the innermost folder of the file, or None."""
+    names a folder above the file; if there are several, the innermost of these folders counts.
+    Returns None if no correction names the file or a folder above it."""
     matching = [
         (len(path), correction)
         for correction in corrections
