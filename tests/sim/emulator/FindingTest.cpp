@@ -50,7 +50,7 @@ const std::array kMistakes{
     Mistake{"unlocksTooLate", "watchdog-sequence", "within 256 bus clocks"},
     Mistake{"givesSecondKeyTooLate", "watchdog-sequence", "second key of the unlock is too late"},
     Mistake{"givesWrongKey", "watchdog-sequence", "unlock with the key 0xC521"},
-    Mistake{"configuresInTheNextClock", "watchdog-sequence", "bus clock directly after its unlock"},
+    Mistake{"configuresInTheNextClock", "watchdog-sequence", "directly after its unlock"},
     Mistake{"unlocksWithoutConfiguration", "watchdog-sequence", "without configuration"},
     Mistake{"refreshesWithWrongKey", "watchdog-sequence",
             "second key of the refresh was written without"},
