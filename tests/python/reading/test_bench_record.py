@@ -62,7 +62,7 @@ def test_times_are_in_ms_and_the_load_in_per_cent_of_100_ms() -> None:
 
 @pytest.mark.parametrize("reported", [[1] * (CYCLES - 1), [1] * (CYCLES - 1) + [0]])
 def test_each_of_the_cycles_must_have_reported(reported: list[int]) -> None:
-    with pytest.raises(ValueError, match="999 cycles with a report"):
+    with pytest.raises(ValueError, match="999 cycles have a report"):
         bench_run(raw(reported=reported))
 
 
