@@ -27,7 +27,7 @@ struct WarningStates {
 
   /// @brief Number of successive failed reads after which the warning begins.
   static constexpr std::uint8_t kFailedReads = SystemConstants::instance().waitingCycles() - 1;
-  static_assert(kFailedReads >= 2, "the first failed read must set a waiting state with no warning");
+  static_assert(kFailedReads >= 2, "the first failed read must set a state without a warning");
 
   Waiting waiting;            ///< counts failed reads
   Working working;            ///< the first state
