@@ -556,12 +556,13 @@ _FIXED = [
         "assigns the state. The successor is the object that a builder passed to the state. The "
         "builder passes the initial state to the Context. If an operation changes the state on "
         "every path, no declared transition of this operation stays in the state. If an operation "
-        "has only one transition, this transition has a guard if the code makes the change on some "
-        "paths only, and has no guard otherwise. The table [guards] of the file lists the "
-        "conditions of each guard. Before each change, the code checks the conditions of the "
-        "guard. The table [actions] of the file lists the methods of each action. Before each "
-        "change, the code calls the methods of the action, and it calls no other method of this "
-        "table.",
+        "has only one transition to another state, this transition has a guard, or an event with a "
+        "time, if the code makes the change on some paths only, and has neither otherwise. A guard "
+        "that names a state of another machine, such as 'in Reconnecting', is not compared. The "
+        "table [guards] of the file lists the conditions of each guard. Before each change, the "
+        "code checks the conditions of the guard. The table [actions] of the file lists the "
+        "methods of each action. Before each change, the code calls the methods of the action, and "
+        "it calls no other method of this table.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
