@@ -1,15 +1,20 @@
 """Makes the documents in a separate process, in four steps: the model, the checks, the site, and
-the check of the links."""
+the check of the links.
+
+The last two steps take most of the time. ``./wr check`` leaves them out if the present sources
+cannot have changed their findings. The pages then stay as they are, until a command needs them.
+"""
 
 from __future__ import annotations
 
 import gc
+import hashlib
 import json
 import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
@@ -28,17 +33,27 @@ if TYPE_CHECKING:
 FINDINGS = Path("build/model/findings.json")
 TIMES = RESULTS / "times.json"  # durations of commands, for the metrics
 METRICS = Path("build/metrics.json")
+# This file exists while the pages belong to the sources of the last checks.
+CURRENT = Path("build/pages-cache/current")
+# The texts and names with which the pages were built. The file exists only if the last two steps
+# had no finding.
+LINKED = Path("build/pages-cache/linked")
+KEEP = "keep"  # argument of the process
 INCOMPLETE = 3  # exit code of the process; a Python error ends the process with 1
 PARTS = ("model", "checks", "site", "links")
 
 
-def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
+def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bool = False) -> str:
     """Builds the documents in four steps. Prints each output line of a step as soon as the step
     prints it.
 
     The process frees its memory when it ends. A long command therefore does not occupy this memory.
+
+    ``texts`` is the hash of all inputs of the pages that are not read into the model. With
+    ``keep``, the pages stay as they are if neither these inputs nor the names of the model differ
+    from those of the last pages.
     """
-    words = [sys.executable, "-m", "tools.documents", str(root)]
+    words = [sys.executable, "-m", "tools.documents", str(root), texts, *([KEEP] if keep else [])]
     with (
         subprocess.Popen(
             words, stdout=subprocess.PIPE, stderr=log, text=True, cwd=root, process_group=0
@@ -84,13 +99,13 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
         write_whole(path, f"{text}\n")
 
 
-def main(root: Path) -> int:
+def main(root: Path, texts: str, *, keep: bool) -> int:
     """Runs the process. Returns the exit code 0 if all four steps were completed, even with
     findings. Otherwise, returns INCOMPLETE.
     """
     steps = Steps(root, len(PARTS))
     with no_collection():
-        findings, complete = make(root, steps)
+        findings, complete = make(root, steps, Pages(root, texts, keep))
     write_whole(root / FINDINGS, json.dumps([asdict(finding) for finding in findings]))
     return 0 if complete else INCOMPLETE
 
@@ -108,9 +123,9 @@ def no_collection() -> Iterator[None]:
         gc.enable()
 
 
-def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
+def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
     """Returns the findings, and whether all steps succeeded."""
-    from portal.site_build import build_site
+    from portal.site_build import build_site, write_tool_files
     from traceability.checks import run_checks, run_link_checks
     from traceability.exports.metrics_file import site_figures, write_metrics
     from traceability.model.build import build
@@ -163,10 +178,56 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
         for title in PARTS[2:]:
             steps.skip(title, missing)
         return findings, False
+    assert built is not None and report is not None
+    if pages.stay(built.model):
+        write_tool_files(root, built.model, report)
+        for title in PARTS[2:]:
+            steps.skip(title, "no text or name on the pages changed; ./wr portal updates the pages")
+        return findings, True
+    before = len(findings)
     if not steps.run("site", make_site):
         steps.skip("links", "the site was not built")
         return findings, False
-    return findings, steps.run("links", check_links)
+    complete = steps.run("links", check_links)
+    if complete:
+        pages.built(sound=len(findings) == before)
+    return findings, complete
+
+
+@dataclass
+class Pages:
+    """The pages of the last run. ``keep`` is true if the pages may stay as they are."""
+
+    root: Path
+    texts: str
+    keep: bool
+    linked: str = ""
+
+    def stay(self, model: Model) -> bool:
+        """Returns whether the pages need not be built, because their links and warnings cannot have
+        changed."""
+        self.linked = linked_by(model, self.texts)
+        last = self.root / LINKED
+        same = self.keep and last.exists() and last.read_text(encoding="utf-8") == self.linked
+        (self.root / CURRENT).unlink(missing_ok=True)
+        if not same:
+            last.unlink(missing_ok=True)
+        return same
+
+    def built(self, *, sound: bool) -> None:
+        """Records that the pages were built. ``sound`` means that they had no finding."""
+        write_whole(self.root / CURRENT, "")
+        if sound:
+            write_whole(self.root / LINKED, self.linked)
+
+
+def linked_by(model: Model, texts: str) -> str:
+    """Returns a hash of everything that a link of a page can depend on: the texts and the names."""
+    names: list[object] = [texts, sorted(model.files)]
+    names += [[module.name, *(m.id for m in module.methods)] for module in model.modules.values()]
+    names += [list(model.requirements), list(model.tests), list(model.patterns)]
+    names += [list(model.machines), list(model.safety.goals), list(model.safety.hazards)]
+    return hashlib.sha256(json.dumps(names).encode()).hexdigest()
 
 
 def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> None:
@@ -186,4 +247,4 @@ def counted(findings: list[Finding]) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1])))
+    sys.exit(main(Path(sys.argv[1]), sys.argv[2], keep=KEEP in sys.argv[3:]))

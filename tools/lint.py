@@ -38,6 +38,9 @@ CHECKED = (*DESIGN, "ports", "sim")
 # A name that a source defines outside of classes.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
 JOINED = 16  # greatest number of source files that clang-tidy checks together
+# The analyzer of clang examines fewer states of a function than the default (225000). The few functions
+# with many paths through loops would otherwise take half of the time of clang-tidy.
+ANALYZER = ("-Xclang", "-analyzer-config", "-Xclang", "max-nodes=75000")
 LINT_RECORD = Path("build/lint.json")
 # This source needs the library of WebAssembly, which clang-tidy does not find.
 WEB = "sim/web/module"
@@ -207,7 +210,7 @@ def check_tidy(root: Path, log: TextIO) -> str:
     def command(unit: tuple[Path, ...]) -> list[str]:
         source = unit[0] if len(unit) == 1 else joined(root, unit)
         words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source), "--"]
-        return [*words, *tidy_options(root, unit[0])]
+        return [*words, *tidy_options(root, unit[0]), *ANALYZER]
 
     return check_changed(root, "tidy", units_of(root, checked), command, log)
 

@@ -33,7 +33,7 @@ from tools.cmake_build import (
     sources_of,
 )
 from tools.coverage_run import count_coverage
-from tools.documents import FINDINGS, add_metrics, make_documents
+from tools.documents import CURRENT, FINDINGS, add_metrics, make_documents
 from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
@@ -62,6 +62,7 @@ from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.seeded_fault_record import RECORD as FAULTS
 from traceability.reading.task_record import is_fresh
 from traceability.reading.toml_reader import Entries
+from traceability.sources import files_below, hash_of
 
 # ---- names -------------------------------------------------------------------
 
@@ -103,6 +104,7 @@ PROOF_INPUTS = (
     "tools/proof_runs.py",
     "tests/records/proofs.json",
 )
+CODE = (*DESIGN, "changes", "ports", "sim", "tests", "requirements")
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of tests and runs
 PYTHON_SETTINGS = ("pyproject.toml", "setup/python.lock", "tools/python_tests.py")
 TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
@@ -162,9 +164,12 @@ def graph(root: Path) -> Graph:
     return Graph(root, [*builds(root), *measurements(root), *checks_of_tools(root)])
 
 
-def pages_graph(root: Path, out: TextIO | None = None) -> Graph:
-    """Returns the tasks that build and test the pages. They run while other tasks still measure."""
-    return Graph(root, documents(root, out or sys.stdout), out or sys.stdout, record=PAGES_RECORD)
+def pages_graph(root: Path, out: TextIO | None = None, *, keep: bool = False) -> Graph:
+    """Returns the tasks that build and test the pages. They run while other tasks still measure.
+    With ``keep``, the pages stay as they are if their links and warnings cannot have changed.
+    """
+    tasks = documents(root, out or sys.stdout, keep=keep)
+    return Graph(root, tasks, out or sys.stdout, record=PAGES_RECORD)
 
 
 def builds(root: Path) -> list[Task]:
@@ -370,7 +375,7 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
     return Outcome(found, bool(missed))
 
 
-def documents(root: Path, out: TextIO) -> list[Task]:
+def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
     """Returns the task that runs the checks and builds the pages, and the task that tests the
     pages."""
 
@@ -387,13 +392,21 @@ def documents(root: Path, out: TextIO) -> list[Task]:
         return outcome
 
     results = tuple(name for one in SHOWN_RESULTS if (root / (name := f"{RESULTS}/{one}")).exists())
+    # All inputs of the pages except the sources, whose names are in the model.
+    others = [name for name in (*SHOWN, *results) if name not in CODE]
+    made = ("build/metrics.json", "build/site/index.html")
+
+    def make(log: TextIO) -> str:
+        texts = hash_of(root, files_below(root, others))
+        return make_documents(root, out, texts, log, keep=keep)
+
     return [
         Task(
             DOCUMENTS,
-            partial(make_documents, root, out),
+            make,
             (*SHOWN, *results),
             (str(FINDINGS),),
-            must_exist=("build/metrics.json", "build/site/index.html"),
+            must_exist=made if keep else (*made, str(CURRENT)),
             state=state,
             quiet=True,
         ),

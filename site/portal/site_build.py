@@ -88,7 +88,6 @@ def _write_exports() -> None:
     portal, site = _shared[-1]
     write_exports(portal, site)
     write_live(portal, site)
-    verification_table.write_exports(portal.root, site, portal.model, portal.report)
 
 
 def write_exports(portal: Portal, site: Path) -> None:
@@ -99,7 +98,14 @@ def write_exports(portal: Portal, site: Path) -> None:
     files[model_json.MODEL] = model_json.model_text(portal.model, portal.report)
     files[model_json.SCHEMA] = model_json.schema_text()
     files[verification_table.SCHEMA] = verification_table.schema_text()
-    for file in available(portal.root):
-        files[file.name] = file.make(portal.root, portal.model, portal.report)
     for name, text in files.items():
         write_changed(site / name, text)
+    write_tool_files(portal.root, portal.model, portal.report)
+
+
+def write_tool_files(root: Path, model: Model, report: Report) -> None:
+    """Writes the files for other tools. They do not depend on the pages."""
+    site = root / "build" / "site"
+    for file in available(root):
+        write_changed(site / file.name, file.make(root, model, report))
+    verification_table.write_exports(root, site, model, report)

@@ -112,6 +112,12 @@ TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");
 }
 
+/// @brief When the PC orders a stop at 0.85 m/s, the robot stops within 1.5 m of the order.
+/// @verifies FR-21
+TEST(ClosedLoopOfRobot, FR21_StopOrderStopsARobotAtFullSpeed) {
+  play("stop_order_at_full_speed");
+}
+
 /// @brief A wheel is switched off if its Hall sensors or its current sensor fail. The other wheels
 /// continue.
 /// @verifies FR-91
