@@ -38,8 +38,8 @@ CHECKED = (*DESIGN, "ports", "sim")
 # A name that a source defines outside of classes.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
 JOINED = 16  # greatest number of source files that clang-tidy checks together
-# The analyzer of clang examines fewer states of a function than the default (225000). The few functions
-# with many paths through loops would otherwise take half of the time of clang-tidy.
+# The analyzer of clang examines fewer states of a function than the default, which is 225000. The
+# few functions with many paths through loops would otherwise take half of the time of clang-tidy.
 ANALYZER = ("-Xclang", "-analyzer-config", "-Xclang", "max-nodes=75000")
 LINT_RECORD = Path("build/lint.json")
 # This source needs the library of WebAssembly, which clang-tidy does not find.
