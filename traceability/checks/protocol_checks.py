@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from traceability.model.design_model import Model
 from traceability.reading.comments import code_of
@@ -17,42 +18,43 @@ ENUMERATOR = re.compile(r"(\w+)\s*(?:=\s*(0[xX][\da-fA-F]+|\d+))?\s*(?:,|$)")
 
 
 def check(_model: Model, facts: Facts) -> Iterator[Finding]:
-    yield from _types(facts)
     yield from _numbers(facts)
     yield from _examples(facts)
 
 
-def _types(facts: Facts) -> Iterator[Finding]:
-    """Finds frames in design/frames.toml whose type differs from the enumerator of FrameType with
-    the same name."""
+def _numbers(facts: Facts) -> Iterator[Finding]:
+    """Finds types of frames and numbers of values in design/frames.toml that differ from the
+    enumerators with the same name in the firmware."""
     path = facts.root / FRAMES
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    table = facts.declared.entries.whole(path)
+    for pattern, text in [*_wrong_types(table, facts), *_wrong_values(table, facts)]:
+        at = next((n for n, line in enumerate(lines, 1) if re.search(pattern, line)), 1)
+        yield Finding(Place(FRAMES, at), "doc-frame", text)
+
+
+def _wrong_types(table: dict[str, Any], facts: Facts) -> Iterator[tuple[str, str]]:
+    """Yields for each frame with a wrong type a pattern of its line, and the fault."""
     numbers = _enumerators("FrameType", facts)
-    for frame in facts.declared.entries.whole(path).get("frame", []):
+    for frame in table.get("frame", []):
         name, kind = str(frame.get("name")), frame.get("type")
         if name in numbers and numbers[name] != kind:
-            at = next((n for n, line in enumerate(lines, 1) if line == f'name = "{name}"'), 1)
             text = f"the frame {name} has the type {numbers[name]:#x} in FrameType, not {kind:#x}"
-            yield Finding(Place(FRAMES, at), "doc-frame", text)
+            yield f'^name = "{re.escape(name)}"$', text
 
 
-def _numbers(facts: Facts) -> Iterator[Finding]:
-    """Finds values in design/frames.toml whose number differs from the number of the enumerator
-    with the same name in the firmware."""
-    path = facts.root / FRAMES
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    for table in facts.declared.entries.whole(path).get("enumeration", []):
-        numbers = _enumerators(str(table.get("firmware", "")), facts)
-        for value in table.get("values", []):
+def _wrong_values(table: dict[str, Any], facts: Facts) -> Iterator[tuple[str, str]]:
+    """Yields for each value with a wrong number a pattern of its line, and the fault."""
+    for enumeration in table.get("enumeration", []):
+        firmware = str(enumeration.get("firmware", ""))
+        numbers = _enumerators(firmware, facts)
+        for value in enumeration.get("values", []):
             name, number = value.get("name"), value.get("number")
             common = {name, value.get("firmware")} & numbers.keys()
-            if numbers and common and numbers[next(iter(common))] != number:
-                text = (
-                    f"{name} of {table['firmware']} is {numbers[next(iter(common))]}, not {number}"
-                )
-                written = re.compile(rf'\b{number}, *name *= *"{re.escape(str(name))}"')
-                at = next((n for n, line in enumerate(lines, 1) if written.search(line)), 1)
-                yield Finding(Place(FRAMES, at), "doc-frame", text)
+            right = numbers[next(iter(common))] if common else number
+            if right != number:
+                pattern = rf'\b{number}, *name *= *"{re.escape(str(name))}"'
+                yield pattern, f"{name} of {firmware} is {right}, not {number}"
 
 
 def _enumerators(name: str, facts: Facts) -> dict[str, int]:
