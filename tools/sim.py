@@ -131,8 +131,8 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"
-        # GDB repeats a run to execute backwards. Only the bytes of the PC are then repeated. The
-        # actions of the control socket are not repeated.
+        # To go backwards, the virtual board repeats the run from its start. It then repeats only
+        # the bytes of the PC, and not the actions of the control socket.
         if options.gdb is None:
             control = control or root / "build" / "sim-control"
         (root / "build").mkdir(parents=True, exist_ok=True)

@@ -15,7 +15,7 @@ namespace wr::emulator {
 ///
 /// write() creates a file with one little-endian 64-bit number for each entry and each exit. The
 /// number is the address of the function. For an exit, bit 63 is also set. The traces of the tests
-/// on the host have the same format.
+/// on the host have the same format, and also contain numbers with bit 62 for repeated calls.
 class CallRecorder {
  public:
   /// @brief Records the calls of all functions in an ELF file.

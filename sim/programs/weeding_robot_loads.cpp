@@ -177,8 +177,8 @@ class LoadedRobot {
     }
   }
 
-  // Generates edges at all inputs around the next clock pulse. In each tick, each input has at
-  // least as many edges as FR-201 permits to cause interrupts.
+  // Generates edges at all inputs around the next clock pulse. FR-201 limits how many edges of an
+  // input cause interrupts in one tick. In each tick, each input has at least this number of edges.
   void disturb() {
     const nanoseconds pulse =
         session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;

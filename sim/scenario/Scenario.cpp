@@ -70,8 +70,8 @@ Scenario::Action readBytes(Words& words) {
   return raw;
 }
 
-// Returns the number that the next word means in a field. For a true value, the word must be a
-// number.
+// Converts the next word to a number. For a field of a frame, the word may also be a name that this
+// field defines. A true value of the plant has no field, and its word must be a number.
 std::int64_t readNumber(Words& words, const std::string& name, const FrameField* field) {
   const std::string word = words.take("the value of " + name);
   const auto number = numberOf(field != nullptr ? *field : FrameField{}, word);

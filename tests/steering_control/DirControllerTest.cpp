@@ -61,9 +61,9 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
   EXPECT_EQ(turn(1, -5, 25), SteeringState::Fault);
 }
 
-/// @brief The steps of less than 0.6 degrees do not show whether the steering is stalled. The
-/// observation window therefore lasts until the sum of the steps is 0.6 degrees. A slow stall is
-/// thus also detected.
+/// @brief Steps whose sum is less than 0.6 degrees do not show whether the steering is stalled. The
+/// observation window therefore lasts until their sum is 0.6 degrees. A slow stall is thus also
+/// detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();

@@ -225,8 +225,8 @@ def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds floating-point numbers in code that an interrupt executes. This is a fault, because an
-    interrupt does not save the floating-point registers."""
+    """Finds floating-point numbers in code that an interrupt executes. They are a fault, because
+    the processor then also saves the floating-point registers, and the interrupt takes longer."""
     findings: dict[Place, Finding] = {}
     for context in model.contexts.values():
         if context.kind != INTERRUPT:

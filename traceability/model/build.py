@@ -546,8 +546,8 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
 
 
 def _declared_in(call: CallFact, facts: Facts) -> str:
-    """Returns the file that declares a called function outside classes. If a ``.cpp`` file only
-    declares the function to call it, returns the file that defines the function.
+    """Returns the file that declares a called function outside classes. A ``.cpp`` file can declare
+    a function that another file defines. In this case, returns the file that defines the function.
     """
     written = {body.place.file for body in facts.bodies.get(call.target, [])}
     if call.declared.endswith(".cpp") and written and call.declared not in written:

@@ -174,8 +174,9 @@ def _often(calls: list[list[CallFact]]) -> str:
 
 
 def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
-    """Returns the label of the previous node if a function body makes all calls of this node before
-    the first call of the previous node. Otherwise returns an empty text.
+    """Checks the order of two neighbouring nodes. If a function body calls the function of ``node``
+    only before its first call of the function of ``before``, the order is wrong, and the label of
+    ``before`` is returned. Otherwise returns an empty text.
 
     Calls in a loop to another module are accepted, because a loop over objects of different classes
     may alternate between their methods.

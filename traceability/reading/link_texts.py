@@ -162,7 +162,8 @@ def texts_of_test(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_support(text: str, name: str) -> Iterator[str]:
-    """Yields the text of a file outside its tests. For a scenario, yields the whole text."""
+    """Yields the text of a file outside its tests. For a scenario, yields all lines without
+    comments."""
     yield without_remarks(text) if name.endswith(".scenario") else support(text)
 
 

@@ -46,7 +46,7 @@ class SupervisedWheel : public testing::Test {
     return 0;
   }
 
-  /// Runs a cycle of a halted wheel that still has the voltage of an earlier cycle.
+  /// Runs a cycle of a halted wheel. `volts` is the voltage that remains from an earlier cycle.
   StopCause halted(const WheelMeasurements& values, double volts = 0) {
     return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), nullptr);
   }
@@ -284,9 +284,9 @@ TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
 }
 
 /// @brief A difference that is equal to the permitted difference does not cause a stop. A
-/// difference that is 1 mV greater causes a stop. At 60 rpm and 2 A, the permitted difference is
-/// 3.740 V. It is the sum of 0.7 V, 20 % of the voltage of the wheel, 25 % of the 3 V at the
-/// winding and 10 % of the induced voltage of 3.141 V.
+/// difference that is 1 mV greater causes a stop. At 60 rpm, 2 A and 9.881 V, the permitted
+/// difference is 3.740 V. It is the sum of 0.7 V, 20 % of the voltage of the wheel, 25 % of the 3 V
+/// at the winding and 10 % of the induced voltage of 3.141 V.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   const WheelSetPoint followed = velocity(60);
