@@ -76,7 +76,7 @@ def look(
     options = ["--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr"]
     timing = ["--virtual-time-budget=60000", "--dump-dom"]
     command = [BROWSER, *options, *timing, f"{address}/{name}.html"]
-    run = subprocess.run(command, capture_output=True, text=True, timeout=240, check=True)
+    run = subprocess.run(command, capture_output=True, text=True, timeout=600, check=True)
     match = re.search(r'<pre id="out">(.*?)</pre>', run.stdout, re.DOTALL)
     assert match and match[1], f"the probe did not end: {run.stderr[-2000:]}"
     errors = [line for line in run.stderr.splitlines() if "CONSOLE" in line]
