@@ -16,7 +16,10 @@ GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
 OTHER_SENSES = {"function", "target"}
 # Words that contain a term but have another meaning.
-OTHER_WORDS = ("stop bit",)
+OTHER_WORDS = (
+    *("stop bit", "stop at a breakpoint", "stop the processor", "stop the monitor"),
+    "hold a key",
+)
 # HTML elements in which no term is linked, such as links, headings, code, pictures and controls.
 APART = (
     "a button code h1 h2 h3 h4 input kbd label option pre script select style summary svg th title"
