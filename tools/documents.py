@@ -227,6 +227,7 @@ def linked_by(model: Model, texts: str) -> str:
     names += [[module.name, *(m.id for m in module.methods)] for module in model.modules.values()]
     names += [list(model.requirements), list(model.tests), list(model.patterns)]
     names += [list(model.machines), list(model.safety.goals), list(model.safety.hazards)]
+    names += [sorted(model.constants), sorted(model.logic_modules)]
     return hashlib.sha256(json.dumps(names).encode()).hexdigest()
 
 
