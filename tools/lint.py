@@ -67,16 +67,19 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "Runs clang-tidy on the design and on sim. Checks the Python sources with ruff "
         "and mypy, and checks the directions of their imports.",
     )
-    parser.set_defaults(run=lambda root, _options: lint(root))
+    parser.add_argument(
+        "--quick", action="store_true", help="leave out clang-tidy and the headers alone"
+    )
+    parser.set_defaults(run=lambda root, options: lint(root, quick=options.quick))
 
 
-def lint(root: Path) -> int:
-    tasks = lint_tasks(root)
+def lint(root: Path, *, quick: bool) -> int:
+    tasks = lint_tasks(root, quick=quick)
     failed = Graph(root, tasks, record=LINT_RECORD).run([task.name for task in tasks]).failed
     return 1 if failed else 0
 
 
-def lint_tasks(root: Path) -> list[Task]:
+def lint_tasks(root: Path, *, quick: bool) -> list[Task]:
     """Returns the tasks of this command. Each task runs whenever the command is called."""
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
@@ -99,6 +102,10 @@ def lint_tasks(root: Path) -> list[Task]:
         return Task(name, partial(action, root), after=after, always=True)
 
     built = "clang without warnings"
+    long = [
+        task("clang-tidy", check_tidy, (built,)),
+        task("headers alone", check_headers, (built,)),
+    ]
     return [
         task(built, build_with_clang),
         task("clang-format", check_format),
@@ -106,8 +113,7 @@ def lint_tasks(root: Path) -> list[Task]:
         Task("mypy", mypy, always=True),
         task("imports", check_imports),
         task("prose", check_prose),
-        task("clang-tidy", check_tidy, (built,)),
-        task("headers alone", check_headers, (built,)),
+        *([] if quick else long),
     ]
 
 

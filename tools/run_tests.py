@@ -64,7 +64,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="also insert each fault of tests/drift in a copy of the project, and test whether the "
         "checks find the fault",
     )
-    parser.add_argument("--lint", action="store_true", help="also run ./wr lint, at the same time")
+    parser.add_argument(
+        "--lint", action="store_true", help="also run ./wr lint --quick, at the same time"
+    )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 
 
@@ -91,7 +93,7 @@ def test(root: Path, *, long: bool, lint: bool) -> int:
         cold = lint and not (root / RECORD).exists()
         names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
         names += [SEEDED_FAULTS] if long else []
-        style = lint_tasks(root) if lint else []
+        style = lint_tasks(root, quick=True) if lint else []
         tasks = Graph(root, [*style, *graph(root).tasks])
         results = tasks.run([*(task.name for task in style), *names])
         pages = pages_graph(root).run([DOCUMENTS, PAGES])

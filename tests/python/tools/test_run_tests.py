@@ -32,7 +32,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     results += map(python_task, PYTHON_TESTS)
     monkeypatch.setattr(run_tests, "graph", lambda _root: graph_of(*results))
     monkeypatch.setattr(run_tests, "pages_graph", lambda _root: graph_of(DOCUMENTS, PAGES))
-    monkeypatch.setattr(run_tests, "lint_tasks", lambda _root: [])
+    monkeypatch.setattr(run_tests, "lint_tasks", lambda _root, *, quick: [])
     monkeypatch.setattr(run_tests, "report", lambda _findings, _failed: 0)
     return tmp_path
 
