@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import tomllib
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -42,9 +41,10 @@ def test_no_answer_stands_on_the_first_page_by_chance(question: dict[str, Any]) 
     assert clicks()[question["clicks"][-1].partition("#")[0]] <= NEAR
 
 
-@pytest.mark.parametrize("path", sorted((SITE / "answers").glob("*.html")), ids=lambda p: p.stem)
-def test_the_links_to_the_evidence_show_titles_and_no_addresses(path: Path) -> None:
-    assert ".html" not in section(f"answers/{path.name}#evidence")
+def test_the_links_to_the_evidence_show_titles_and_no_addresses() -> None:
+    names = [path.name for path in (SITE / "answers").glob("*.html") if path.name != "index.html"]
+    assert len(names) == len(QUESTIONS)
+    assert [name for name in names if ".html" in section(f"answers/{name}#evidence")] == []
 
 
 TOURS = tomllib.loads(FILE.with_name("tours.toml").read_text(encoding="utf-8"))["tour"]
