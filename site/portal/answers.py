@@ -17,6 +17,7 @@ QUESTIONS = Path("design/questions.toml")
 # record of a command.
 METRIC = re.compile(r"\{([a-z]+\.[a-z_]+(?:\.[a-z_]+)?)\}")
 LAST = "last."
+ITEM = "\n- "  # begins an item of a list in an answer
 
 
 @dataclass
@@ -33,6 +34,11 @@ class Question:
     part: str = ""
     also: str = ""  # additional words by which the search finds the question
     code: str = ""  # commands or source lines that the page of the question shows after the answer
+
+    @property
+    def line(self) -> str:
+        """Returns the answer without the marks of list items, for one line of text."""
+        return self.answer.replace(ITEM, " ")
 
     @property
     def page(self) -> str:

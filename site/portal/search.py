@@ -151,7 +151,7 @@ def entries(portal: Portal) -> list[Entry]:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
     for question in portal.questions:
         address = question.address.removeprefix(ROOT)
-        found.append((ANSWERS, "", question.ask, plain(question.answer), address, question.also))
+        found.append((ANSWERS, "", question.ask, plain(question.line), address, question.also))
     for tour in portal.tours:
         address = f"{ROOT}tours/{tour.id}.html"
         add("Pages", "", f"Tour: {tour.title}", "tutorial, getting started", address)
