@@ -205,7 +205,7 @@ def safety_entries(portal: Portal) -> Iterator[Entry]:
     """Yields the page of the hazards, and the goals, hazards and assumptions of the safety case."""
     case = portal.model.safety
     if case.hazards:
-        yield "Safety case", "", "Hazards", "all hazards, their risks and goals", "safety/hazards.html"
+        yield "Safety case", "", "Hazards", "all hazards and their risks", "safety/hazards.html"
     titles = {one.id: one.title for one in case.goals.values()}
     titles |= {one.id: one.title for one in case.hazards.values()}
     titles |= {one.id: one.title for one in case.assumptions.values()}
