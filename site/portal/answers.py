@@ -13,7 +13,11 @@ from typing import Any
 from portal.links import ROOT
 
 QUESTIONS = Path("design/questions.toml")
-METRIC = re.compile(r"\{([a-z]+\.[a-z_]+)\}")  # the name of a metric in an answer
+# The name of a metric in an answer. A name such as {last.mutation.commit} means a value of the last
+# record of a command.
+METRIC = re.compile(r"\{([a-z]+\.[a-z_]+(?:\.[a-z_]+)?)\}")
+LAST = "last."
+ITEM = "\n- "  # begins an item of a list in an answer
 
 
 @dataclass
@@ -29,6 +33,12 @@ class Question:
     holds: list[str] = field(default_factory=list)
     part: str = ""
     also: str = ""  # additional words by which the search finds the question
+    code: str = ""  # commands or source lines that the page of the question shows after the answer
+
+    @property
+    def line(self) -> str:
+        """Returns the answer without the marks of list items, for one line of text."""
+        return self.answer.replace(ITEM, " ")
 
     @property
     def page(self) -> str:
@@ -59,10 +69,23 @@ def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:
     """
 
     def value(match: re.Match[str]) -> str:
-        found = metrics[match[1]]
-        return "(not measured in this build)" if found is None else f"{found:,}"
+        found = value_of(metrics, match[1])
+        if found is None:
+            return "(not measured in this build)"
+        return found if isinstance(found, str) else f"{found:,}"
 
     return replace(question, answer=METRIC.sub(value, question.answer))
+
+
+def value_of(metrics: Mapping[str, Any], name: str) -> Any:
+    """Returns the value of a metric, or of a key of a last record. Returns None if the metric was
+    not measured, or if there is no last record.
+    """
+    if not name.startswith(LAST):
+        return metrics[name]
+    command, _, key = name.removeprefix(LAST).partition(".")
+    record = metrics["last"].get(command)
+    return None if record is None else record[key]
 
 
 def by_topic(questions: list[Question]) -> dict[str, list[Question]]:

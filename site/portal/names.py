@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import re
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from html import unescape
 
@@ -277,6 +277,14 @@ def changed_words(text: str) -> Markup:
 
 def file_name(path: str) -> str:
     return path.rpartition("/")[2]
+
+
+def counted_states(states: Iterable[str]) -> dict[str, str]:
+    """Returns for each state of a requirement its name and the number of requirements that have
+    this state. The number can be 0.
+    """
+    counts = Counter(states)
+    return {state: f"{word}: {counts[state]}" for state, (_, word) in VERDICTS.items()}
 
 
 @functools.cache

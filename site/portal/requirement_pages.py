@@ -11,6 +11,7 @@ from typing import Any
 
 from portal import verification_views
 from portal.module_page import line_kind
+from portal.names import counted_states
 from portal.portal import Page, Portal
 from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
@@ -23,9 +24,11 @@ def requirements(portal: Portal) -> dict[str, Any]:
         item.id: verification_views.facets(portal.model, portal.report, item)
         for item in portal.model.requirements.values()
     }
+    states = [verdict.state for verdict in portal.report.requirements.values()]
     return {
         "sections": sections(portal),
         "facets": numbers,
+        "states": counted_states(states),
         "options": verification_views.options(numbers.values()),
         "bars": verification_views.chart(sections(portal)),
         "lines_of": verification_views.lines_of,

@@ -151,7 +151,7 @@ def entries(portal: Portal) -> list[Entry]:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
     for question in portal.questions:
         address = question.address.removeprefix(ROOT)
-        found.append((ANSWERS, "", question.ask, plain(question.answer), address, question.also))
+        found.append((ANSWERS, "", question.ask, plain(question.line), address, question.also))
     for tour in portal.tours:
         address = f"{ROOT}tours/{tour.id}.html"
         add("Pages", "", f"Tour: {tour.title}", "tutorial, getting started", address)
@@ -202,8 +202,10 @@ def change_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def safety_entries(portal: Portal) -> Iterator[Entry]:
-    """Yields the goals, hazards and assumptions of the safety case."""
+    """Yields the page of the hazards, and the goals, hazards and assumptions of the safety case."""
     case = portal.model.safety
+    if case.hazards:
+        yield "Safety case", "", "Hazards", "all hazards and their risks", "safety/hazards.html"
     titles = {one.id: one.title for one in case.goals.values()}
     titles |= {one.id: one.title for one in case.hazards.values()}
     titles |= {one.id: one.title for one in case.assumptions.values()}

@@ -30,6 +30,7 @@ from portal.writing import remove_others, write_changed
 from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
 
+EXAMPLE_TEST = Path("tests/wheel_control/algorithms/PiRegulatorTest.cpp")
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
 CHANGES = Path("CHANGELOG.md")
 CONTRIBUTING = Path("CONTRIBUTING.md")
@@ -43,12 +44,21 @@ def sections(root: Path, path: Path) -> str:
     return text.replace("\n## ", "\n# ").replace("](docs/", "](/docs/")
 
 
+def first_test(root: Path) -> str:
+    """Returns the example of a test: the source file without the tests after its first test."""
+    text = (root / EXAMPLE_TEST).read_text("utf-8")
+    head, first, *_ = text.split("\n/// @brief ")
+    end = text[text.rindex("}  // namespace\n") :]
+    return f"{head}\n/// @brief {first}\n{end}"
+
+
 # Files that hand-written pages include. For each: the source file, the name of the generated file
 # in the folder of the pages, and the function that returns its text.
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (PINS, "board.html", board_figure),
     (TABLE, "live_frames.html", live_frames),
+    (EXAMPLE_TEST, "example_test.cpp", first_test),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
     (CHANGES, "changes.md", lambda root: sections(root, CHANGES)),
     (CONTRIBUTING, "contributing.md", lambda root: sections(root, CONTRIBUTING)),

@@ -7,11 +7,12 @@
 
 namespace wr {
 
-/// @brief Gains of a regulator. Each gain is at most 16000.
+/// @brief Gains of a regulator. Each gain is at most 16000. The unit of the error is the unit of
+/// the controlled quantity: 0.1 rpm in VelocityAlgorithm, and 1 mA in CurrentAlgorithm.
 /// @datatype
 struct PiGains {
   std::int32_t proportional = 0;  ///< voltage for the present error [uV per unit of the error]
-  std::int32_t integral = 0;      ///< voltage that the error of each cycle adds [uV per unit]
+  std::int32_t integral = 0;      ///< voltage added in each cycle [uV per unit of the error]
 };
 
 /// @brief A regulator that reduces an error to zero.

@@ -14,6 +14,7 @@ from portal import diagrams, search
 from portal.highlight import highlighted_lines
 from portal.links import Links, slug
 from portal.measured_pages import driver_coverage
+from portal.names import VERDICTS
 from portal.pages import all_pages, trees, uses
 from portal.paper_views import compared, families, hidden_names
 from portal.portal import CheckText, Portal
@@ -248,6 +249,17 @@ def test_the_tests_are_filtered_by_their_values(portal: Portal) -> None:
     assert facets["folder"] == ["/".join(test.place.file.split("/")[1:-1])]
     found = options([{"requirement": ["FR-10", "SR-1"]}, {"requirement": ["FR-2"]}])
     assert found == {"requirement": ["FR-2", "FR-10", "SR-1"]}
+
+
+def test_the_filter_of_the_requirements_offers_each_state_with_its_number(portal: Portal) -> None:
+    (body,) = (page.body for page in all_pages(portal) if page.name == "requirements/index")
+    counts = {
+        state: int(number)
+        for state, number in re.findall(r'<option value="(\w+)">[a-z ]+: (\d+)</option>', body)
+    }
+    states = [verdict.state for verdict in REPORT.requirements.values()]
+    assert counts == {state: states.count(state) for state in VERDICTS}
+    assert 0 in counts.values()
 
 
 def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> None:

@@ -70,6 +70,7 @@ def test_the_pages_of_a_case_lead_to_each_other(tmp_path: Path) -> None:
     assert cost.index("src/Mode.cpp") < cost.index("A bug.") < cost.index("src/Hall.cpp")
     assert {"safety", "safety_cost"} <= {entry.id for entry in verify(portal.model, 1, 1)}
     assert {entry[2]: entry[4] for entry in safety_entries(portal)} == {
+        "Hazards": "safety/hazards.html",
         "SG-1": "safety/SG-1.html",
         "HZ-1": "safety/hazards.html#HZ-1",
         "AU-1": "safety/index.html#AU-1",

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.python.site.content import FIRST, SITE, clicks, content, section
+from tests.python.site.content import FIRST, SITE, clicks, content, section, words
 
 FILE = SITE.parents[1] / "design" / "questions.toml"
 QUESTIONS: list[dict[str, Any]] = tomllib.loads(FILE.read_text(encoding="utf-8"))["question"]
@@ -29,14 +29,22 @@ def test_links_of_the_content_lead_to_the_answer(question: dict[str, Any]) -> No
         at = address
     assert len(question["clicks"]) <= NEAR
     text = section(f"{at.partition('#')[0]}#{question['part']}" if "part" in question else at)
-    assert [words for words in question["holds"] if words not in text] == []
+    assert [held for held in question["holds"] if held not in text] == []
     assert [number for number in NUMBER.findall(question["answer"]) if number not in text] == []
+    lines = [words(line).strip() for line in question.get("code", "").splitlines()]
+    assert [line for line in lines if line not in text] == []
 
 
 @pytest.mark.parametrize("question", QUESTIONS, ids=[one["ask"] for one in QUESTIONS])
 def test_no_answer_stands_on_the_first_page_by_chance(question: dict[str, Any]) -> None:
-    assert not all(words in section(FIRST) for words in question["holds"])
+    assert not all(held in section(FIRST) for held in question["holds"])
     assert clicks()[question["clicks"][-1].partition("#")[0]] <= NEAR
+
+
+def test_the_links_to_the_evidence_show_titles_and_no_addresses() -> None:
+    names = [path.name for path in (SITE / "answers").glob("*.html") if path.name != "index.html"]
+    assert len(names) == len(QUESTIONS)
+    assert [name for name in names if ".html" in section(f"answers/{name}#evidence")] == []
 
 
 TOURS = tomllib.loads(FILE.with_name("tours.toml").read_text(encoding="utf-8"))["tour"]
