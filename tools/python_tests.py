@@ -19,6 +19,8 @@ TESTS = Path("tests/python")
 PYTHON = ("tests/python/", "tools/", "traceability/", "site/portal/", "client/")
 COMMANDS = "tools/cli.py"  # This file imports the module of a command when the command runs.
 RUNS_TOOLS = "pytest.mark.runs_tools"
+LONG = "long"  # mark of the tests that run only with ./wr test --long
+NOT_LONG = f"not {LONG}"
 # The tests of this folder mostly wait for a robot in real time. Therefore, more of these tests run
 # in parallel than the computer has processors.
 WAITING = "client"
@@ -96,9 +98,15 @@ def workers(folder: str) -> list[str | Path]:
     return ["-n", jobs(), "--dist", "loadfile"]
 
 
-def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
-    """Runs the tests. Failed tests are an outcome, but a run without results is an error."""
-    return outcome_of(counted(root, folder, log, [*options, root / TESTS / folder]))
+def run_pytest(root: Path, folder: str, log: TextIO, marks: str = NOT_LONG) -> Outcome:
+    """Runs the tests of a folder that have the given marks. Failed tests are an outcome, but a run
+    without results is an error."""
+    return outcome_of(counted(root, folder, log, [root / TESTS / folder], marks))
+
+
+def run_long(root: Path, log: TextIO) -> Outcome:
+    """Runs the tests of all folders that take long."""
+    return outcome_of(counted(root, LONG, log, [root / TESTS], LONG))
 
 
 def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str]) -> Outcome:
@@ -157,12 +165,14 @@ def merge_results(
     write_whole(results, ET.tostring(before, encoding="unicode"))
 
 
-def counted(root: Path, folder: str, log: TextIO, tests: Sequence[str | Path]) -> Counts:
-    """Runs the given tests of a folder, and returns their counts."""
+def counted(
+    root: Path, folder: str, log: TextIO, tests: Sequence[str | Path], marks: str = NOT_LONG
+) -> Counts:
+    """Runs the given tests of a folder that have the given marks, and returns their counts."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
-    words += workers(folder)
+    words += ["-m", marks, *workers(folder)]
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}", *tests]
     attempt_tests(log, words, results)
     # Tests may fail because the computer is busy. Failed tests therefore run again, one after the

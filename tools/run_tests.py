@@ -14,6 +14,7 @@ from tools.lock import only_one
 from tools.task_graph import Graph, Reporter
 from tools.tasks import (
     DOCUMENTS,
+    LONG_TESTS,
     PAGES,
     PYTHON_TESTS,
     RESULT_TASKS,
@@ -61,8 +62,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--long",
         action="store_true",
-        help="also insert each fault of tests/drift in a copy of the project, and test whether the "
-        "checks find the fault",
+        help="also run the tests of the tools that take long. Also insert each fault of "
+        "tests/drift in a copy of the project, and test whether the checks find the fault",
     )
     parser.add_argument(
         "--lint", action="store_true", help="also run ./wr lint --quick, at the same time"
@@ -96,7 +97,7 @@ def test(root: Path, *, long: bool, lint: bool) -> int:
         style = lint_tasks(root, quick=True) if lint else []
         tasks = Graph(root, [*style, *graph(root).tasks])
         results = tasks.run([*(task.name for task in style), *names])
-        pages = pages_graph(root).run([DOCUMENTS, PAGES])
+        pages = pages_graph(root).run([DOCUMENTS, PAGES, *([LONG_TESTS] if long else [])])
         counts = counts_of(results) + counts_of(pages)
         code = report(read_findings(root), [*results.failed, *pages.failed])
         if cold:

@@ -38,7 +38,14 @@ from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
-from tools.python_tests import imported_files, reported_numbers, run_pytest, update_pytest
+from tools.python_tests import (
+    NOT_LONG,
+    imported_files,
+    reported_numbers,
+    run_long,
+    run_pytest,
+    update_pytest,
+)
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
 from traceability.model.build import commit
@@ -73,7 +80,7 @@ CHANGES_BUILD = "build (likely changes)"
 PORTS_BUILD = "build (ports)"
 TESTS_SANITIZE = "tests (sanitize)"
 LIVE_MODULE = "live module"
-DOCUMENTS, PAGES = "documents", "tests (pages)"
+DOCUMENTS, PAGES, LONG_TESTS = "documents", "tests (pages)", "long tests"
 PAGES_RECORD = Path("build/pages.json")
 FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, task_record.IMAGES)
 # Tasks whose results the pages show. The most important task is first.
@@ -139,7 +146,6 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
         *(*DESIGN, "sim/scenario", "design", "site", "tests/fuzz", "tests/support"),
         str(COVERAGE_LINES),
     ),
-    "worked_examples": SHOWN,
 }
 # Folders with tests that run programs of the build.
 RUN_PROGRAMS = (
@@ -149,7 +155,7 @@ RUN_PROGRAMS = (
 )
 # Folders with tests that also run the tools as programs. The other tests use only the files that
 # they import.
-RUN_TOOLS = (*RUN_PROGRAMS, "tools", "worked_examples")
+RUN_TOOLS = (*RUN_PROGRAMS, "tools")
 
 
 def python_task(folder: str) -> str:
@@ -376,8 +382,8 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
 
 
 def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
-    """Returns the task that runs the checks and builds the pages, and the task that tests the
-    pages."""
+    """Returns the task that runs the checks and builds the pages, the task that tests the pages,
+    and the task of the long tests, some of which read the pages."""
 
     def state() -> str:
         names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, task_record.FIRMWARE_FAULTS)
@@ -386,7 +392,7 @@ def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
     def pages(log: TextIO) -> Outcome:
         if not works(find_browser()):
             log.write("There is no browser. The tests that need a browser are skipped.\n")
-            return run_pytest(root, "site", log, "-m", "not browser")
+            return run_pytest(root, "site", log, f"{NOT_LONG} and not browser")
         outcome = run_pytest(root, "site", log)
         add_metrics(root, reported_numbers(root / RESULTS / "pytest_site.xml"))
         return outcome
@@ -415,6 +421,13 @@ def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
             pages,
             (*SHOWN, *results),
             (f"{RESULTS}/pytest_site.xml",),
+            after=(DOCUMENTS,),
+        ),
+        Task(
+            LONG_TESTS,
+            partial(run_long, root),
+            (*SHOWN, *results),
+            (f"{RESULTS}/pytest_long.xml",),
             after=(DOCUMENTS,),
         ),
     ]

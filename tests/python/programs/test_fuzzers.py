@@ -112,6 +112,7 @@ def faulty(fault: Fault, folder: Path) -> Path:
     return program
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
 def test_a_seeded_fault_is_found(tmp_path: Path, fault: Fault) -> None:
     result = fuzz(faulty(fault, tmp_path), "frames", 1, INPUTS)
@@ -119,6 +120,7 @@ def test_a_seeded_fault_is_found(tmp_path: Path, fault: Fault) -> None:
     assert any(rule in result["failure"]["text"] for rule in fault.rule.split("|"))
 
 
+@pytest.mark.long
 def test_the_firmware_without_a_fault_passes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     result = fuzz(FUZZER, "frames", 1, INPUTS // 10)

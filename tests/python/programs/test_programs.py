@@ -16,6 +16,7 @@ ROOT = Path(__file__).parents[3]
 PROGRAMS = ROOT / "build" / "host" / "sim"
 IMAGE = ROOT / "build" / "k64" / "weeding_robot_paper.bin"
 ELF = IMAGE.with_suffix(".elf")
+LONG = pytest.mark.long
 EXAMPLES = sorted((ROOT / "sim" / "scenario" / "examples").glob("*.scenario"))
 CYCLE_TIMER_VECTOR = 4 * (16 + 48)
 
@@ -87,7 +88,11 @@ def difference(first: Row, second: Row) -> float:
     )
 
 
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "example",
+    [pytest.param(one, marks=LONG if one.stem == "ten_minutes" else ()) for one in EXAMPLES],
+    ids=lambda path: path.stem,
+)
 def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:

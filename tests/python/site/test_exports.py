@@ -54,6 +54,7 @@ def test_the_requirements_fit_the_schema_of_reqif() -> None:
     assert done.returncode == 0, done.stdout
 
 
+@pytest.mark.long
 @pytest.mark.runs_tools
 def test_strictdoc_imports_each_requirement_with_its_text(strictdoc: Path, tmp_path: Path) -> None:
     subprocess.run(

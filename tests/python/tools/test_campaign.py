@@ -152,6 +152,7 @@ def test_finished_chunks_are_never_lost_by_mistake(tmp_path: Path) -> None:
     assert run(tmp_path, "--count", "20", "--resume") == 0
 
 
+@pytest.mark.long
 def test_the_number_of_workers_does_not_matter(tmp_path: Path) -> None:
     found = []
     for name, workers in (("a", "1"), ("b", "4")):
@@ -221,6 +222,7 @@ def test_a_campaign_with_failures_shows_them_and_ends_with_code_1(
     assert "build/campaign/faults/" in printed
 
 
+@pytest.mark.long
 def test_a_killed_campaign_resumes_to_the_same_result(tmp_path: Path) -> None:
     whole, killed = tmp_path / "whole", tmp_path / "killed"
     for root in (whole, killed):
@@ -244,6 +246,7 @@ def test_a_killed_campaign_resumes_to_the_same_result(tmp_path: Path) -> None:
     assert record_of(killed) == record_of(whole)
 
 
+@pytest.mark.long
 def test_a_dask_cluster_that_loses_a_worker_gives_the_same_result(tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed")
     kind = small(tmp_path)

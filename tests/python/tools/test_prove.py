@@ -61,6 +61,7 @@ def proven(root: Path, *names: str) -> dict[str, ProofResult]:
 
 
 @needs_spin
+@pytest.mark.long
 def test_a_transition_without_its_guard_is_found(design: Path) -> None:
     machine = design / "design/fsm/reading_modes.toml"
     name = "modes_change_in_reconnecting_only"
@@ -72,6 +73,7 @@ def test_a_transition_without_its_guard_is_found(design: Path) -> None:
 
 
 @needs_spin
+@pytest.mark.long
 def test_a_stop_that_one_state_loses_is_found(design: Path) -> None:
     heeded = r"  :: stops -> pc_stop = true"
     connected = "  :: stops && pc_mcu_connection == pc_mcu_connection_Connected -> pc_stop = true"
@@ -84,6 +86,7 @@ def test_a_stop_that_one_state_loses_is_found(design: Path) -> None:
 
 
 @needs_spin
+@pytest.mark.long
 def test_a_false_property_has_a_scenario_that_plays_its_counterexample(design: Path) -> None:
     """The robot can drive in the model. A property that forbids each drive is therefore false."""
     declared = read_declared(design)

@@ -11,6 +11,7 @@ from tools.documents import TIMES
 from tools.task_graph import Graph, Task
 from tools.tasks import (
     DOCUMENTS,
+    LONG_TESTS,
     PAGES,
     PYTHON_TESTS,
     RESULT_TASKS,
@@ -18,7 +19,7 @@ from tools.tasks import (
     python_task,
 )
 from traceability.reading.results import read_json
-from traceability.reading.task_record import RECORD
+from traceability.reading.task_record import RECORD, SEEDED_FAULTS
 
 
 @pytest.fixture
@@ -28,13 +29,24 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     def graph_of(*names: str) -> Graph:
         return Graph(tmp_path, [Task(name, lambda _log: None, always=True) for name in names])
 
-    results = [*RESULT_TASKS, TESTS_SANITIZE]
+    results = [*RESULT_TASKS, TESTS_SANITIZE, SEEDED_FAULTS]
     results += map(python_task, PYTHON_TESTS)
     monkeypatch.setattr(run_tests, "graph", lambda _root: graph_of(*results))
-    monkeypatch.setattr(run_tests, "pages_graph", lambda _root: graph_of(DOCUMENTS, PAGES))
-    monkeypatch.setattr(run_tests, "lint_tasks", lambda _root, *, quick: [])
+    monkeypatch.setattr(
+        run_tests, "pages_graph", lambda _root: graph_of(DOCUMENTS, PAGES, LONG_TESTS)
+    )
+    monkeypatch.setattr(run_tests, "lint_tasks", lambda _root, **_: [])
     monkeypatch.setattr(run_tests, "report", lambda _findings, _failed: 0)
     return tmp_path
+
+
+@pytest.mark.parametrize("long", [False, True])
+def test_long_tests_and_seeded_faults_run_only_on_request(
+    root: Path, capsys: pytest.CaptureFixture[str], *, long: bool
+) -> None:
+    run_tests.test(root, long=long, lint=False)
+    shown = capsys.readouterr().out
+    assert (LONG_TESTS in shown, SEEDED_FAULTS in shown) == (long, long)
 
 
 def measured(root: Path) -> set[str]:

@@ -13,7 +13,7 @@ from textwrap import dedent
 
 import pytest
 
-pytestmark = pytest.mark.runs_tools
+pytestmark = [pytest.mark.runs_tools, pytest.mark.long]
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "how_these_pages_are_made.rst"
