@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import functools
 import html
+import json
 import os
 import pickle
 import posixpath
@@ -29,6 +30,9 @@ URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
+# A folder of the build. A file directly in the folder build is left out.
+BUILT = re.compile(r"(?<![\w/.-])build/(\w+)\b(?![.]\w)")
+PRESETS = "CMakePresets.json"
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
 # A key in a sentence, or in the first column of a table of keys.
 KEY = re.compile(r"\bkey ``(\w)``|^(?:\w+, )?(\w)  +\w")
@@ -262,14 +266,15 @@ def missing_commands(root: Path) -> Iterator[Finding]:
 
 
 def missing_parts(root: Path) -> Iterator[Finding]:
-    """Finds names of products, programs, keys and pins that do not exist, in the pages of docs/ and
-    in the README."""
+    """Finds names of products, programs, folders of the build, keys and pins that do not exist, in
+    the pages of docs/ and in the README."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
-    targets, keys = _targets(root), _keys(root)
+    targets, keys, folders = _targets(root), _keys(root), _built(root)
     for place, line in lines_below(root, PAGES, (".md", ".rst")):
         wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
         wrong += [f"program {name}" for name in PROGRAM.findall(line) if name not in targets]
+        wrong += [f"build/{name}" for name in BUILT.findall(line) if name not in folders]
         wrong += [
             f"key {key}" for found in KEY.findall(line) for key in found if key and key not in keys
         ]
@@ -290,6 +295,17 @@ def _keys(root: Path) -> set[str]:
     """Returns the keys of the keyboard to which the client reacts."""
     files = files_below(root, ("client",), (".py",))
     return set(re.findall(r'\bb"(\w)"', "".join(path.read_text("utf-8") for path in files)))
+
+
+def _built(root: Path) -> set[str]:
+    """Returns the folders of the build: those of the presets of CMake, and those that the tools
+    name."""
+    presets = root / PRESETS
+    listed = json.loads(presets.read_text("utf-8"))["configurePresets"] if presets.exists() else []
+    files = files_below(root, (*PROGRAMS, "traceability"), (".py",))
+    code = "".join(path.read_text(encoding="utf-8") for path in files)
+    named = re.findall(r"\bbuild(?:/|\"(?:, | / )\")(\w+)", code)
+    return {preset["name"] for preset in listed}.union(named)
 
 
 def _targets(root: Path) -> set[str]:

@@ -1045,8 +1045,8 @@ _FIXED = [
         "Links of hand-written pages",
         "Every reference in docs/ has a target. Every path of a file in a page of docs/, in the "
         "README or in a text of design/ exists. Each command of ./wr that a page or the README "
-        "names exists with its options. The products, test programs, used pins and keys that these "
-        "texts name exist too.",
+        "names exists with its options. The products, test programs, folders of the build, used "
+        "pins and keys that these texts name exist too.",
         "The check cannot judge whether the link has the right target.",
         "correct the target.",
     ),
