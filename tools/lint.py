@@ -68,7 +68,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "and mypy, and checks the directions of their imports.",
     )
     parser.add_argument(
-        "--quick", action="store_true", help="leave out clang-tidy and the headers alone"
+        "--quick",
+        action="store_true",
+        help="leave out clang-tidy and the compilation of each header alone",
     )
     parser.set_defaults(run=lambda root, options: lint(root, quick=options.quick))
 

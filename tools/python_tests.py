@@ -99,13 +99,13 @@ def workers(folder: str) -> list[str | Path]:
 
 
 def run_pytest(root: Path, folder: str, log: TextIO, marks: str = NOT_LONG) -> Outcome:
-    """Runs the tests of a folder that have the given marks. Failed tests are an outcome, but a run
-    without results is an error."""
+    """Runs the tests of a folder whose marks match the given expression. Failed tests are an
+    outcome, but a run without results is an error."""
     return outcome_of(counted(root, folder, log, [root / TESTS / folder], marks))
 
 
 def run_long(root: Path, log: TextIO) -> Outcome:
-    """Runs the tests of all folders that take long."""
+    """Runs the long tests of all folders."""
     return outcome_of(counted(root, LONG, log, [root / TESTS], LONG))
 
 
@@ -168,7 +168,7 @@ def merge_results(
 def counted(
     root: Path, folder: str, log: TextIO, tests: Sequence[str | Path], marks: str = NOT_LONG
 ) -> Counts:
-    """Runs the given tests of a folder that have the given marks, and returns their counts."""
+    """Runs those of the given tests whose marks match the expression. Returns their counts."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]

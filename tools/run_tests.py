@@ -1,4 +1,4 @@
-"""./wr test: runs every test and every check."""
+"""./wr test: runs the tests and every check."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--long",
         action="store_true",
-        help="also run the tests of the tools that take long. Also insert each fault of "
-        "tests/drift in a copy of the project, and test whether the checks find the fault",
+        help="also run the long tests of the tools. Also insert each fault of tests/drift in a "
+        "copy of the project, and test whether the checks find the fault",
     )
     parser.add_argument(
         "--lint", action="store_true", help="also run ./wr lint --quick, at the same time"

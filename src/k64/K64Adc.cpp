@@ -35,10 +35,10 @@ constexpr auto kConfiguration =
 // Greatest number of reads of the status register. If the calibration has not ended after these
 // reads, it has failed. One read takes at least 6 and less than 30 periods of the core clock, which
 // has the same source as the clock of the converters. If each read takes 6 periods, there is still
-// enough time for a calibration, which needs 14000 clock periods of the converter. These periods
-// take less than 6 ms, because the clock of the converters has at least 2.5 MHz. If each read takes
-// 30 periods, the reads take less than 45 ms. The start waits as long as this only if a calibration
-// does not end.
+// enough time for a calibration, which needs 14000 clock periods of the converter. A calibration
+// takes less than 6 ms, because the clock of the converters has at least 2.5 MHz. If each read
+// takes 30 periods of the core clock, all reads take less than 45 ms. The start waits for all reads
+// only if a calibration does not end.
 constexpr std::uint32_t kMaxPolls = 30'000;
 static_assert(kMaxPolls * 6 > 14'000 * kDivider,
               "even the fastest kMaxPolls reads take longer than a calibration");
