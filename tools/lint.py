@@ -70,7 +70,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--quick",
         action="store_true",
-        help="leave out clang-tidy and the compilation of each header alone",
+        help="leave out clang-tidy, the compilation of each header alone, and the compilation of "
+        "the tests of the firmware",
     )
     parser.set_defaults(run=lambda root, options: lint(root, quick=options.quick))
 
@@ -109,7 +110,7 @@ def lint_tasks(root: Path, *, quick: bool) -> list[Task]:
         task("headers alone", check_headers, (built,)),
     ]
     return [
-        task(built, build_with_clang),
+        task(built, partial(build_with_clang, quick=quick)),
         task("clang-format", check_format),
         Task("ruff", ruff, always=True),
         Task("mypy", mypy, always=True),
@@ -159,11 +160,12 @@ def check_format(root: Path, log: TextIO) -> str:
     return f"{len(paths)} files"
 
 
-def build_with_clang(root: Path, log: TextIO) -> None:
+def build_with_clang(root: Path, log: TextIO, *, quick: bool) -> None:
     """Compiles all sources with clang. The preset sanitize compiles the tests of the firmware,
-    because the preset host does not contain them."""
+    because the preset host does not contain them. With ``quick``, these tests are left out."""
     build(root, "host", log)
-    build(root, "sanitize", log, TESTS)
+    if not quick:
+        build(root, "sanitize", log, TESTS)
     words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
     words += [f"-fmodule-map-file={root / MAP}", "-fmodules-decluse", "-Xclang", "-fno-cxx-modules"]
     for source in filter(partial(on_board, root), sources(root, DESIGN, ".cpp")):

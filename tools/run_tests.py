@@ -66,7 +66,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "copy of the project, and test whether the checks find the fault",
     )
     parser.add_argument(
-        "--lint", action="store_true", help="also run ./wr lint --quick, at the same time"
+        "--ci",
+        action="store_true",
+        help="the run of .ci/run: leave out the tests with sanitizers, and run the quick steps of "
+        "./wr lint at the same time",
     )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 
@@ -77,7 +80,7 @@ def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         parser.error(f"there is no part {unknown[0]}; the parts are {', '.join(PARTS)}")
     if options.parts:
         return test_parts(root, options.parts)
-    return test(root, long=options.long, lint=options.lint)
+    return test(root, long=options.long, ci=options.ci)
 
 
 def test_parts(root: Path, parts: list[str]) -> int:
@@ -88,13 +91,14 @@ def test_parts(root: Path, parts: list[str]) -> int:
     return 0 if counts.passed and not results.failed else 1
 
 
-def test(root: Path, *, long: bool, lint: bool) -> int:
+def test(root: Path, *, long: bool, ci: bool) -> int:
     start = time.monotonic()
     with only_one(root, "test"):
-        cold = lint and not (root / RECORD).exists()
-        names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
+        cold = ci and not (root / RECORD).exists()
+        names = [*RESULT_TASKS, *map(python_task, PYTHON_TESTS)]
+        names += [] if ci else [TESTS_SANITIZE]
         names += [SEEDED_FAULTS] if long else []
-        style = lint_tasks(root, quick=True) if lint else []
+        style = lint_tasks(root, quick=True) if ci else []
         tasks = Graph(root, [*style, *graph(root).tasks])
         results = tasks.run([*(task.name for task in style), *names])
         pages = pages_graph(root).run([DOCUMENTS, PAGES, *([LONG_TESTS] if long else [])])

@@ -50,6 +50,7 @@ def need_file(path: Path, action: str) -> None:
 
 # The programs that this process started and that still run.
 _started: list[subprocess.Popen[Any]] = []
+_stops: list[float] = []  # the times at which all programs were ended
 
 
 def run(
@@ -65,6 +66,7 @@ def run(
     words = [str(word) for word in command]
     log.write(f"$ {' '.join(words)}\n")
     log.flush()
+    stops = len(_stops)
     try:
         program = subprocess.Popen(
             words,
@@ -77,7 +79,7 @@ def run(
         )
     except FileNotFoundError as error:
         raise MissingError(f"{words[0]} is not installed") from error
-    with stoppable(program):
+    with stoppable(program, stops):
         _, status, used = os.wait4(program.pid, 0)
         program.returncode = os.waitstatus_to_exitcode(status)
     if program.returncode != 0:
@@ -110,10 +112,16 @@ def heed_interrupts() -> None:
 
 
 @contextmanager
-def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
+def stoppable(program: subprocess.Popen[Any], stops: int | None = None) -> Iterator[None]:
     """Ends the given program and all other started programs if an interrupt comes inside the
-    ``with`` block."""
+    ``with`` block.
+
+    ``stops`` is the number of earlier interrupts at the time when the program was started. If an
+    interrupt came between this time and the ``with`` block, the program ends now.
+    """
     _started.append(program)
+    if stops is not None and stops != len(_stops):
+        stop(program)
     try:
         yield
     except KeyboardInterrupt:
@@ -125,9 +133,15 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
 
 def stop_programs() -> None:
     """Ends the programs that still run after an interrupt, and the programs that they started."""
+    _stops.append(time.monotonic())
     for program in list(_started):
-        with suppress(ProcessLookupError):
-            os.killpg(program.pid, signal.SIGTERM)
+        stop(program)
+
+
+def stop(program: subprocess.Popen[Any]) -> None:
+    """Ends a program and the programs that it started."""
+    with suppress(ProcessLookupError):
+        os.killpg(program.pid, signal.SIGTERM)
 
 
 def tail(path: Path, lines: int = TAIL_LINES) -> str:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iostream>
@@ -227,8 +228,8 @@ struct Compared {
   ComparisonOfRobot comparison;
 };
 
-/// Runs random sequences. Each robot runs a hundred sequences. Checks that each transition of both
-/// state machines has occurred at least the given number of times.
+/// Runs random sequences. Each robot runs at most a hundred sequences. Checks that each transition
+/// of both state machines has occurred at least the given number of times.
 template <class Robot, class ComparisonOfRobot>
 void compareInSequences(int sequences, int enough) {
   const unsigned seedOfRun = seed();
@@ -237,7 +238,7 @@ void compareInSequences(int sequences, int enough) {
   int cycles = 0;
   for (int first = 0; first < sequences; first += 100) {
     Compared<Robot, ComparisonOfRobot> run(random);
-    for (int sequence = first; sequence < first + 100; ++sequence) {
+    for (int sequence = first; sequence < std::min(first + 100, sequences); ++sequence) {
       run.comparison.sequence();
       ASSERT_FALSE(testing::Test::HasFatalFailure())
           << "seed " << seedOfRun << ", sequence " << sequence;

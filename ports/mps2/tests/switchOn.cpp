@@ -13,7 +13,7 @@ std::unique_ptr<scenario::RobotSession> switchOn() {
 }
 
 int referenceSequences() {
-  return 100;
+  return 40;
 }
 
 }  // namespace wr::test

@@ -44,7 +44,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_long_tests_and_seeded_faults_run_only_on_request(
     root: Path, capsys: pytest.CaptureFixture[str], *, long: bool
 ) -> None:
-    run_tests.test(root, long=long, lint=False)
+    run_tests.test(root, long=long, ci=False)
     shown = capsys.readouterr().out
     assert (LONG_TESTS in shown, SEEDED_FAULTS in shown) == (long, long)
 
@@ -53,18 +53,18 @@ def measured(root: Path) -> set[str]:
     return set(read_json(root / TIMES) or {})
 
 
-def test_the_first_whole_run_with_lint_is_measured(root: Path) -> None:
-    run_tests.test(root, long=False, lint=True)
+def test_the_first_run_for_the_ci_is_measured(root: Path) -> None:
+    run_tests.test(root, long=False, ci=True)
     assert measured(root) == {"build.ci_s"}
 
 
 def test_a_later_run_is_not_measured(root: Path) -> None:
     (root / RECORD).parent.mkdir(parents=True)
     (root / RECORD).write_text("{}", encoding="utf-8")
-    run_tests.test(root, long=False, lint=True)
+    run_tests.test(root, long=False, ci=True)
     assert measured(root) == set()
 
 
-def test_a_run_without_lint_is_not_measured(root: Path) -> None:
-    run_tests.test(root, long=False, lint=False)
+def test_another_first_run_is_not_measured(root: Path) -> None:
+    run_tests.test(root, long=False, ci=False)
     assert measured(root) == set()

@@ -19,7 +19,7 @@ std::unique_ptr<scenario::RobotSession> switchOn() {
 }
 
 int referenceSequences() {
-  return 300;
+  return 100;
 }
 
 }  // namespace wr::test
