@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -50,7 +51,9 @@ def need_file(path: Path, action: str) -> None:
 
 # The programs that this process started and that still run.
 _started: list[subprocess.Popen[Any]] = []
-_stops: list[float] = []  # the times at which all programs were ended
+# This event is set after an interrupt. A thread that has not noticed the interrupt must not start
+# another program.
+_interrupted = threading.Event()
 
 
 def run(
@@ -66,7 +69,8 @@ def run(
     words = [str(word) for word in command]
     log.write(f"$ {' '.join(words)}\n")
     log.flush()
-    stops = len(_stops)
+    if _interrupted.is_set():
+        raise FailureError("an interrupt ended the command")
     try:
         program = subprocess.Popen(
             words,
@@ -79,7 +83,7 @@ def run(
         )
     except FileNotFoundError as error:
         raise MissingError(f"{words[0]} is not installed") from error
-    with stoppable(program, stops):
+    with stoppable(program):
         _, status, used = os.wait4(program.pid, 0)
         program.returncode = os.waitstatus_to_exitcode(status)
     if program.returncode != 0:
@@ -112,15 +116,11 @@ def heed_interrupts() -> None:
 
 
 @contextmanager
-def stoppable(program: subprocess.Popen[Any], stops: int | None = None) -> Iterator[None]:
+def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
     """Ends the given program and all other started programs if an interrupt comes inside the
-    ``with`` block.
-
-    ``stops`` is the number of earlier interrupts at the time when the program was started. If an
-    interrupt came between this time and the ``with`` block, the program ends now.
-    """
+    ``with`` block. If an interrupt came shortly before, the given program ends now."""
     _started.append(program)
-    if stops is not None and stops != len(_stops):
+    if _interrupted.is_set():
         stop(program)
     try:
         yield
@@ -133,9 +133,22 @@ def stoppable(program: subprocess.Popen[Any], stops: int | None = None) -> Itera
 
 def stop_programs() -> None:
     """Ends the programs that still run after an interrupt, and the programs that they started."""
-    _stops.append(time.monotonic())
     for program in list(_started):
         stop(program)
+
+
+@contextmanager
+def no_program_left() -> Iterator[None]:
+    """Ends all started programs if an interrupt or an error leaves the ``with`` block. After an
+    interrupt, threads that still run can start no further program."""
+    _interrupted.clear()
+    try:
+        yield
+    except BaseException as error:
+        if isinstance(error, KeyboardInterrupt):
+            _interrupted.set()
+        stop_programs()
+        raise
 
 
 def stop(program: subprocess.Popen[Any]) -> None:

@@ -26,7 +26,7 @@ from doit.runner import MThreadRunner
 from doit.task import Task as DoitTask
 from doit.task import dict_to_task
 
-from tools.steps import FailureError, attempt, log_file, log_of, stop_programs, tail
+from tools.steps import FailureError, attempt, log_file, log_of, no_program_left, tail
 from traceability.reading.task_record import RECORD
 from traceability.sources import files_below
 from traceability.whole_file import write_whole
@@ -302,11 +302,8 @@ class Graph:
             control = TaskControl([self._doit(task) for task in self.tasks])
             control.process(list(names))
             runner = Runner(record, reporter, continue_=True, num_process=max(1, self.workers))
-            try:
+            with no_program_left():
                 runner.run_all(control.task_dispatcher())
-            except BaseException:
-                stop_programs()
-                raise
         return reporter
 
     def _doit(self, task: Task) -> DoitTask:

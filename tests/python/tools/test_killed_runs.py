@@ -85,16 +85,6 @@ def unchanged(output: str) -> set[str]:
     return set(re.findall(r"^\[\d/3\] (.*?) \.\.\. (?:.*, )?unchanged$", output, re.MULTILINE))
 
 
-def left(root: Path) -> list[int]:
-    """Returns the programs of a command that still run one second after the command ended. A busy
-    computer needs some time to end a program."""
-    for _ in range(100):
-        if not programs_of(root):
-            return []
-        time.sleep(0.01)
-    return programs_of(root)
-
-
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_after_a_run_that_was_ended_the_next_run_is_right(
     tmp_path: Path, number: signal.Signals
@@ -119,7 +109,7 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         assert program.returncode in (0, INTERRUPTED, -number), before + errors
         assert "Traceback" not in errors
         if program.returncode == INTERRUPTED:
-            assert left(tmp_path) == []
+            assert programs_of(tmp_path) == []
         if chosen.random() < 0.5:
             # These are the sources of the last run that was not interrupted.
             write_sources(tmp_path, f"text {turn - 1}")

@@ -9,7 +9,7 @@ from typing import TextIO
 
 import pytest
 
-from tools.steps import FailureError, Steps, run, stop_programs
+from tools.steps import FailureError, Steps, no_program_left, run, stop_programs
 
 
 @pytest.fixture
@@ -77,3 +77,17 @@ def test_an_interrupt_ends_a_program_with_those_that_it_started() -> None:
             run(log, ["sh", "-c", "sleep 60 & sleep 60"])
         log.close()
         assert output.read() == "$ sh -c sleep 60 & sleep 60\n"
+
+
+def test_after_an_interrupt_a_thread_starts_no_program(tmp_path: Path) -> None:
+    def late(log: TextIO) -> None:
+        with pytest.raises(FailureError, match="an interrupt ended the command"):
+            run(log, ["touch", tmp_path / "made"])
+
+    with (tmp_path / "log").open("w") as log:
+        with pytest.raises(KeyboardInterrupt), no_program_left():
+            raise KeyboardInterrupt
+        late(log)
+        with no_program_left():
+            run(log, ["true"])
+    assert not (tmp_path / "made").exists()
