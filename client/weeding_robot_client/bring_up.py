@@ -511,7 +511,7 @@ class BringUp:
         for question in (
             "Are all four wheels off the ground, and is the robot secured?",
             "Are all persons away from the wheels, and is your hand at the emergency stop?",
-            "Is the current of the supply limited to 5 A?",
+            "Is the current of the supply limited to 2 A?",
         ):
             if not self._operator.confirm(question, self.idle):
                 raise FailError(f"not confirmed: {question}", "Do this first.")

@@ -7,6 +7,8 @@ import subprocess
 import time
 from pathlib import Path
 
+import pytest
+
 from tests.python.firmware.seeding import BOARD, link_command
 from tools import bench
 from traceability.reading.bench_record import (
@@ -18,6 +20,8 @@ from traceability.reading.bench_record import (
     profile_of,
 )
 from traceability.reading.results import read_record
+
+pytestmark = pytest.mark.long
 
 ROOT = Path(__file__).parents[3]
 BUILD = ROOT / "build" / "k64"

@@ -23,6 +23,7 @@ PULSES = "wr::MainController::clockPulse"
 FLUSH = "maintenance flush register-cache"
 
 pytestmark = [
+    pytest.mark.long,
     pytest.mark.skipif(GDB is None, reason="there is no GDB for Arm"),
     pytest.mark.runs_tools,
 ]

@@ -20,7 +20,8 @@ from traceability.whole_file import write_whole
 
 # One page of each kind.
 PAGES = [
-    "index", "answers/index", "answers/is-rc-a-state-or-a-decorator", "architecture", "structure",
+    "index", "answers/index", "answers/is-rc-a-state-or-a-decorator",
+    "answers/how-do-i-write-a-test-and-link-it-to-a-requirement", "architecture", "structure",
     "patterns/index", "patterns/reading-modes", "machines", "changes", "changes/reading-modes",
     "secrets", "guide", "interfaces", "inheritances", "products", "datatypes", "uses",
     "concordance", "usual_design", "execution", "requirements/index", "requirements/FR-15",
