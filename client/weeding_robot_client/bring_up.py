@@ -40,9 +40,10 @@ Guides you step by step through the checks of a new robot: port, connection, fir
 cause, inputs, end stops, remote control, emergency stop. Then the program turns one wheel at a time
 with 1 V, detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each
 step states the action and the expected result. To skip a step that waits for you, press 's' and
-Enter. No motor is switched on until the step for the emergency stop has passed and you have
-confirmed that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result
-to a record with the present date, in JSON and in Markdown.
+Enter. The robot must run a product with the safety functions. Connect no motor before you start.
+No motor is switched on until the step for the emergency stop has passed and you have confirmed
+that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a
+record with the present date, in JSON and in Markdown.
 
 Exit code 1: a step failed or was skipped."""
 
@@ -355,7 +356,8 @@ class BringUp:
         if start.faulted or str(start) not in GOOD_RESETS:
             raise FailError(
                 str(start),
-                "Find the cause of this reset first. docs/protocol.rst explains the causes.",
+                "Find the cause of this reset first. The page PC protocol lists the first checks for "
+                "each cause (section Causes of a reset, and kinds of faults).",
             )
         return str(start)
 
@@ -496,7 +498,8 @@ class BringUp:
             stopped,
             "the robot does not report the emergency stop",
             "Check the auxiliary contact of the emergency stop. Connect no motor before this step "
-            "passes.",
+            "passes. If the product has no safety functions, flash a product that has them: "
+            "./wr flash --product weeding_robot",
         )
         self._do("estop release", "release the emergency stop")
         still = self._observe(self._wish, OBSERVE_S)
@@ -507,7 +510,11 @@ class BringUp:
         return "pressed: stopped; released: still stopped; acknowledged: armed"
 
     def _wheels_off_ground(self) -> str:
-        self._do("lift", "connect the motors, lift the robot so that all wheels are off the ground")
+        self._do(
+            "lift",
+            "press the emergency stop, connect the motors, and lift the robot so that all wheels "
+            "are off the ground",
+        )
         for question in (
             "Are all four wheels off the ground, and is the robot secured?",
             "Are all persons away from the wheels, and is your hand at the emergency stop?",
@@ -515,7 +522,11 @@ class BringUp:
         ):
             if not self._operator.confirm(question, self.idle):
                 raise FailError(f"not confirmed: {question}", "Do this first.")
-        return "confirmed"
+        self._do("estop release", "release the emergency stop")
+        self._observe(self._wish, OBSERVE_S)
+        acknowledge(self.orders)
+        self._arm()
+        return "confirmed; acknowledged: armed"
 
     def _wheel(self, number: int) -> str:
         name = WHEELS[number]

@@ -47,6 +47,7 @@ class Entry:
     shown: str
     meaning: str
     detail: str
+    check: str  # first checks of a technician
     firmware: str  # enumerator or constant of the firmware
     unit: str
     scale: float
@@ -263,6 +264,7 @@ def _enumeration(item: dict[str, Any]) -> Enumeration:
             one.get("shown", one["name"]),
             one.get("meaning", ""),
             one.get("detail", ""),
+            one.get("check", ""),
             one.get("firmware", f"{item['firmware']}::{one['name']}"),
             one.get("unit", ""),
             one.get("scale", 1),

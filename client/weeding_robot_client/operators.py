@@ -162,7 +162,7 @@ ACTIONS = {
     "transmitter on": ("rc velocity 0 steering 0", "rc enable pc"),
     "estop press": ("estop press",),
     "estop release": ("estop release",),
-    "lift": ("grip 0",),
+    "lift": ("estop press", "grip 0"),
 }
 TURNS_LEAST = 5  # smallest velocity of a wheel that turns [0.1 rpm]
 TURNS_MOST = 100_000

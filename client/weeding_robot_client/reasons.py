@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from weeding_robot_client.layout import FRAMES
 from weeding_robot_client.messages import WHEELS, Report
 
 CAUSES = {
@@ -15,6 +16,12 @@ CAUSES = {
     "missing measurement": "a measured value is missing",
     "Hall signals": "too many Hall edges of a wheel are implausible: check its cable",
     "reversal": "a wheel could not change its direction in time",
+    "clock lost": "the clock of the microcontroller was lost",
+}
+# The key is the cause of a protective stop.
+CHECKS = {
+    entry.shown: entry.check.replace("``", "")
+    for entry in FRAMES.enumerations["stop cause"].entries
 }
 ACTIONS = {
     "no order": "Send orders: ./wr drive, or the remote control.",
@@ -51,10 +58,12 @@ def inhibited(report: Report) -> str | None:
         sources = report.stop_sources or ("a source",)
         actions = [RELEASES.get(name, f"{name} ordered it.") for name in sources]
         return " ".join(["The robot does not move: a stop is in force.", *actions])
-    reason = report.inhibit
-    if reason == "protective stop":
-        reason += f", {cause(report)}"
-    return f"The robot does not move: {reason}. {ACTIONS.get(report.inhibit, '')}".rstrip()
+    reason = f"{report.inhibit}."
+    if report.inhibit == "protective stop":
+        reason = f"{report.inhibit}, {cause(report)}."
+        if check := CHECKS.get(report.stop_cause):
+            reason += f" Check first: {check}."
+    return f"The robot does not move: {reason} {ACTIONS.get(report.inhibit, '')}".rstrip()
 
 
 def faults(report: Report) -> list[str]:

@@ -19,6 +19,8 @@ from weeding_robot_client.layout import (
 )
 
 TABLE = Path("design/frames.toml")
+# The key is the number of columns of a table of values.
+VALUES_WIDTHS = {4: (12, 22, 24, 42), 5: (8, 16, 16, 28, 32), 6: (8, 14, 14, 22, 16, 26)}
 LIVE_FRAMES = """\
 <link rel="stylesheet" href="../_static/live/live.css">
 <script src="../_static/live/frames.js" defer></script>
@@ -144,15 +146,18 @@ def values_table(enumeration: Enumeration) -> str:
     """Returns the table of the numbers of an enumeration, with the text that the client shows for
     each number.
     """
+    has_checks = any(entry.check for entry in enumeration.entries)
     heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
     heads += [enumeration.detail] if enumeration.detail else []
+    heads += ["check first"] if has_checks else []
     rows = []
     for entry in enumeration.entries:
-        shown = entry.shown.replace("{number}", "n")
-        row = [str(entry.number), f"``{entry.name}``", shown, entry.meaning]
-        rows.append((*row, entry.detail) if enumeration.detail else tuple(row))
-    widths = (10, 20, 20, 30, 20) if enumeration.detail else (12, 22, 24, 42)
-    return list_table(widths, heads, rows)
+        row = [str(entry.number), f"``{entry.name}``", entry.shown.replace("{number}", "n")]
+        row += [entry.meaning]
+        row += [entry.detail] if enumeration.detail else []
+        row += [entry.check] if has_checks else []
+        rows.append(tuple(row))
+    return list_table(VALUES_WIDTHS[len(heads)], heads, rows)
 
 
 def live_frames(root: Path) -> str:

@@ -101,6 +101,7 @@ def test_no_wheel_turns_before_the_emergency_stop_has_passed(
     record = go(mcu, control, images, has_rc=False)
     assert step(record, "emergency stop").verdict == "fail"
     assert "Connect no motor" in step(record, "emergency stop").advice
+    assert "./wr flash --product weeding_robot" in step(record, "emergency stop").advice
     assert "needs: emergency stop" in step(record, WHEEL_0).seen
     ordered = [frame.payload[8:20] for frame in mcu.of_kind(0x04)]
     assert ordered
@@ -115,6 +116,23 @@ def test_no_wheel_turns_without_confirmation(
     record = go(mcu, control, images, has_rc=False)
     assert step(record, "wheels off the ground").verdict == "fail"
     assert all(wheel.turns == 0 for wheel in mcu.wheels)
+
+
+def test_the_motors_are_connected_while_the_emergency_stop_is_pressed(
+    mcu: Any, control: Path, images: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pressed = []
+
+    def confirm(*_: Any) -> bool:
+        pressed.append(mcu.estop)
+        return True
+
+    monkeypatch.setattr(SimulatedOperator, "confirm", confirm)
+    name = "wheels off the ground"
+    record = go(mcu, control, images, has_rc=False, last=name)
+    assert pressed == [True] * 3
+    assert step(record, name).seen == "confirmed; acknowledged: armed"
+    assert not mcu.estop
 
 
 @pytest.mark.parametrize(

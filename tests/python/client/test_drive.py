@@ -21,9 +21,10 @@ import pytest
 from weeding_robot_client import drive, exit_codes, monitor, procedures
 from weeding_robot_client import orders as orders_module
 from weeding_robot_client.keyboard import Hand, keys
+from weeding_robot_client.layout import FRAMES
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, WheelSetPoint
-from weeding_robot_client.reasons import faults
+from weeding_robot_client.reasons import CAUSES, CHECKS, faults
 from weeding_robot_client.recording import COLUMNS
 from weeding_robot_client.script import HELP, ScriptError, Wish, parse
 
@@ -232,7 +233,16 @@ def test_a_script_ends_with_an_error_when_the_robot_has_stopped_itself(
     script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 1s end\n")
     threading.Timer(1.0, mcu.control, ("estop press",)).start()
     assert drive.run(options(mcu, script=script)) == 1
-    assert "protective stop, the emergency stop is pressed" in capsys.readouterr().err
+    shown = capsys.readouterr().err
+    assert "protective stop, the emergency stop is pressed" in shown
+    assert "not connected. Check first: the emergency stop: release it" in shown
+
+
+def test_each_cause_of_a_protective_stop_has_a_text_and_first_checks() -> None:
+    causes = {entry.shown for entry in FRAMES.enumerations["stop cause"].entries if entry.number}
+    assert CAUSES.keys() == causes
+    assert causes == {cause for cause, check in CHECKS.items() if check}
+    assert not any("`" in check for check in CHECKS.values())
 
 
 def test_a_script_is_refused_by_a_robot_of_another_version(

@@ -54,6 +54,15 @@ def test_values_have_tables(tables: dict[str, str]) -> None:
     types = {row[1]: row for row in rows(tables["frame_types.inc"])}
     assert types["Order"][:4] == ["0x04", "Order", "PC to MCU", "21 bytes"]
     assert rows(tables["values_reset_cause.inc"])[4][:3] == ["4", "``Watchdog``", "watchdog"]
+    assert len(rows(tables["values_inhibit.inc"])[0]) == 4
+
+
+@pytest.mark.parametrize("table", ["values_stop_cause.inc", "values_reset_cause.inc"])
+def test_causes_have_first_checks(tables: dict[str, str], table: str) -> None:
+    assert "     - check first\n" in tables[table]
+    checks = {row[1]: row[4] for row in rows(tables[table])}
+    assert "replace the board" in checks["``ClockLost``"]
+    assert {name for name, check in checks.items() if not check} <= {"``None``", "``Debugger``"}
 
 
 def test_the_page_includes_tables_that_exist(tables: dict[str, str]) -> None:
