@@ -356,8 +356,8 @@ class BringUp:
         if start.faulted or str(start) not in GOOD_RESETS:
             raise FailError(
                 str(start),
-                "Find the cause of this reset first. The page PC protocol lists the first checks for "
-                "each cause (section Causes of a reset, and kinds of faults).",
+                "Find the cause of this reset first. The section 'Causes of a reset, and kinds of "
+                "faults' of the page PC protocol lists the first checks for each cause.",
             )
         return str(start)
 
