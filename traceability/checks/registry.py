@@ -751,7 +751,8 @@ _FIXED = [
     Check(
         "req-satisfied",
         "Each requirement is satisfied",
-        "Every requirement is named in the @satisfies of a method.",
+        "Every requirement FR-n, and every other requirement with a tree of invocations, is "
+        "named in the @satisfies of a method.",
         "The check does not detect whether the method fulfils the requirement. The tests show "
         "this.",
         "write the @satisfies above the method that fulfils the requirement.",
@@ -759,7 +760,7 @@ _FIXED = [
     Check(
         "req-verified",
         "Each requirement is verified",
-        "Every requirement is named in the @verifies of a test.",
+        "Every requirement without a metric (@evidence) is named in the @verifies of a test.",
         "The check cannot judge whether the test is strict enough.",
         "write a test for the requirement, or tag the existing test with @verifies.",
     ),
