@@ -718,8 +718,8 @@ _FIXED = [
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
         "names of products that exist. It has one @method of verification: test, analysis, "
         "measurement or inspection. If the method is test, the @verifies of a test names the "
-        "requirement. If the method is measurement or analysis, the requirement has @evidence or a "
-        "test with a measurement.",
+        "requirement. If the method is measurement or analysis, the requirement has @evidence, or "
+        "the @verifies of a test names it.",
         "The check cannot judge whether the method suits the requirement. It does not find parts "
         "that remain unverified although the requirement has no @partly.",
         "write the attribute, or correct its value.",
