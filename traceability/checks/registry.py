@@ -886,9 +886,13 @@ _FIXED = [
         "hazard-time",
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
-        "10 %. The reaction time of the firmware is at most the fault-tolerant time.",
+        "10 %. The reaction time of the firmware is at most the fault-tolerant time. The scenarios "
+        "of a goal without known exceptions accept no later reaction.",
         "The check cannot judge whether the distances and energies in the formula are right for "
-        "the robot. It cannot judge whether the tests measure the right reaction.",
+        "the robot. It cannot judge whether the tests measure the right reaction. It compares only "
+        "the declared number of the reaction, and not the times in the text of the reaction. If a "
+        "goal has a known exception, the check does not compare the times that the scenarios of "
+        "this goal accept.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
     ),
     Check(
