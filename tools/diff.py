@@ -1,4 +1,5 @@
-"""./wr diff: compares two commits by their requirements, trees, verdicts, sizes and reviews."""
+"""./wr diff: compares the requirements, verdicts, modules, sizes, findings, metrics and files of
+two commits."""
 
 from __future__ import annotations
 

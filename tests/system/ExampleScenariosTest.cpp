@@ -85,7 +85,7 @@ TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
   playWithThePapersDesign("one_hall_sensor");
 }
 
-/// @brief When the PC becomes silent at 0.85 m/s, the robot stops within 1.5 m.
+/// @brief After the last order at 0.85 m/s, the robot stops within 1.5 m.
 /// @verifies FR-95
 /// @verifies FR-18
 TEST(ClosedLoopOfRobot, FR95_RobotIsAtRestSoonAfterTheLastMessage) {

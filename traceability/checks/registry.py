@@ -718,8 +718,8 @@ _FIXED = [
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
         "names of products that exist. It has one @method of verification: test, analysis, "
         "measurement or inspection. If the method is test, the @verifies of a test names the "
-        "requirement. If the method is measurement or analysis, the requirement has @evidence or a "
-        "test with a measurement.",
+        "requirement. If the method is measurement or analysis, the requirement has @evidence, or "
+        "the @verifies of a test names it.",
         "The check cannot judge whether the method suits the requirement. It does not find parts "
         "that remain unverified although the requirement has no @partly.",
         "write the attribute, or correct its value.",
@@ -751,7 +751,8 @@ _FIXED = [
     Check(
         "req-satisfied",
         "Each requirement is satisfied",
-        "Every requirement is named in the @satisfies of a method.",
+        "Every requirement FR-n, and every other requirement with a tree of invocations, is "
+        "named in the @satisfies of a method.",
         "The check does not detect whether the method fulfils the requirement. The tests show "
         "this.",
         "write the @satisfies above the method that fulfils the requirement.",
@@ -759,7 +760,7 @@ _FIXED = [
     Check(
         "req-verified",
         "Each requirement is verified",
-        "Every requirement is named in the @verifies of a test.",
+        "Every requirement without a metric (@evidence) is named in the @verifies of a test.",
         "The check cannot judge whether the test is strict enough.",
         "write a test for the requirement, or tag the existing test with @verifies.",
     ),
@@ -885,9 +886,13 @@ _FIXED = [
         "hazard-time",
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
-        "10 %. The reaction time of the firmware is at most the fault-tolerant time.",
+        "10 %. The reaction time of the firmware is at most the fault-tolerant time. The scenarios "
+        "of a goal without known exceptions accept no later reaction.",
         "The check cannot judge whether the distances and energies in the formula are right for "
-        "the robot. It cannot judge whether the tests measure the right reaction.",
+        "the robot. It cannot judge whether the tests measure the right reaction. It compares only "
+        "the declared number of the reaction, and not the times in the text of the reaction. If a "
+        "goal has a known exception, the check does not compare the times that the scenarios of "
+        "this goal accept.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
     ),
     Check(

@@ -1,11 +1,13 @@
 """Counts the files and lines that were added or edited for the safety functions since a base
 commit.
 
-In edited files, only lines of code count. Comments do not count.
+In edited files, only lines of code count. Comments do not count. New files outside
+``extensions/safety`` do not count.
 """
 
 from __future__ import annotations
 
+import re
 import subprocess
 from collections.abc import Iterable
 from dataclasses import replace
@@ -18,6 +20,8 @@ from traceability.schema import Correction, SafetyCase, SafetyCost, TouchedFile
 from traceability.sources import SRC
 
 SAFETY = "extensions/safety"
+CMAKE = (".cmake", "CMakeLists.txt")
+CMAKE_COMMENT = re.compile(r'("(?:\\.|[^"\\])*")|#[^\n]*')
 
 
 def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
@@ -68,12 +72,20 @@ def contents(root: Path, names: list[str]) -> list[str]:
 
 def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
     """Counts the lines of code that were added and removed between two versions of a file."""
-    old, new = code_of(before.strip()).splitlines(), code_of(after.strip()).splitlines()
+    old, new = (lines_of_code(file, text.strip()) for text in (before, after))
     edits = SequenceMatcher(None, old, new, autojunk=False).get_opcodes()
     changed = [edit for edit in edits if edit[0] != "equal"]
     added = sum(to_end - to_begin for _, _, _, to_begin, to_end in changed)
     removed = sum(end - begin for _, begin, end, _, _ in changed)
     return TouchedFile(file, added, removed)
+
+
+def lines_of_code(file: str, text: str) -> list[str]:
+    """Returns the lines of a file without comments and empty lines."""
+    if file.endswith(CMAKE):
+        bare = CMAKE_COMMENT.sub(lambda match: match[1] or "", text)
+        return [line.rstrip() for line in bare.splitlines() if line.strip()]
+    return code_of(text).splitlines()
 
 
 def numstat(text: str) -> list[TouchedFile]:

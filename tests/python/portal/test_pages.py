@@ -7,6 +7,7 @@ from dataclasses import replace
 from html import unescape
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -25,6 +26,7 @@ from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
+from traceability.reading.fault_record import OUTCOMES
 from traceability.reading.published import Published
 from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Constant, Place, TreeNode, Tuned
 
@@ -327,6 +329,19 @@ def test_the_page_of_robustness_shows_the_inputs_of_each_fuzzer_of_a_record(
     fuzz = Published("./wr campaign fuzz", "abc", "2026-01-01", result)
     model = replace(make_project(tmp_path), campaigns={"fuzz": fuzz})
     assert text in " ".join(shown(tmp_path, model)["robustness"].text.split())
+
+
+def test_the_tiles_of_the_page_of_robustness_add_up_to_the_number_of_faults(tmp_path: Path) -> None:
+    counts = dict(zip(OUTCOMES, (50107, 40847, 8000, 460, 3, 583), strict=True))
+    faults: dict[str, Any] = {"identity": "1", "cases": 100000, "outcomes": counts, "silent": []}
+    faults |= {"kinds": {"ram": counts}, "modules": {"RC": counts}, "safe_after": None}
+    record = Published("./wr campaign faults", "abc", "2026-01-01", faults)
+    model = replace(make_project(tmp_path), campaigns={"faults": record})
+    page = shown(tmp_path, model)["robustness"]
+    tiles = page.text.partition("Recorded by")[0]
+    for number in (faults["cases"], *counts.values()):
+        assert tiles.split().count(str(number)) == 1
+    assert f"all kinds {faults['cases']} " in " ".join(page.text.split())
 
 
 def test_a_change_that_an_extension_makes_names_two_products(portal: Portal) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.python.git_project import git
-from traceability.reading.safety_cost import correction_of, read_cost
+from traceability.reading.safety_cost import correction_of, edits_of_code, read_cost
 from traceability.schema import Correction, Place, SafetyCase, TouchedFile
 
 WHERE = Place("design/safety_case.toml", 1)
@@ -89,3 +89,11 @@ def test_the_longest_path_decides() -> None:
     assert correction_of("src/k64/Uart.cpp", [folder, file]) is file
     assert correction_of("src/k64/Adc.cpp", [folder, file]) is folder
     assert correction_of("src/k64x/Adc.cpp", [folder, file]) is None
+
+
+@pytest.mark.parametrize("file", ["src/CMakeLists.txt", "src/identity.cmake"])
+def test_comments_of_cmake_do_not_count(file: str) -> None:
+    before = 'set(A "#1")  # one\n# a comment\n'
+    same = 'set(A "#1")  # another\n# a new comment\n# of two lines\n'
+    assert edits_of_code(file, before, same) == TouchedFile(file, 0, 0)
+    assert edits_of_code(file, before, 'set(A "#2")\n') == TouchedFile(file, 1, 1)
