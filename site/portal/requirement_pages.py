@@ -25,14 +25,14 @@ def requirements(portal: Portal) -> dict[str, Any]:
         for item in portal.model.requirements.values()
     }
     states = [verdict.state for verdict in portal.report.requirements.values()]
-    all_of_them = portal.model.requirements.values()
+    every = portal.model.requirements.values()
     return {
         "sections": sections(portal),
         "facets": numbers,
         "states": counted_states(states),
-        "methods": Counter(requirement.method for requirement in all_of_them),
-        "without_test": [item.id for item in all_of_them if not item.verified_by],
-        "without_method": [item.id for item in all_of_them if not item.satisfied_by],
+        "methods": Counter(requirement.method for requirement in every),
+        "without_test": [item.id for item in every if not item.verified_by],
+        "without_method": [item.id for item in every if not item.satisfied_by],
         "options": verification_views.options(numbers.values()),
         "bars": verification_views.chart(sections(portal)),
         "lines_of": verification_views.lines_of,
