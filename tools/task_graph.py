@@ -113,8 +113,8 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
 
 
 class Database(JsonDB):  # type: ignore[misc]  # doit has no types
-    """The file of the record. It is replaced as a whole. After an interruption it therefore
-    contains the previous record."""
+    """The JSON file in which doit records the tasks. The file is replaced as a whole. After an
+    interruption it therefore contains the previous record."""
 
     def dump(self) -> None:
         write_whole(Path(self.name), self.codec.encode(self._db))

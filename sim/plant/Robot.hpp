@@ -211,7 +211,7 @@ class Robot {
   /// @return m/s, positive forwards
   [[nodiscard]] double groundSpeed() const { return speed_; }
 
-  /// @brief Returns the speed over ground at the middle of the robot, across its axis.
+  /// @brief Returns the sideways speed over ground at the middle of the robot.
   /// @return m/s, positive to the left
   [[nodiscard]] double sideSpeed() const { return sideSpeed_; }
 

@@ -476,8 +476,8 @@ class Portal:
         ]
 
     def in_paper(self, name: str) -> list[PaperElement]:
-        """Returns the names that the paper uses for a module and its methods, or for a use of a
-        pattern.
+        """Returns the names that the paper uses for a module and its methods, or for a pattern
+        application.
         """
         return [
             element

@@ -38,7 +38,7 @@ class SiteResult:
 
 
 def build_site(root: Path, model: Model, report: Report) -> SiteResult:
-    """Brings ``build/site`` up to date with the model and its verdicts."""
+    """Updates ``build/site`` from the model and its verdicts."""
     root = root.resolve()
     pages, site = root / "build" / "pages", root / "build" / "site"
     try:

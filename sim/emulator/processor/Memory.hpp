@@ -86,15 +86,15 @@ class Memory {
     return directs_[address / kMegabyte];
   }
 
-  /// @brief Returns the bytes at an address if they can be loaded without a function call;
-  /// otherwise nullptr.
+  /// @brief Returns a pointer to the bytes at an address if the program can load from this pointer
+  /// without a function call; otherwise nullptr.
   [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Returns the bytes at an address if they can be stored without a function call;
-  /// otherwise nullptr.
+  /// @brief Returns a pointer to the bytes at an address if the program can store to this pointer
+  /// without a function call; otherwise nullptr.
   [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;

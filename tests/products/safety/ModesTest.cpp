@@ -58,8 +58,8 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
       continue;
     }
     const double angle = steering / 100.0 * std::numbers::pi / 180;
-    const double centre = kWheelbase / std::tan(angle);  // distance of the common centre from the
-                                                         // robot, to the left along the rear axle
+    // distance from the middle of the rear axle to the common centre, positive to the left [m]
+    const double centre = kWheelbase / std::tan(angle);
     const SetPoints order = read(alike(-3000, steering));
     std::array<double, 4> circles{};
     for (std::size_t wheel = 0; wheel < 4; ++wheel) {

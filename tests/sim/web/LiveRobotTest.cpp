@@ -160,7 +160,7 @@ TEST(LiveRobotTest, GoesOnWithoutClock) {
   EXPECT_GT(robot->session().board.resets(), 0);
 }
 
-/// @brief The robot stops after the last step of its scenario, and then runs no further cycle.
+/// @brief The run ends after the last step of its scenario, and no further cycle runs.
 TEST(LiveRobotTest, EndsWithTheScenario) {
   const auto robot = robotIn("at 50 connect\nat 450 end\n");
   EXPECT_EQ(robot->runToEnd(), web::LiveRobot::State::Ended);
