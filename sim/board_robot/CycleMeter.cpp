@@ -13,8 +13,8 @@ constexpr unsigned kPulse = kFirstInterrupt + BoardSession::kPulseInterrupt;
 constexpr unsigned kMainThread = kFirstInterrupt + 64;
 // Data register of the serial port to the PC.
 constexpr std::uint32_t kUart0Data = 0x4006A007;
-// The stack of the firmware begins at the start of the RAM. The first word of the flash is the end
-// address of the stack.
+// The memory of the stack begins at the start of the RAM. The first word of the flash is the end
+// address of this memory. From there, the stack grows downwards.
 constexpr std::uint32_t kStack = 0x1FFF0000;
 constexpr std::uint32_t kWord = 4;
 

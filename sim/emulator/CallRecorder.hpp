@@ -23,7 +23,7 @@ class CallRecorder {
   /// @param most maximum number of recorded events
   explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 30000);
 
-  /// @brief Records the calls of some functions.
+  /// @brief Records the calls of the given functions.
   /// @param functions addresses of the functions
   /// @param most maximum number of recorded events
   CallRecorder(std::vector<std::uint32_t> functions, std::size_t most);

@@ -124,7 +124,8 @@ class CortexM4 {
 
   /// @brief Triggers an exception as the hardware does. A fault is entered before the next
   /// instruction.
-  /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
+  /// @param exception number of the exception, e.g. 2 for NMI, 3 for HardFault, 16 for interrupt
+  /// line 0
   void raise(unsigned exception);
 
   /// @brief Rejects the present access to a range of mapWindow(). The access causes a bus fault, or

@@ -96,7 +96,8 @@ std::uint32_t FlexCan::mode() const {
 }
 
 Time FlexCan::endOf(const CanFrame& frame, Time begin) const {
-  // The first quantum, and three fields that contain their length minus 1.
+  // A bit consists of the first quantum and three segments. Each of three fields contains the
+  // length of a segment minus 1.
   const std::uint64_t quanta = 4 + (timing_ & 7) + (timing_ >> 19 & 7) + (timing_ >> 16 & 7);
   const std::uint64_t clocks =
       ((timing_ >> 24) + 1) * quanta * (kFrameBits + 8 * frame.data.size());

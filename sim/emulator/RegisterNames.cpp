@@ -276,8 +276,8 @@ constexpr std::uint32_t kGpioSize = 0x40;
 constexpr std::uint32_t kGpioPorts = 5;
 constexpr std::uint32_t kSimSize = 0x2000;
 
-// Returns true if a block is a block of a given kind. The name of a block is its kind and, for some
-// kinds, one more character, as in UART4 and PORTA.
+// Returns true if a block has a given kind. The name of a block is its kind and, for some kinds,
+// one more character, as in UART4 and PORTA.
 bool isOfKind(std::string_view block, std::string_view kind) {
   return block == kind ||
          (block.starts_with(kind) && block.size() == kind.size() + 1 && block.back() != '_');

@@ -63,14 +63,15 @@ struct Fault {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Longest time of observation [ms]. The angle sensor may drift for 6.8 s before FR-227
-/// detects the drift. It takes seconds until the number of implausible Hall edges reaches the limit
-/// of FR-279.
+/// @brief Longest time of observation [ms]. FR-227 detects a drift of the angle sensor by 0.5
+/// degrees per second within 6.8 s. A slower drift may be detected after the observation. It takes
+/// seconds until the number of implausible Hall edges reaches the limit of FR-279.
 inline constexpr int kLongestWindow = 7000;
 
-/// @brief Returns the duration of the observation after the fault [ms]. The observation lasts at
-/// least until the latest time at which the firmware must report the fault. For example, the
-/// firmware reports a wheel without Hall edges 1 s after the wheel got voltage.
+/// @brief Returns the duration of the observation after the fault [ms]. Except for a slow drift of
+/// the angle sensor, the observation lasts at least until the latest time at which the firmware
+/// must report the fault. For example, the firmware reports a wheel without Hall edges 1 s after
+/// the wheel got voltage.
 [[nodiscard]] int windowOf(const Fault& fault);
 
 /// @brief Chooses a kind of fault. The two most frequent kinds change a bit in RAM: a bit of an

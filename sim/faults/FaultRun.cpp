@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr int kOrderPeriod = 100;   // ms
-constexpr int kFirstOrder = 60;     // ms; each order arrives before the next clock pulse
+constexpr int kFirstOrder = 60;     // ms since the drive began; between two clock pulses
 constexpr int kNeutralOrders = 10;  // number of neutral orders that arm the robot
 constexpr int kStateEach = 100;     // ms
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms

@@ -19,11 +19,11 @@ bool differs(const Outputs& faulty, const Outputs& reference) {
 struct Wrong {
   int before = 0;  // ms with wrong outputs before the detection
   int total = 0;   // ms with wrong outputs, in periods that are long enough to count
-  int after = 0;   // ms after a reset in which a wheel had voltage or the steering had moved
+  int after = 0;   // ms with voltage at a wheel or with a moved steering, after a reset
 };
 
-// If the wheels have no voltage, the robot is safe, and its outputs are not wrong for any
-// reference.
+// If the wheels have no voltage, the robot is safe. Its outputs then do not count as wrong, even if
+// they differ from the reference.
 Wrong countWrong(const Observation& faulty, const Outputs* reference, int detectedAt) {
   Wrong wrong;
   int run = 0;

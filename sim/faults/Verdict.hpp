@@ -11,7 +11,7 @@ namespace wr::faults {
 /// @brief Outputs of the robot in one step of 1 ms.
 struct Outputs {
   std::array<float, 4>
-      drive{};  ///< fraction of the supply voltage at each wheel, signed; 0: the driver is off
+      drive{};  ///< fraction of the supply voltage at each wheel, signed; 0: there is no voltage
   float steering = 0;  ///< degrees
 
   /// @brief Returns true if no wheel has voltage.

@@ -11,10 +11,10 @@ struct WheelDrive {
   bool enabled = false;    ///< false: no current can flow
 };
 
-/// @brief The contact between a wheel and the ground, in the directions of the wheel.
+/// @brief The contact between a wheel and the ground.
 struct Contact {
-  double along = 0;   ///< speed of the hub over the ground, m/s, positive forwards
-  double across = 0;  ///< speed of the hub over the ground, m/s, positive to the left
+  double along = 0;   ///< forward speed of the hub over the ground, m/s, negative backwards
+  double across = 0;  ///< sideways speed of the hub over the ground, m/s, positive to the left
   double grip = 0;    ///< greatest force between tyre and ground, N
 };
 
@@ -23,8 +23,9 @@ struct Contact {
 /// A brushless motor with its driver is modelled as a motor with a commutator. In each orientation,
 /// the driver works in two quadrants. The motor gets a fraction of the supply voltage. With a
 /// fraction of 0, the motor is short-circuited and brakes. The gear loses the same fraction of the
-/// power in both directions. The forces of the tyre along and across the wheel grow with the slip,
-/// until their sum reaches the limit of friction. While the wheel is at rest, the tyre is a spring.
+/// power in both directions. The force of the tyre in the rolling direction and its sideways force
+/// grow with the slip, until their sum reaches the limit of friction. While the wheel is at rest,
+/// the tyre is a spring.
 class DriveTrain {
  public:
   static constexpr double kRatio = 10.0;       ///< turns of the motor per turn of the wheel
@@ -61,11 +62,11 @@ class DriveTrain {
   /// @param supply voltage of the supply, V
   void advance(double seconds, const Contact& contact, double supply);
 
-  /// @brief Returns the force of the tyre on the robot, along the wheel.
+  /// @brief Returns the force of the tyre on the robot, in the rolling direction of the wheel.
   /// @return N, positive forwards
   [[nodiscard]] double force() const { return force_; }
 
-  /// @brief Returns the force of the tyre on the robot, across the wheel.
+  /// @brief Returns the sideways force of the tyre on the robot.
   /// @return N, positive to the left
   [[nodiscard]] double sideForce() const { return sideForce_; }
 
@@ -116,8 +117,8 @@ class DriveTrain {
   double current_ = 0;
   double speed_ = 0;
   double turns_ = 0;
-  double deflection_ = 0;      // force of the tyre's spring along the wheel
-  double sideDeflection_ = 0;  // force of the tyre's spring across the wheel
+  double deflection_ = 0;      // force of the tyre's spring in the rolling direction
+  double sideDeflection_ = 0;  // sideways force of the tyre's spring
   double force_ = 0;
   double sideForce_ = 0;
 };

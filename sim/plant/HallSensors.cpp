@@ -13,8 +13,8 @@ namespace {
 constexpr double kStart = 0.5;
 
 // A period has four edges. Sensor a is high from edge 1 to edge 3, and sensor b is high from edge 2
-// to edge 4. The position is measured from the rising edge of the sensor. The level is high from 0
-// to 2, low from 2 to 4, and then repeats.
+// to edge 4. The position is counted in edges, from the rising edge of the sensor. The level is
+// high from 0 to 2, low from 2 to 4, and then repeats.
 bool levelAt(double position) {
   return (wholePart(position) & 2) == 0;
 }

@@ -19,7 +19,8 @@ class HallSensors {
   /// @param misplaced displacement of each sensor, as a fraction of the distance between two edges
   void place(const std::array<double, 2>& misplaced) { misplaced_ = misplaced; }
 
-  /// @brief Turns the shaft by less than the distance between two edges.
+  /// @brief Updates the level of a sensor after a movement of the shaft. The movement must be
+  /// shorter than the distance between two edges.
   /// @param sensor 0 for a, 1 for b
   /// @param from turns of the shaft before the movement
   /// @param to turns of the shaft after the movement

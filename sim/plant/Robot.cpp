@@ -305,8 +305,8 @@ Contact Robot::contactOf(const WheelPose& pose) const {
           .grip = grip_};
 }
 
-// The tyres push the robot along and across its axis, and turn it. The voltage of the battery falls
-// under load.
+// The tyres push the robot along its axis and sideways, and turn it. The voltage of the battery
+// falls under load.
 void Robot::advance(double seconds) {
   Forces force = ground_;
   double drawn = 0;

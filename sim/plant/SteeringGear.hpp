@@ -7,7 +7,7 @@ class SteeringGear {
  public:
   static constexpr double kStep = 0.05;  ///< degrees
   static constexpr int kLastStep =
-      680;  ///< last step before the mechanical limit of the steering, at 34 degrees
+      680;  ///< number of steps from the middle to a mechanical limit, which is at 34 degrees
   static constexpr double kSwitch =
       33.5;  ///< angle at which the switch of an end stop opens, degrees
 

@@ -26,8 +26,8 @@ namespace {
 
 constexpr std::size_t kLongest = 512;
 
-// Actions of the PC are refused, because the PC link is in use. The other actions of this list need
-// a scenario.
+// Actions of the PC are rejected, because the PC link is in use. The other actions of this list
+// need a scenario.
 constexpr auto kRefused = std::to_array<std::string_view>(
     {"connect", "arm", "hello", "confirm", "keepalive", "order", "replay", "bytes", "mark",
      "expect-silence", "expect-finding"});

@@ -355,8 +355,8 @@ TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   EXPECT_THROW(board.onTime(0ns, [] {}), std::invalid_argument);
 }
 
-/// @brief No interrupt of a robot with four wheels is lost. Each millisecond has the interrupts of
-/// a timer, of five conversions at two converters, and of the edges of each wheel.
+/// @brief No interrupt of a robot with four wheels is lost. Each millisecond has one interrupt of a
+/// timer, five interrupts of two converters, and one interrupt of an edge of each wheel.
 TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
   Guest guest("drivesFourWheels");
   guest.handleLine(48, "startsConversions").handleLine(62, "countsEdges");

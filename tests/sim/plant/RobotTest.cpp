@@ -468,8 +468,8 @@ TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   EXPECT_EQ(degrees(3), 0);
 }
 
-// A robot that drives a curve of 32 degrees to the left. A velocity controller of the test controls
-// each wheel.
+// A robot that drives a curve to the left, with a steering angle of 32 degrees. A velocity
+// controller of the test controls each wheel.
 class CurveTest : public RobotTest {
  protected:
   CurveTest() {
@@ -495,9 +495,9 @@ class CurveTest : public RobotTest {
   std::array<double, plant::kWheels> integrals_{};
 };
 
-// For each wheel, its distance from the centre of the curve at 32 degrees, divided by the distance
-// of the rear axle from this centre. The distance of the rear axle is 1.582 m / tan 32 degrees =
-// 2.532 m.
+// For each wheel, its distance from the centre of the curve at a steering angle of 32 degrees,
+// divided by the distance of the middle of the rear axle from this centre. The distance of the
+// middle of the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
 /// @brief With set-points that match the geometry, the robot drives the geometric curve, and the
@@ -575,7 +575,7 @@ TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
 }
 
 /// @brief A sensor that is displaced by 30 electrical degrees causes distances of 60 and 120
-/// degrees between edges.
+/// electrical degrees between edges.
 TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   robot.setFault(Fault::HallMisplaced, 0, true, 30);
   drive({.duty = 0.5, .backwards = false, .enabled = true});

@@ -127,7 +127,8 @@ TEST(LiveRobotTest, RepeatsAnOrder) {
   EXPECT_NEAR(speed(*robot), 0, 1);
 }
 
-/// @brief A user changes the surroundings while the robot drives.
+/// @brief A user blocks a wheel while the robot drives, and the wheel stops. An unknown fault
+/// causes an error.
 TEST(LiveRobotTest, ActsOnTheWorld) {
   const auto robot = robotIn(kFree);
   robot->repeat("order velocity 1000");

@@ -208,8 +208,8 @@ PROGRAM watchesLevel() {
 }
 
 // A timer of 1 kHz starts one conversion at each of two converters. The interrupt of a conversion
-// starts the next conversion of the same converter, until five conversions have ended. In each
-// millisecond, two edges of each wheel cause interrupts.
+// starts the next conversion of the same converter, until ADC0 has ended two conversions and ADC1
+// has ended three. In each millisecond, the test changes the level of one pin of each wheel.
 static void workFor(std::uint32_t turns) {
   for (std::uint32_t i = 0; i < turns; ++i) {
     reported(11) = i;
