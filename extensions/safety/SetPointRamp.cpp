@@ -141,8 +141,8 @@ void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t 
   share_ = std::clamp(share_ + (fast ? -kScaleFall : kScaleRise), kMinScale, kFullScale);
 }
 
-// Multiplies the set-points of all wheels by the same factors. Therefore the robot stays on its
-// circle.
+// Multiplies all velocities by the same two factors, and other set-points only by share_. Therefore
+// the ratio of the velocities does not change, and the robot stays on its circle.
 void SetPointRamp::limit(SetPoints& setPoints, std::int32_t most) const {
   std::int32_t greatest = most;
   for (const WheelSetPoint& setPoint : setPoints.wheels) {

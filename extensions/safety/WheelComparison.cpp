@@ -20,8 +20,8 @@ constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-// One cycle with a high current counts like this number of cycles in a curve, if the robot drives
-// straight on.
+// While the robot drives straight on, a cycle with a high current counts like this number of such
+// cycles in a curve.
 constexpr std::uint8_t kStraightCycle = 5;
 
 bool isGreat(std::optional<Current> current) {

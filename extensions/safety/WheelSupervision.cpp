@@ -35,7 +35,7 @@ constexpr std::uint8_t kTooFastCycles = 3;
 //
 // kResidual covers the offset of the current sensor, and values that change during a cycle.
 // kMaxIdleTension replaces kResidual while the voltage does not exceed kDriving, the voltage that
-// the bring-up applies to a wheel. It corresponds to 1 A in the winding.
+// the bring-up applies to a wheel. kMaxIdleTension corresponds to 1 A in the winding.
 constexpr Tension kResidual(700);
 constexpr Tension kMaxIdleTension(1500);
 constexpr std::int32_t kSupplyPercent = 20;
@@ -48,7 +48,7 @@ constexpr std::uint8_t kDeviatingCycles = 2;
 constexpr std::uint8_t kMissingCycles = 3;
 
 // It is a fault if the measured current (in mA) does not change in this number of successive
-// cycles.
+// cycles, while the voltage exceeds kDriving.
 constexpr std::uint8_t kEqualCycles = 7;
 
 // Limits for the fault: too many Hall edges are implausible. The first two numbers count half

@@ -56,7 +56,7 @@ class WheelSupervision final {
 
   // The voltage of a wheel and its three parts: the voltage that the velocity induces, the voltage
   // that the current causes in the winding, and the rest. If the voltage or a measurement is
-  // missing, all values are 0. Then the checks find no fault.
+  // missing, all values are 0. Then the checks of these values find no fault.
   struct Balance {
     Velocity velocity{};
     Tension tension{};
@@ -82,7 +82,7 @@ class WheelSupervision final {
   std::array<std::optional<Velocity>, kReferences> references_{};
   std::size_t oldest_ = 0;  // index of the oldest set-point, which the next set-point replaces
   bool following_ = false;
-  std::uint8_t opposing_ = 0;  // [half cycle] count, like the next three
+  std::uint8_t opposing_ = 0;  // [half cycle] count; the next three counts have this unit
   std::uint8_t tooFast_ = 0;
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;

@@ -72,8 +72,8 @@ class MainControllerBuilder {
   /// long as the builder.
   /// @datatype
   struct RemoteControlDevices {
-    EdgeInput& velocityPin;    ///< input that receives the pulses of the velocity lever
-    EdgeInput& directionPin;   ///< input that receives the pulses of the direction lever
+    EdgeInput& velocityPin;    ///< input that receives the pulses of the velocity stick
+    EdgeInput& directionPin;   ///< input that receives the pulses of the direction stick
     Pipe<Velocity>& velocity;  ///< pipe for the velocity that is computed from the pulses
     Pipe<Angle>& direction;    ///< pipe for the steering angle that is computed from the pulses
     const Timebase* edgeTime = nullptr;  ///< returns the time of an edge; if this pointer is null,

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Steering angle from a pulse of the remote control.
 /// @function Calculates the steering angle from the width of a pulse. Near the middle position of
-/// the lever the angle is 0.
+/// the stick the angle is 0.
 /// @secret The relation between the width of a pulse and the steering angle, and the range around
 /// the middle in which the angle is 0.
 /// @role{functions, Concrete Strategy}
@@ -20,7 +20,7 @@ class RcDirection final : public Function {
 
   /// @brief Calculates the steering angle, rounded to the nearest integer. If the width differs
   /// from the middle by at most 20 us, the angle is 0, because the robot must drive straight ahead
-  /// when the lever is released.
+  /// when the stick is released.
   /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
   /// Divisor: difference from Offset at full deflection [us]; Scale: steering angle at full
   /// deflection [0.01 degree]; Lowest and Highest: limits of the width [us]

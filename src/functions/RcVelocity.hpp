@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Velocity from a pulse of the remote control.
 /// @function Calculates the velocity from the width of a pulse. Near the middle position of the
-/// lever the velocity is 0.
+/// stick the velocity is 0.
 /// @secret The relation between the width of a pulse and the velocity, and the range around the
 /// middle in which the velocity is 0.
 /// @role{functions, Concrete Strategy}
@@ -19,7 +19,7 @@ class RcVelocity final : public Function {
   RcVelocity() = default;
 
   /// @brief Calculates the velocity, rounded to the nearest integer. If the width differs from the
-  /// middle by at most 20 us, the velocity is 0, because the robot must be at rest when the lever
+  /// middle by at most 20 us, the velocity is 0, because the robot must be at rest when the stick
   /// is released.
   /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
   /// Divisor: difference from Offset at full deflection [us]; Scale: velocity at full deflection

@@ -29,7 +29,7 @@ namespace wr {
 /// is missing, or when quotient() returns nothing
 [[nodiscard]] std::optional<std::int32_t> scaled(const ArgumentValues& values);
 
-/// @brief Calculates the value of a lever of the remote control: (Raw - Offset) * Scale / Divisor,
+/// @brief Calculates the value of a stick of the remote control: (Raw - Offset) * Scale / Divisor,
 /// where Raw - Offset is limited to the range from -Divisor to Divisor.
 /// @param values arguments of the calculation, with Raw, Offset, Scale and Divisor, and with the
 /// limits of Raw as Lowest and Highest

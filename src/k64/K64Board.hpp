@@ -25,7 +25,7 @@ class K64Board {
   static constexpr std::uint32_t kSlowestClockAfterReset = 20'000'000;
   /// @brief Highest frequency of core clock and bus clock between the reset and startClock() [Hz].
   static constexpr std::uint32_t kFastestClockAfterReset = 25'000'000;
-  /// @brief Number of timer ticks in a microsecond.
+  /// @brief Number of bus clocks in a microsecond.
   static constexpr std::uint32_t kTicksPerMicrosecond = kBusClock / 1'000'000;
 
   /// @brief Sets all outputs to their safe levels. Uses no variable in RAM, and therefore works

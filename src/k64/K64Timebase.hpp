@@ -73,13 +73,13 @@ class K64Timebase final : public Timebase {
   void sleep();
 
  private:
-  /// @brief A time since start, in microseconds and ticks of the counter.
+  /// @brief A time since start, in microseconds and bus clocks.
   /// @datatype
   struct Time {
     std::uint64_t microseconds = 0;
-    std::uint32_t ticks = 0;  ///< ticks after the last whole microsecond
+    std::uint32_t ticks = 0;  ///< bus clocks after the last whole microsecond
 
-    /// @brief Returns this time plus a number of ticks of the counter.
+    /// @brief Returns this time plus a number of bus clocks.
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
       constexpr std::uint32_t kWhole = K64Board::kTicksPerMicrosecond;
       const std::uint32_t left = ticks + later % kWhole;

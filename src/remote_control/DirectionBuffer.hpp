@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief Buffer of the direction signal of the remote control.
 /// @function Defines the angle of a full deflection, and writes the angle of each pulse to a pipe.
-/// @secret The angle for a full deflection of the direction lever, and the destination of the
+/// @secret The angle for a full deflection of the direction stick, and the destination of the
 /// angle.
 /// @role{rc-buffers, Concrete Class}
 class DirectionBuffer final : public RcBuffer {

@@ -47,7 +47,7 @@ class RcBuffer {
   ~RcBuffer() = default;
 
  private:
-  /// @brief Returns the value for a full deflection of the lever.
+  /// @brief Returns the value for a full deflection of the stick.
   /// @return value of a pulse of 2000 us, in the unit of the signal
   [[nodiscard]] virtual std::int32_t fullDeflection() const = 0;
 

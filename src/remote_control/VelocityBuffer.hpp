@@ -8,7 +8,7 @@ namespace wr {
 /// @brief Buffer of the velocity signal of the remote control.
 /// @function Defines the velocity of a full deflection, and writes the velocity of each pulse to a
 /// pipe.
-/// @secret The velocity for a full deflection of the velocity lever, and the destination of the
+/// @secret The velocity for a full deflection of the velocity stick, and the destination of the
 /// velocity.
 /// @role{rc-buffers, Concrete Class}
 class VelocityBuffer final : public RcBuffer {

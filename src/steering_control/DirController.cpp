@@ -14,8 +14,8 @@ constexpr Microseconds kStallWindow = milliseconds(200);
 constexpr Angle kStallAngle(60);
 
 // Greatest permitted difference between the measured angle and the angle that results from the
-// steps of the motor. In each period, up to kForgotten is subtracted from this difference, because
-// a push can move the motor by some steps.
+// steps of the motor. In each kForgetPeriod, up to kForgotten is subtracted from this difference,
+// because a push can move the motor by some steps.
 constexpr Angle kMaxPositionError(300);
 constexpr Angle kForgotten(5);
 constexpr Microseconds kForgetPeriod = milliseconds(1000);

@@ -47,7 +47,7 @@ struct TurnFeedback {
 
 /// @brief The controller of the steering: computes the turn from target and position.
 ///
-/// @function At the end of each measurement of the position, executes the tick of the present
+/// @function At the end of each measurement of the position, calls tick() of the present
 /// state. The state uses the newest target, the newest position and the state of the motor. Then
 /// the controller writes the status of the steering to a pipe. It controls the motor through
 /// commands, and names neither the sensor nor the device.
@@ -82,7 +82,7 @@ class DirController final {
   DirController(const DirController&) = delete;
   DirController& operator=(const DirController&) = delete;
 
-  /// @brief Reads target and position, executes the tick of the present state, and writes the
+  /// @brief Reads target and position, calls tick() of the present state, and writes the
   /// status. The caller calls this function when a measurement of the position ends, every 8 ms.
   /// @param motor state of the motor
   /// @isr{yes}

@@ -62,12 +62,12 @@ enum class StopCause : std::uint8_t {
   None = 0,                ///< no protective stop
   EmergencyStop = 1,       ///< the contact of the emergency-stop circuit is open
   SteeringFault = 2,       ///< the steering device is in its fault state
-  Overcurrent = 3,         ///< an overcurrent trip has removed the voltage from a wheel
-  NoMotion = 4,            ///< a wheel has voltage, but its Hall sensors show no motion
-  WrongDirection = 5,      ///< a wheel turns in the direction opposite to its voltage
+  Overcurrent = 3,         ///< an overcurrent trip acted, or a current was too high for too long
+  NoMotion = 4,            ///< a wheel has voltage but no motion, or moves much less than others
+  WrongDirection = 5,      ///< a motor turns its wheel in the direction opposite to its voltage
   Overspeed = 6,           ///< a wheel is faster than allowed
   Tracking = 7,            ///< velocity and current of a wheel do not match its voltage
-  MissingMeasurement = 8,  ///< a measured value has been missing for too long
+  MissingMeasurement = 8,  ///< a value is missing or constant too long, or stored data are damaged
   HallSignals = 9,         ///< too many Hall edges of a wheel are implausible
   Reversal = 10,           ///< a wheel could not change its orientation in time
   ClockLost = 11           ///< the clock failed, and the clock monitor reset the microcontroller

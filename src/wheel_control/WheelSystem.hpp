@@ -35,8 +35,8 @@ class WheelSystem final : public ControlSystem {
     WheelOrder& readVelocity;      ///< the first order of a cycle
     WheelOrder& registerPosition;  ///< the second order of a cycle
     WheelOrder& readCurrent;       ///< the third order of a cycle
-    WheelOrder& applyControl;      ///< the last order of a cycle that follows a set-point
-    WheelOrder& haltWheel;         ///< the last order of a cycle that halts the wheel
+    WheelOrder& applyControl;      ///< the last order of a cycle, if the wheel follows a set-point
+    WheelOrder& haltWheel;         ///< the last order of a cycle, if the wheel is halted
   };
 
   /// @brief Constructs the system. The system does nothing before start().

@@ -66,8 +66,8 @@ extern StartRecord startRecord;
 /// @brief Signals of the remote control that have an edge.
 /// @datatype
 struct RcEdges {
-  bool velocity;   ///< true when the signal of the velocity lever has an edge
-  bool direction;  ///< true when the signal of the direction lever has an edge
+  bool velocity;   ///< true when the signal of the velocity stick has an edge
+  bool direction;  ///< true when the signal of the direction stick has an edge
   bool enable;     ///< true when the signal of the enable switch has an edge
 };
 

@@ -11,7 +11,7 @@ class Mode;
 /// @datatype
 enum class OperationStateId : std::uint8_t {
   Working = 0,      ///< an order was read in this cycle
-  Waiting = 1,      ///< up to N - 1 reads in a row failed
+  Waiting = 1,      ///< 1 to N - 1 reads in a row failed
   WaitingN = 2,     ///< N reads in a row failed
   Reconnecting = 3  ///< more than N reads in a row failed
 };

@@ -4,7 +4,8 @@
 
 namespace wr {
 
-/// @brief The state without orders: the robot is at rest and tries to read the sources alternately.
+/// @brief The state without orders: the wheels halt, and the robot tries to read the sources
+/// alternately.
 ///
 /// @function Orders the control systems to halt the wheels and to hold the steering. Changes the
 /// reading mode after each failed read. Ends the search for a source when a message arrives.

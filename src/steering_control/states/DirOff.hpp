@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief The state in which the motor is off, because there are no orders.
+/// @brief The state in which the motor is off, because no order to follow a set-point is in force.
 /// @function Waits with the motor off. An order to follow a set-point switches the motor on.
 /// @secret The event that switches the steering on.
 /// @role{steering-controller-states, Concrete State}

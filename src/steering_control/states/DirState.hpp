@@ -6,14 +6,15 @@ namespace wr {
 
 class DirController;
 
-/// @brief A state of the steering. The present state defines the work of the controller at a tick.
-/// @function Defines one interface for the tick of the steering controller in all states.
+/// @brief A state of the steering. The present state defines the work of the controller after each
+/// measurement of the position.
+/// @function Defines one interface for the work of the steering controller in all states.
 /// @secret The differences between the states of the steering.
 /// @role{steering-controller-states, State}
 ///
 /// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
-/// @why The work of the steering controller at a tick depends on the state of the steering. Each
-/// state is a module. Therefore one module contains all rules of one state.
+/// @why The work of the steering controller depends on the state of the steering. Each state is a
+/// module. Therefore one module contains all rules of one state.
 /// @changes The actions of a state may change, and so may its transitions. A new state may be
 /// needed, such as a state that looks for the middle position after start.
 class DirState {
@@ -21,7 +22,8 @@ class DirState {
   DirState(const DirState&) = delete;
   DirState& operator=(const DirState&) = delete;
 
-  /// @brief Executes one tick, and changes the state of the controller if necessary.
+  /// @brief Executes the work of this state after a measurement of the position, and changes the
+  /// state of the controller if necessary.
   /// @param controller controller whose state changes
   /// @isr{yes}
   virtual void tick(DirController& controller) = 0;

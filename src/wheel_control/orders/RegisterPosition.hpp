@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief The order to register the position of a wheel.
 ///
-/// @function Writes the position of the wheel and the number of rejected edges into the record of
-/// the cycle.
+/// @function Writes the position of the wheel and the number of implausible Hall edges into the
+/// record of the cycle.
 ///
 /// @secret Which sensor counts the position of a wheel.
 ///
@@ -20,7 +20,7 @@ class RegisterPosition final : public WheelOrder {
   explicit RegisterPosition(VelSensor& sensor);
 
   /// @brief Registers the position.
-  /// @param work receives the position and the number of rejected edges
+  /// @param work receives the position and the number of implausible Hall edges
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;
