@@ -66,7 +66,7 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
 TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 70;
   // Together with an order of 28 bytes, these frames have 1160 bytes. The line transfers only 1152
-  // bytes in a cycle.
+  // bytes in a cycle. Therefore the line is never idle.
   constexpr int kLong = 11;  // frames of 102 bytes
   const scenario::Bytes kLongPayload(95, 3);
   const scenario::Bytes kShortPayload(3, 3);  // for one frame of 10 bytes

@@ -59,10 +59,10 @@ Played played(const scenario::Scenario& scenario) {
 
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The firmware image with safety functions meets the expectations of each scenario.
-/// Scenarios that are only for the design of the paper also run, but their expectations are not
-/// checked. Each scenario of the safety functions is played twice: in the second run, the firmware
-/// sends the same reports, and the same events occur at the same times.
+/// @brief The firmware image with safety functions meets the expectations of each scenario, except
+/// for the scenarios that are only for the design of the paper. These scenarios also run, but their
+/// expectations are not checked. Each scenario of the safety functions is played twice: in the
+/// second run, the firmware sends the same reports, and the same events occur at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());

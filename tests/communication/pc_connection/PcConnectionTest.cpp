@@ -1020,7 +1020,7 @@ Bytes withThisBuild(Bytes body) {
   return test::withCrc(body);
 }
 
-/// @brief The connection accepts each example frame of the PC, in the order of the examples. The
+/// @brief The connection accepts each example frame of the PC, in the sequence of the examples. The
 /// Welcome of the connection equals the Welcome of the examples, except for the build id.
 /// @verifies FR-30
 /// @verifies FR-31
