@@ -124,7 +124,8 @@ class Link {
     for (const test::Bytes& body : test::bodies(port.sent)) {
       expect(body.size() > 5 && body[0] == 2 && body[1] == type,
              "a sent frame has the expected version and type");
-      expect(test::withCrc({body.begin(), body.end() - 2}) == body, "a sent frame has a correct CRC");
+      expect(test::withCrc({body.begin(), body.end() - 2}) == body,
+             "a sent frame has a correct CRC");
       expect(body[2] == sequence_, "a sent frame has the next sequence number");
       ++sequence_;
       expect(!first, "at most one frame of a type is sent in a cycle");
