@@ -99,7 +99,7 @@ class Recording final : public testing::EmptyTestEventListener {
     std::filesystem::remove(folder / (name + ".truncated"));
     if (recorder().truncated()) {
       std::ofstream(folder / (name + ".truncated"))
-          << "The recording ends after " << recorder().events().size() << " events.\n";
+          << "The record ends after " << recorder().events().size() << " events.\n";
     }
   }
 };

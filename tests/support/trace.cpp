@@ -104,7 +104,7 @@ class Recorder final : public testing::EmptyTestEventListener {
     std::filesystem::remove(folder / (name + ".truncated"));
     if (truncated) {
       std::ofstream(folder / (name + ".truncated"))
-          << "The recording ends after " << kMost << " events.\n";
+          << "The record ends after " << kMost << " events.\n";
     }
   }
 };
