@@ -44,8 +44,8 @@ struct CheckedControl {
   }
 };
 
-/// @brief After the motor is switched on, the steering is in the new state for 125 ticks. Then it
-/// leaves this state.
+/// @brief After the motor is switched on, the steering is in the new state for 125 ticks, with a
+/// tolerance of 2 ticks. Then it leaves this state.
 TEST(DirChecking, HoldsAfterASecond) {
   CheckedControl control;
   int ticks = 0;

@@ -153,7 +153,8 @@ TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }
 
-/// @brief Every part of the robot is built once, and the pool contains each control system.
+/// @brief The pool of the started robot completes a cycle when all its control systems have
+/// received an order for this cycle.
 /// @verifies FR-78
 TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   startRobot();

@@ -40,7 +40,7 @@ inline void compare(const PcConnection& connection, const SerialReader& reader,
                                  counts.unexpected,  counts.sequenceGaps, counts.staleOrders};
   expect(found == oracle.counts(), "the counts of dropped frames agree with the protocol");
   expect(connection.connected() == oracle.connected(),
-         "the connection has the state of the protocol");
+         "the connection has the state that the protocol demands");
   expect(reader.stopOrdered() == oracle.stop(), "a stop is in force as the protocol demands");
   expect(reader.available() == oracle.order(now).has_value(),
          "an order can be read exactly when the protocol accepts it");

@@ -315,7 +315,7 @@ class Link {
     ends_ = 0;
     const std::optional<std::uint8_t> session = takeSent();
     expect(session.has_value() == (due && port_.room),
-           "each Hello is answered when there is space");
+           "a Welcome is sent exactly when it is due and there is space");
     oracle_.serviceEnded();
     if (session) {
       oracle_.welcomeSent(*session, now_);
@@ -344,18 +344,19 @@ class Link {
       const auto coded = trailed ? line.first(line.size() - kTrailer) : line;
       if (trailed) {
         expect(std::ranges::equal(line.last(kTrailer), trailerOf('R', ++answered_, coded)),
-               "a sent frame has its counter and its tag");
+               "a sent frame has the next counter and a correct tag");
       }
       Bytes whole(coded.begin(), coded.end());
       whole.push_back(0);
       const Bytes body = test::bodies(whole).front();
       expect(body.size() > 5 && test::withCrc({body.begin(), body.end() - 2}) == body,
-             "the frame has its CRC");
+             "a sent frame has a correct CRC");
       if (body[1] == kChallenge) {
         ++challenged;
         continue;
       }
-      expect(body[1] == kWelcome && body[2] == sent_ && !session, "one Welcome is sent in a cycle");
+      expect(body[1] == kWelcome && body[2] == sent_ && !session,
+             "at most one Welcome is sent in a cycle, with the next sequence number");
       ++sent_;
       session = body[3];
     }

@@ -122,11 +122,13 @@ class Link {
     std::optional<std::uint8_t> first;
     expect(port.sent.empty() || port.sent.back() == 0, "each frame ends with a zero byte");
     for (const test::Bytes& body : test::bodies(port.sent)) {
-      expect(body.size() > 5 && body[0] == 2 && body[1] == type, "the frame has its type");
-      expect(test::withCrc({body.begin(), body.end() - 2}) == body, "the frame has its CRC");
-      expect(body[2] == sequence_, "the frames of the firmware are numbered");
+      expect(body.size() > 5 && body[0] == 2 && body[1] == type,
+             "a sent frame has the expected version and type");
+      expect(test::withCrc({body.begin(), body.end() - 2}) == body,
+             "a sent frame has a correct CRC");
+      expect(body[2] == sequence_, "a sent frame has the next sequence number");
       ++sequence_;
-      expect(!first, "one frame of a type is sent in a cycle");
+      expect(!first, "at most one frame of a type is sent in a cycle");
       first = body[3];
     }
     port.sent.clear();
@@ -136,7 +138,7 @@ class Link {
   void compare() const {
     fuzz::compare(connection_, reader_, oracle_, now_);
     expect(connection_.counts().reportsNotSent == std::min(reportsLost_, 65535U),
-           "lost reports are counted");
+           "reports that are not sent are counted");
   }
 
   States states_;

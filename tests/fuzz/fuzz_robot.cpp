@@ -185,9 +185,11 @@ class FuzzedRobot {
   }
 
   void checkRanges() const {
-    expect(report_->state <= 3 && report_->mode <= 1, "state and mode exist");
-    expect(report_->source <= 1 || report_->source == 255, "the source exists");
-    expect(report_->inhibit <= 4 && report_->stopCause <= 11, "inhibit and cause exist");
+    expect(report_->state <= 3 && report_->mode <= 1,
+           "the numbers of the state and the mode are defined");
+    expect(report_->source <= 1 || report_->source == 255, "the number of the source is defined");
+    expect(report_->inhibit <= 4 && report_->stopCause <= 11,
+           "the numbers of the reason and the cause are defined");
     expect(std::abs(report_->steeringSetPoint) <= 3200, "the steering set-point is in range");
     expect(report_->turn >= -1 && report_->turn <= 1, "the turn direction is -1, 0 or 1");
   }

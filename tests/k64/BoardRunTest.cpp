@@ -15,7 +15,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief All runs of a scenario have the same events at the same times.
+/// @brief Two runs of a scenario have the same events at the same times.
 /// @verifies NFR-6
 TEST(BoardRun, SameRunGivesSameTrace) {
   const auto hashOf = [](const char* scenario) {

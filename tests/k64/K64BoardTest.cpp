@@ -160,9 +160,9 @@ class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
   }
 };
 
-/// @brief When any step of the clock's start fails, no cycle runs, and the outputs are always safe.
-/// The watchdog repeats the start at least every 340 ms. When the clock works again, the robot
-/// starts and reports the step that failed.
+/// @brief When any step of the clock's start fails, no cycle runs, and the outputs are safe from
+/// 0.1 ms after each reset on. The watchdog repeats the start at least every 340 ms. When the clock
+/// works again, the robot starts and reports the step that failed.
 /// @verifies FR-72
 /// @verifies FR-73
 /// @verifies FR-76

@@ -25,7 +25,7 @@ class K64UartOnBoard : public testing::Test {
   BoardRobot robot;
 };
 
-/// @brief All bytes that the serial line can transfer between two clock pulses are received.
+/// @brief No byte is lost when the serial line transfers bytes for 91 ms between two clock pulses.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   constexpr int kFrames = 150;  // frames of 7 bytes; together they take 91 ms on the line
@@ -40,8 +40,7 @@ TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief No byte is lost while the serial line to the robot is busy for ten seconds without a
-/// pause.
+/// @brief No byte is lost while the serial line to the robot is busy for 9.7 s without a pause.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   robot.connect();
@@ -57,16 +56,16 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief At full control load, no byte is lost. All wheels have their greatest velocity, and the
-/// steering turns from side to side. The remote control sends pulses, each cycle sends a report,
-/// and the serial line to the robot is never idle.
+/// @brief At full control load, no byte is lost. The orders set the greatest velocity for all
+/// wheels, and the steering turns from side to side. The remote control sends pulses, each cycle
+/// sends a report, and the serial line to the robot is never idle.
 /// @verifies FR-37
 /// @verifies FR-49
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 70;
   // Together with an order of 28 bytes, these frames have 1160 bytes. The line transfers only 1152
-  // bytes in a cycle.
+  // bytes in a cycle. Therefore the line is never idle.
   constexpr int kLong = 11;  // frames of 102 bytes
   const scenario::Bytes kLongPayload(95, 3);
   const scenario::Bytes kShortPayload(3, 3);  // for one frame of 10 bytes
@@ -98,7 +97,7 @@ TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
 }
 
 /// @brief While other interrupts delay the serial port for 600 us, its FIFO stores the received
-/// bytes. At 115200 baud, these are seven bytes.
+/// bytes. At 115200 baud, these are about seven bytes.
 /// @verifies FR-171
 TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
   constexpr std::uint32_t kRounds = 14'400;  // 600 us; each round has five cycles of the core

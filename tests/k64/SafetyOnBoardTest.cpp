@@ -59,10 +59,10 @@ Played played(const scenario::Scenario& scenario) {
 
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The firmware image with safety functions meets the expectations of each scenario.
-/// Scenarios that are only for the design of the paper also run, but their expectations are not
-/// checked. Each scenario of the safety functions is played twice: in the second run, the firmware
-/// sends the same reports, and the same events occur at the same times.
+/// @brief The firmware image with safety functions meets the expectations of each scenario, except
+/// for the scenarios that are only for the design of the paper. These scenarios also run, but their
+/// expectations are not checked. Each scenario of the safety functions is played twice: in the
+/// second run, the firmware sends the same reports, and the same events occur at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -212,9 +212,9 @@ const auto kSituations = std::to_array<Situation>({
 
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
-/// @brief When the enable switch is released at any time of the cycle, all wheels brake within 200
-/// ms. This is tested in each mode and state in which the robot drives. Orders of the PC do not end
-/// the stop.
+/// @brief When the enable switch is set to "stop" at any time of the cycle, all wheels brake within
+/// 200 ms. This is tested in each mode and state in which the robot drives. Orders of the PC do not
+/// end the stop.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();
@@ -272,8 +272,9 @@ void PrintTo(const HeldInterrupt& held, std::ostream* output) {
 
 class InterruptsOfTheSafeRobot : public testing::TestWithParam<HeldInterrupt> {};
 
-/// @brief When an interrupt of a driving robot is not served for some time, the robot resets. The
-/// wheels then have no voltage until an operator arms the robot again.
+/// @brief If the tick of a driving robot is not served for 25 ms, or the edges of its Hall sensors
+/// are not served for 40 ms, the robot resets. The wheels then have no voltage until an operator
+/// arms the robot again.
 /// @verifies FR-308
 TEST_P(InterruptsOfTheSafeRobot, FR308_AnInterruptThatIsNotServedResetsTheRobot) {
   constexpr int kInterruptLate = 7;

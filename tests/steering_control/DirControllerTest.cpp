@@ -129,8 +129,8 @@ TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A single active end stop is not a fault. Both end stops together are a fault, while
-/// turning and while holding.
+/// @brief During a turn, a single active end stop is not a fault. Both end stops together are a
+/// fault.
 /// @verifies FR-226
 TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   beginTurn();

@@ -202,7 +202,7 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
   loop.run(500);
   loop.ordering = false;
-  loop.run(276);  // the last cycle was 24 ms ago
+  loop.run(276);  // the last cycle was 24 ms before these ticks
   EXPECT_TRUE(loop.powered());
   loop.run(SteeringLoop::kMeasurement);
   EXPECT_FALSE(loop.powered());
@@ -293,7 +293,7 @@ TEST_F(SteeringLoopTest, FR101_FR227_APushIsCorrected) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief Several pushes do not cause a fault if there is a minute between them.
+/// @brief Several pushes of 2 degrees do not cause a fault if there is a minute between them.
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_PushesAreForgotten) {
   loop.follow(1000);

@@ -4,8 +4,8 @@ namespace wr::test {
 namespace {
 
 /// @brief The PC sends random sequences of orders, and the remote control is silent. In every
-/// cycle, the robot behaves like a reference that was written from the requirements. In a hundred
-/// sequences, the robot executes each transition of both state machines.
+/// cycle, the robot behaves like a reference that was written from the requirements. On average,
+/// the robot executes each transition of both state machines at least once in a hundred sequences.
 /// @verifies FR-12
 /// @verifies FR-13
 /// @verifies FR-15

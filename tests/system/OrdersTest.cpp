@@ -25,8 +25,8 @@ class OrdersOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief The remote control is silent, and a PC connects at power-up and sends orders. Within N +
-/// 4 cycles, the robot follows the PC.
+/// @brief The remote control is silent, and a PC connects at power-up and sends orders. The robot
+/// follows the PC within N + 4 cycles after the connection.
 /// @verifies FR-12
 /// @verifies FR-13
 /// @verifies FR-16

@@ -90,7 +90,8 @@ TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   EXPECT_TRUE(this->robot.reported());
 }
 
-/// @brief An order is read once. It can be read for at most 200 ms after its arrival.
+/// @brief An order is read once. The next report still contains this order, and shows that no order
+/// was read.
 TYPED_TEST(Behaviour, ReadsAnOrderOnce) {
   this->robot.commandByPc();
   this->robot.order({.id = 40, .steering = 100, .wheels = {{{0, 20}, {1, -30}, {2, 40}, {0, 5}}}});

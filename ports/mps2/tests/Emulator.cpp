@@ -89,8 +89,8 @@ Emulator::Emulator(const std::filesystem::path& elf) : folder_(newFolder()) {
   const auto socket = [this](const std::string& name) {
     return "socket,id=" + name + ",server=on,wait=off,path=" + (folder_ / name).string();
   };
-  // Each instruction takes 128 ns, three times as long as on the board. Therefore QEMU executes
-  // fewer instructions in the same emulated time.
+  // Each instruction takes 128 ns of emulated time. This is about three clock cycles of the board
+  // (40 ns each). Therefore QEMU executes fewer instructions in the same emulated time.
   process_ = start({kProgram,      "-M",           "mps2-an386",  "-display",     "none",
                     "-monitor",    "none",         "-icount",     "shift=7",      "-S",
                     "-chardev",    socket("line"), "-serial",     "chardev:line", "-chardev",

@@ -343,7 +343,7 @@ TEST_F(PcConnectionTest, FR32_TheHandshakeEndsAfterOneSecond) {
   EXPECT_EQ(connection.counts().unexpected, 2);
 }
 
-/// @brief A connected PC that is silent for 1 s is disconnected, and its newest order is dropped.
+/// @brief A connected PC that is silent for 1 s is disconnected. It is not disconnected earlier.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   handshake();
@@ -486,8 +486,8 @@ TEST_F(PcConnectionTest, FR36_OrdersAreTakenOnlyWhileConnected) {
   EXPECT_TRUE(orders.available());
 }
 
-/// @brief A stop order takes effect in every state of the connection. Without a connection, its
-/// frame is counted as unexpected, and the order cannot be read.
+/// @brief A stop order takes effect before a handshake. Its frame is counted as unexpected, and the
+/// order cannot be read.
 /// @verifies FR-240
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR240_AStopActsWhenDisconnected) {
@@ -675,8 +675,8 @@ TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
   });
 }
 
-/// @brief In every state, a frame is dropped if its payload is shorter than the type of the frame
-/// demands.
+/// @brief With and without a connection, a frame is dropped and counted if its payload is shorter
+/// than the type of the frame demands.
 /// @verifies FR-45
 TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   const auto sendAll = [&] {
@@ -786,7 +786,7 @@ TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief The report contains the port's count of lost bytes.
+/// @brief The counts of the connection include the port's count of lost bytes.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_LostBytesAreTold) {
   port.lost = 321;
@@ -1020,7 +1020,7 @@ Bytes withThisBuild(Bytes body) {
   return test::withCrc(body);
 }
 
-/// @brief The connection accepts each example frame of the PC, in the order of the examples. The
+/// @brief The connection accepts each example frame of the PC, in the sequence of the examples. The
 /// Welcome of the connection equals the Welcome of the examples, except for the build id.
 /// @verifies FR-30
 /// @verifies FR-31

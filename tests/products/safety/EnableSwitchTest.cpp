@@ -360,8 +360,9 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   EXPECT_FALSE(pulse(1500).has_value());
 }
 
-/// @brief A single stop pulse counts as a disturbance. Two successive stop pulses confirm the stop.
-/// Later pulses do not cancel the confirmed stop.
+/// @brief A stop pulse is shorter than 1250 us or longer than 2100 us. A single stop pulse counts
+/// as a disturbance. Two successive stop pulses confirm the stop. Later pulses do not cancel the
+/// confirmed stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   for (const int width : {1249, 899, 2101}) {

@@ -78,7 +78,8 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
 }
 
 /// @brief At 32 degrees to the left, the inner rear wheel has 58 % of the velocity of the outer
-/// front wheel. The robot drives on a circle with a radius of 2.5 m.
+/// front wheel. The robot drives on a circle with a radius of 2.5 m. An angle beyond 32 degrees
+/// counts as 32 degrees.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_FullLock) {
   const SetPoints order = read(alike(1000, 3200));

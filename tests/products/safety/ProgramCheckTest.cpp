@@ -49,9 +49,9 @@ TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
 
 using CheckedProgramDeathTest = CheckedProgram;
 
-/// @brief A program fills the lower RAM. If any bit of this program changes, the check ends the
-/// program within 300 ticks (0.3 s). The position that the check has reached when the bit changes
-/// does not matter.
+/// @brief A program fills the lower RAM. If a bit of this program changes, the check ends the
+/// program within 300 ticks (0.3 s). The test changes four bits at each of three places: at the
+/// beginning of the program, after its first third, and at its end.
 /// @verifies FR-309
 TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   ticks(200);

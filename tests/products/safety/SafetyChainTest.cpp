@@ -221,8 +221,8 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   }
 }
 
-/// @brief The memory returns each cause with each wheel, or without a wheel. If the stored number
-/// belongs to no wheel, the memory is doubtful. This counts as a protective stop.
+/// @brief The memory returns the stored cause with its wheel, or without a wheel. If the stored
+/// number belongs to no wheel, the memory is doubtful. This counts as a protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   RetainedProtection::Cells cells{};
@@ -675,9 +675,10 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
 }
 
 /// @brief The set-points of all wheels fall while one wheel turns faster than 310.0 rpm or will
-/// turn faster in two cycles. They fall by 6 % per cycle, but not below a tenth of the ordered
-/// values. When no wheel is too fast, the set-points rise again by 1 % per cycle. In a curve of 5
-/// degrees, the limit is 270.0 rpm instead of 310.0 rpm.
+/// turn faster than this in two cycles. In each cycle, they fall by 6 % of the ordered values, but
+/// not below a tenth of these values. When no wheel is too fast, the set-points rise again by 1 %
+/// of the ordered values per cycle. In a curve of 5 degrees, the limit is 270.0 rpm instead of
+/// 310.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   const auto at = [&](int velocity) {

@@ -68,9 +68,9 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
 }
 
-/// @brief A wheel is reported if its sensors count in the wrong direction or if its position is
-/// missing. In the tightest curve, the wheels have different velocities. No wheel is reported
-/// because of these differences.
+/// @brief A wheel is reported if its sensors count in the wrong direction. A position that is
+/// missing in one cycle does not cause a report. In the tightest curve, the wheels have different
+/// velocities. No wheel is reported because of these differences.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   for (int cycle = 0; cycle < 10; ++cycle) {

@@ -61,8 +61,8 @@ TEST_F(SupervisedWheel, FR277_MatchingMeasurementsArePlausible) {
   EXPECT_EQ(firstCause(100, measured(150, 1), 9.354, 150), 0);
 }
 
-/// @brief The overcurrent trip and missing motion cause a stop immediately, even when the wheel is
-/// halted.
+/// @brief The overcurrent trip, missing motion and a late reversal each cause a stop immediately,
+/// even when the wheel is halted.
 /// @verifies FR-273
 TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
   WheelMeasurements tripped = measured(0, 0);
@@ -361,7 +361,7 @@ TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
 }
 
 /// @brief A measurement may be missing in two cycles. If it is also missing in the third cycle, a
-/// protective stop follows.
+/// protective stop follows. A halted wheel without measurements does not cause a stop.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   WheelMeasurements missing;

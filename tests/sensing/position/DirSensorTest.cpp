@@ -128,7 +128,7 @@ TEST_F(DirSensorTest, FR129_MeanIsRounded) {
   EXPECT_EQ(angle(), -1);
 }
 
-/// @brief Noise of 0.05 degree rms is smoothed to less than 0.02 degree rms.
+/// @brief Noise of 0.05 degrees rms is smoothed to less than 0.021 degrees rms.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_NoiseIsSmoothed) {
   std::mt19937 random(seed());
@@ -145,8 +145,8 @@ TEST_F(DirSensorTest, FR129_NoiseIsSmoothed) {
   EXPECT_LT(std::sqrt(squares / kMeasurements), 2.1);
 }
 
-/// @brief A sample near an end of the range is rejected, and no angle is written until 8 valid
-/// samples have followed. The measurement still ends at its 8th tick.
+/// @brief A sample near an end of the range is rejected, and its measurement writes no angle. The
+/// measurement still ends at its 8th tick. The next measurement writes an angle.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   for (const int broken : {0, 81, 4014, 4095}) {

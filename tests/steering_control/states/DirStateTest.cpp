@@ -119,7 +119,7 @@ TEST_F(DirStateTest, FR101_ATurnEndsAtRest) {
   EXPECT_EQ(state(), SteeringState::Holding);
 }
 
-/// @brief A target on the other side reverses a turn without a stop in between.
+/// @brief A target on the other side reverses a turn. The state Holding does not occur in between.
 /// @verifies FR-101
 TEST_F(DirStateTest, FR101_ATargetOnTheOtherSideReversesTheTurn) {
   beginTurn();

@@ -74,7 +74,7 @@ TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
 }
 
 /// @brief For a wheel at 100 rpm with 7 V and 1.1 A, a measured velocity of 10 rpm is impossible.
-/// For 5 cycles, the voltage does not change. Then the measured velocity is used.
+/// For 5 cycles, the voltage changes by at most 10 mV. Then the measured velocity is used.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   Tension steady;

@@ -33,8 +33,8 @@ TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
   EXPECT_EQ(log, (CommandLog{{"tension", 5000}, {"tension", 0}}));
 }
 
-/// @brief Noise can cause a small demand against the orientation. Such a demand counts as 0 and has
-/// no effect.
+/// @brief A demand of less than 0.1 V against the orientation counts as 0 and has no effect,
+/// because noise can cause such a demand.
 /// @verifies FR-80
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
@@ -143,8 +143,8 @@ TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   EXPECT_EQ(apply(5000, 0), Tension(5000));
 }
 
-/// @brief The rise of the voltage restarts after the change of orientation and after an interrupted
-/// stop.
+/// @brief When a stop is interrupted, the rise of the voltage begins at the voltage that the stop
+/// has left.
 /// @verifies FR-81
 TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   apply(12000, 0);
@@ -157,8 +157,8 @@ TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   EXPECT_EQ(apply(24000, 1000), Tension(16800));
 }
 
-/// @brief A slope keeps a wheel turning. Below 80 rpm, its orientation may change after ten cycles
-/// without voltage. At 80 rpm, its orientation does not change.
+/// @brief A slope keeps a wheel turning at 79 rpm. After ten cycles without voltage, this velocity
+/// counts as slow. After two slow cycles, the orientation changes.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   apply(1000, 790);

@@ -128,8 +128,9 @@ TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   }
 }
 
-/// @brief At a protective stop, the wheel is controlled and then halted in the same cycle. The
-/// current of the wheel still has at least 50 ms to decay before the driver is on again.
+/// @brief At a protective stop, the wheel is controlled and then halted in the same cycle. Both
+/// steps count as one cycle: the driver is on again only in the next cycle. Therefore the current
+/// of the wheel still has time to decay.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
   pass(true, kMiddle);
