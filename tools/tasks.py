@@ -129,8 +129,10 @@ SHOWN_RESULTS = (
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json", "diff.json"),
 )
-# Each folder of tests/python, and the inputs of its tests in addition to their Python sources.
+# Each folder of tests/python, and the inputs of its tests in addition to their Python sources. The
+# tests of the client mostly wait, and are therefore started first.
 PYTHON_TESTS: dict[str, tuple[str, ...]] = {
+    "client": ("design", "docs", "sim/scenario", "site"),
     "reading": (*DESIGN, "sim", "design", "requirements", "tests/support", "tests/usual_design"),
     "model": ("design", "requirements", "sim/scenario"),
     "checks": ("design",),
@@ -140,7 +142,6 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
         *("site", "setup", "wr", ".vscode", "tests/drift", "design", *DESIGN, "sim"),
         "tests/usual_design",
     ),
-    "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
     "programs": (
         *(*DESIGN, "sim/scenario", "design", "site", "tests/fuzz", "tests/support"),
