@@ -49,7 +49,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "the processor load, the latencies, and the speed of the simulator. Compares the patterns "
         "with the baseline design, and measures the cost of recording the calls. With --port, "
         "sends the same orders to a connected board and reads the cycle counts in its reports. "
-        "Lift the robot first, because its wheels will turn with up to 300 rpm. The remote control "
+        "Lift the robot first, because its motors will turn at up to 300 rpm. The remote control "
         "may be off, because the PC sends all orders.",
     )
     parser.add_argument("--port", type=Path, help="serial port of a board with this firmware")

@@ -21,7 +21,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "check",
         description="Builds the model and checks it against the code. Prints each finding as "
         "'file:line: [check] fault; fix'. Builds the pages and checks their links only if a text "
-        "or a name on the pages changed. ./wr portal always brings the pages up to date.",
+        "or a name on the pages changed. ./wr portal always updates the pages.",
     )
     parser.add_argument(
         "--drift",

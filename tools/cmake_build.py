@@ -181,7 +181,7 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """Returns the tests that are repeated with the other firmware images: the tests with the image
+    """Returns the tests to repeat with the other firmware images: the tests that ran with the image
     PAPER. Tests that are only for one product are left out.
     """
     return [

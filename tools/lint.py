@@ -31,7 +31,7 @@ INCLUDED = re.compile(r'^#include ["<](.+)[">]', re.MULTILINE)
 HEADER_OBJECT = re.compile(
     r"^(\S+_verify_interface_header_sets/\S+[.]hpp[.]cxx[.]o(?:bj)?): ", re.M
 )
-# The modules that each module may include. CMake writes this file.
+# The logic modules that each logic module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")

@@ -175,8 +175,8 @@ def counted(
     words += ["-m", marks, *workers(folder)]
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}", *tests]
     attempt_tests(log, words, results)
-    # Tests may fail because the computer is busy. Failed tests therefore run again, one after the
-    # other.
+    # The tests that wait for a robot may fail because the computer is busy. Those that failed
+    # therefore run again, one after the other.
     if folder == WAITING and failed_tests(results):
         first = ET.parse(results).getroot()
         attempt_tests(log, [*words, "--lf", "-n", "0"], results)

@@ -29,7 +29,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--board", action="store_true", help="run the firmware image for the K64 on the virtual K64"
     )
-    add_product(parser, "with --board: the product whose firmware image is run")
+    add_product(parser, f"the product to run; without --board only {DEFAULT} or {PAPER}")
     parser.add_argument(
         "--link",
         type=Path,

@@ -228,7 +228,7 @@ class LogicModule:
 @dataclass(frozen=True)
 class Clause:
     """A rule about the structure of a pattern, with the result of its check. ``holds`` is true if
-    the code of one use of the pattern fulfils the rule."""
+    the code of one pattern application fulfils the rule."""
 
     id: str
     says: str
@@ -250,7 +250,7 @@ class PatternApplication:
 
 @dataclass(frozen=True)
 class PatternPrice:
-    """The cost of one use of a pattern in the firmware image: the cost of the virtual calls."""
+    """The cost of one pattern application in the firmware image: the cost of the virtual calls."""
 
     # mean number of instructions that the virtual calls cost in a control cycle
     instructions: float
@@ -648,8 +648,8 @@ class TouchedFile:
 
 @dataclass(frozen=True)
 class SafetyCost:
-    """The cost of the safety functions: the numbers of files and source lines that git counts. If
-    there is no git, the model has ``None`` instead of this object."""
+    """The cost of the safety functions: the files and lines that were added or edited for them
+    since the base commit. If there is no git, the model has ``None`` instead of this object."""
 
     base: str
     commit: str
@@ -803,8 +803,8 @@ class BuildEvidence:
 class LastRecord:
     """The recorded result of a test that does not run in each build, because it takes too long.
 
-    There are three such tests: the mutation test of the tests, the mutation test of the checks, and
-    a second build of the release, which must give equal files.
+    There are three such tests: the mutation test of the tests, the test of the checks with seeded
+    faults, and a second build of the release, which must give equal files.
     """
 
     command: str
@@ -1440,8 +1440,8 @@ class Spread:
 
 @dataclass(frozen=True)
 class Latency:
-    """The longest time from the request of an interrupt to the begin of its handler, and the name
-    of this handler."""
+    """The longest time from the request of an interrupt to the start of its handler, and the name
+    of this interrupt."""
 
     us: float
     who: str

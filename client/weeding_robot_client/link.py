@@ -34,7 +34,7 @@ from weeding_robot_client.messages import (
 
 BAUD = 115200
 HELLO_EVERY_S = 0.5
-OLD_HELLO_AFTER = 3  # each third Hello has version 1, for robots that accept no other version
+OLD_HELLO_AFTER = 3  # every third Hello has version 1, for robots that accept no other version
 KEEP_ALIVE_AFTER_S = 0.4
 SILENT_AFTER_S = 1.0
 READ_BYTES = 4096

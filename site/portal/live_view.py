@@ -173,8 +173,9 @@ def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
 
 def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, Any]]:
     """Returns for each method the number of the register that contains its first parameter, and the
-    name and kind of each parameter that is passed in a register. The returned dictionary does not
-    contain overloaded methods, or methods that may return their result in memory.
+    name and kind of each parameter that is passed in a register. The returned dictionary contains
+    no overloaded methods, no methods without such a parameter, and no methods that may return their
+    result in memory.
     """
     found: dict[str, list[Method]] = {}
     for module in portal.designs:

@@ -12,7 +12,7 @@ from traceability.sources import files_below
 from weeding_robot_client import exit_codes
 
 FOLDERS = ("tools", "client/weeding_robot_client")
-# The tables in this file contain messages that the client shows for a report.
+# The tables in reasons.py contain messages that the client shows for a report.
 REASONS = Path("client/weeding_robot_client/reasons.py")
 VALUE = "…"  # placeholder for a value that the command inserts
 WORDS = 3  # minimum number of words; a shorter text is not listed as a message

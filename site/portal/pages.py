@@ -213,8 +213,9 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """Returns the execution contexts, such as interrupts and threads, with the highest priority
-    first. A context without a priority, such as the program after a reset, comes last.
+    """Returns the values of the page of the execution contexts, such as interrupts and threads. The
+    context with the highest priority is the first. A context without a priority, such as the
+    program after a reset, comes last.
     """
     contexts = portal.model.contexts.values()
     ordered = sorted(

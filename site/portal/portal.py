@@ -300,7 +300,7 @@ class Portal:
         return last_changes(self.root)
 
     def last_change_of(self, module: Module) -> str:
-        """Returns the date and the number of the last commit that changed a file of a module."""
+        """Returns the date and the hash of the last commit that changed a file of a module."""
         files = [file for file in (module.header, module.source) if file]
         return max((self._last_changes.get(file, "") for file in files), default="")
 

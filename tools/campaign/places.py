@@ -20,9 +20,9 @@ _CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
 
 
 class Places:
-    """The module to which each address in flash or RAM belongs. This is the innermost class at the
-    address that is a module. If no class at the address is a module, it is the module with the name
-    of the source file."""
+    """The module to which each address in flash or RAM belongs. This module is the innermost class
+    at the address that is a design module. If there is no such class, it is the module with the
+    name of the source file."""
 
     def __init__(self, root: Path, elf: Path) -> None:
         self._modules = {

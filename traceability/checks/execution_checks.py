@@ -272,12 +272,11 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled(facts: Facts) -> Iterator[Finding]:
-    """Finds interrupt lines that have a handler in the table of vectors but that no call
-    enables."""
+    """Finds interrupt lines that have a handler in the vector table but that no call enables."""
     for line, handler in silent_lines(facts).items():
         yield _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
-            f"the table of vectors has {handler} at interrupt line {line}, but no call enables "
+            f"the vector table has {handler} at interrupt line {line}, but no call enables "
             "this line",
         )
 

@@ -82,7 +82,7 @@ def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> boo
 
 
 def _above(facts: Facts, kit: Kit, name: str) -> Iterator[str]:
-    """Returns all direct and indirect base classes of a class. The class can be in the folder of
+    """Yields all direct and indirect base classes of a class. The class can be in the folder of
     the change or in the design."""
     bases = [kit.bases[name]] if kit.bases.get(name) else []
     if name in facts.classes:

@@ -236,8 +236,8 @@ class Texts:
 
 
 def missing_paths(root: Path) -> Iterator[Finding]:
-    """Finds names of files and folders that do not exist, in the pages of docs/ and in the texts of
-    design/."""
+    """Finds names of files and folders that do not exist, in the pages of docs/, in the README and
+    in the texts of design/."""
     names, suffixes = ("README.md", "docs", "design"), (".md", ".rst", ".toml")
     for place, line in lines_below(root, names, suffixes):
         if place.file.endswith(".toml") and line.startswith("#"):

@@ -222,8 +222,9 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
 
 
 def _units(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds descriptions of a parameter or a result that state another unit than the type."""
-    # each element: place of the description, name, description, type
+    """Finds descriptions of a parameter, a result or a data member that state another unit than the
+    type."""
+    # each element: place, name, type, description
     texts: list[tuple[Place, str, str, str]] = []
     for module in model.modules.values():
         for method in module.methods:

@@ -71,7 +71,7 @@ def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
         match, named = INLINE.match(line.text), CODE.match(above.text)
         if match and not named and above.text not in APART:
             said = f"the step {match[1]} has no comment with the methods that it models"
-            fix = "write // code: and the methods above it"
+            fix = "above the step, write // code: and the methods"
             yield Finding(line.place, "proof-composition", said, fix)
         for name in [listed.strip() for listed in named[1].split(",")] if match and named else []:
             if name not in methods:

@@ -87,7 +87,7 @@ def _used(model: Model, facts: Facts) -> Iterator[Finding]:
 def _past_the_table(facts: Facts) -> Iterator[Finding]:
     """Finds registers that are defined outside the table of registers. Also finds other code that
     accesses a register by its address."""
-    fix = f"add the register to {REGISTERS}, and use it there"
+    fix = f"add the register to {REGISTERS}, and access it by this name"
     for name in facts.syntax.names:
         if (
             name.target == "Register"
@@ -98,7 +98,7 @@ def _past_the_table(facts: Facts) -> Iterator[Finding]:
     for place in facts.syntax.instructions:
         if not is_board(place.file) or _reaches(place, facts):
             yield _finding(
-                place, "an instruction of the processor is used outside the drivers", fix
+                place, "an assembler instruction is outside the drivers, or accesses memory", fix
             )
     for place in facts.syntax.volatile:
         if place.file != REGISTER:
@@ -242,8 +242,8 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Returns whether other modules can call a function and receive a register as the result. If
-    `word` is "param", a parameter of the function receives the register, and the result is
+    """Returns whether other modules can call a function that returns a register. If `word` is
+    "param", the function does not return the register but receives it as a parameter. Then returns
     false."""
     if word == "param" or body.local:
         return False

@@ -358,7 +358,8 @@ _FIXED = [
         "namespaces. Only this file defines registers: no other file and no linker script defines "
         "a register, converts a number to an address, or names a volatile object. No module "
         "passes a register to another module. No offset leads from one block of registers to "
-        "another block. Only the drivers use instructions of the processor.",
+        "another block. Assembler instructions are only in the drivers, and only those of the "
+        "start-up code access memory.",
         "If a block has several owners, the check does not detect which channel or pin each owner "
         "uses. It does not follow an offset that is computed elsewhere. It does not detect that a "
         "register has an effect on another block.",
@@ -423,7 +424,7 @@ _FIXED = [
     Check(
         "exec-declared",
         "Contexts, pipes and protections are declared",
-        "Every handler in the table of vectors belongs to one context of design/execution.toml, "
+        "Every handler in the vector table belongs to one context of design/execution.toml, "
         "and a call enables its interrupt line. Each handler, thread body and shared member that "
         "design/execution.toml names exists. The interrupt lines of a context have the declared "
         "priority of the context. Each pipe of the robot has a name.",
@@ -625,7 +626,7 @@ _FIXED = [
         "Every file below src and extensions belongs to a module, contains data types, belongs to "
         "a composition, or is listed as shared in design/modules.toml. If the file of a module "
         "contains a function or a class outside the class of the module, other files cannot use "
-        "it. Every variable is a member of an object.",
+        "it, unless it is an operator. Every variable is a member of an object.",
         "The check does not limit the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
@@ -653,9 +654,10 @@ _FIXED = [
         "Hidden names stay inside",
         "If a module lists a header, class, function or constant in @hides, only this module uses "
         "it. If a logic module lists a name in @hides, only files of its folder use this name. If "
-        "@hides lists a constant, no other constant has the same value and a similar name.",
+        "@hides lists a constant, no constant in another file has the same value and a similar "
+        "name.",
         "The check does not find a second constant or function that states the same fact under a "
-        "different name.",
+        "different name. It does not compare constants with a value of at most 1.",
         "call an operation of the module instead.",
     ),
     Check(

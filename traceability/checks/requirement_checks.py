@@ -78,8 +78,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _texts(model: Model) -> Iterator[Finding]:
-    """Finds requirements whose text is not one sentence with "shall", and requirements with a
-    missing attribute such as the rationale."""
+    """Finds requirements whose text contains no "shall", and requirements with a missing attribute
+    such as the rationale."""
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
@@ -177,7 +177,8 @@ def _without(model: Model) -> list[Finding]:
 
 
 def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public methods that only tests can call, unless design/justified.toml lists them."""
+    """Finds public methods that no code of the firmware calls, unless design/justified.toml lists
+    them."""
     called = {
         target
         for body in facts.syntax.bodies
@@ -196,11 +197,13 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     named = {name for entry in entries for name in entry.names}
     for name, method in spare.items():
         if name not in named:
-            yield Finding(method.place, "req-caller", f"only tests call {name}")
+            yield Finding(method.place, "req-caller", f"no code of the firmware calls {name}")
     for entry in entries:
         for name in entry.names:
             if name not in spare:
-                yield Finding(entry.place, "req-justified", f"{name} has a caller")
+                yield Finding(
+                    entry.place, "req-justified", f"{name} is not a public method without a caller"
+                )
 
 
 def _unneeded(model: Model) -> Iterator[Finding]:
@@ -340,7 +343,7 @@ def _results(model: Model) -> Iterator[Finding]:
 
 
 def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds folders with tests that no test program contains."""
+    """Finds folders whose tests are in no test program."""
     build = facts.root / TEST_BUILD
     text = build.read_text(encoding="utf-8") if build.exists() else ""
     words = {word.strip("./") for word in re.findall(r"[\w./]+", text)}

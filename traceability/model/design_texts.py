@@ -110,8 +110,8 @@ def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
     """Returns the facts (numbers, pins and names) in each section of the pages. Each result
     consists of a name, the place of the section, and the facts of the section in their order.
 
-    A section without facts is left out. A change of other words does not change the facts, and
-    needs no review.
+    A section without facts is left out. The pages in ``SAFETY_PAGES`` are left out too. A change of
+    other words does not change the facts, and needs no review.
     """
     for name, place, text in _sections(root):
         facts = FACT.findall(text)

@@ -1,4 +1,4 @@
-"""The cost of each use of a pattern: the virtual calls that remain in the firmware image."""
+"""The cost of each pattern application: the virtual calls that remain in the firmware image."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ Site = tuple[int, set[str]]  # address of a call, and the classes whose methods 
 def prices(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> dict[str, PatternPrice]:
-    """Returns the cost of each use of a pattern. Returns an empty dictionary if no firmware image
-    or no measurement of the present sources exists."""
+    """Returns the cost of each pattern application. Returns an empty dictionary if no firmware
+    image or no measurement of the present sources exists."""
     measured = read_json(root / MEASURED)
     if image is None or model.bench is None or not isinstance(measured, dict):
         return {}

@@ -31,7 +31,7 @@ class Report:
     goals: Mapping[str, Verdict] = field(default_factory=dict)
     # Fault scenario -> "verified", "failed", "stale" or "unverified".
     scenarios: Mapping[str, str] = field(default_factory=dict)
-    # id of a use of a pattern -> clauses of this use
+    # id of a pattern application -> clauses of this application
     clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)
     # metric that is evidence for a requirement -> measured value
     measured: Mapping[str, float | None] = field(default_factory=dict)

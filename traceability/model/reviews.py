@@ -445,7 +445,7 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """Returns the reason why a requirement no longer depends on a text, and the place to report. If
+    """Returns the place to report, and the reason why a requirement no longer depends on a text. If
     the method or the test still exists, its place is returned. Otherwise, the place of the
     requirement is returned."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])

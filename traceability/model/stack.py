@@ -84,8 +84,8 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
     """Returns for each method of the classes in chains of objects how many calls of this method can
-    be nested. The chains are the objects in the uses of the Decorator pattern, and the chains that
-    ``design/stack.toml`` declares."""
+    be nested. The chains are the objects in the applications of the Decorator pattern, and the
+    chains that ``design/stack.toml`` declares."""
     entries = {
         method.id: most
         for name, most in declared.entries.items()

@@ -2,8 +2,8 @@
 that the tests made.
 
 The files in ``design/fsm`` declare the machines. The states of a machine are the Concrete States in
-a use of the State pattern. This module finds the changes of state in the methods of the state
-classes and in the recorded calls of the tests.
+an application of the State pattern. This module finds the changes of state in the methods of the
+state classes and in the recorded calls of the tests.
 """
 
 from __future__ import annotations

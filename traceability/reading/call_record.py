@@ -63,7 +63,7 @@ class Activation:
 
 @dataclass
 class Span:
-    """A call of a method or function, with the times of its begin and end [ns]."""
+    """A call of a method or function, with the times of its start and end [ns]."""
 
     method: str
     begin: int
@@ -83,7 +83,7 @@ class BoardEvent:
 
 @dataclass
 class Recording:
-    """The calls that were recorded in a window, in the order of their begins."""
+    """The calls that were recorded in a window, in the order in which they began."""
 
     activations: list[Activation] = field(default_factory=list)
     spans: list[Span] = field(default_factory=list)

@@ -51,8 +51,8 @@ class ClauseText:
 
 @dataclass
 class KnownApplication:
-    """A use of a pattern that design/applications.toml declares. For each role, ``roles`` contains
-    the modules with this role."""
+    """A pattern application that design/applications.toml declares. For each role, ``roles``
+    contains the modules with this role."""
 
     id: str
     pattern: str
@@ -64,8 +64,8 @@ class KnownApplication:
 
 @dataclass
 class KnownPattern:
-    """A pattern, its roles, and the number of its uses. Each use assigns at least one module to
-    each role."""
+    """A pattern, its roles, and the number of its applications. Each application assigns at least
+    one module to each role."""
 
     name: str
     applications: int
@@ -148,7 +148,7 @@ class Declared:
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
-    # use of a pattern -> the folder that makes the likely change of this use
+    # pattern application -> the folder that makes the likely change of this application
     kits: dict[str, Kit] = field(default_factory=dict)
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: dict[str, ProofProperty] = field(default_factory=dict)

@@ -14,7 +14,7 @@ from traceability.reading.toml_reader import Entries
 from traceability.schema import Place, Port
 
 FOLDER = Path("ports")
-RESULT = RESULTS / "ports.json"  # folder of a port -> the test suites of this port
+RESULT = RESULTS / "ports.json"  # folder of a port -> its test suites, and the sizes of its image
 
 
 def read_ports(root: Path, entries: Entries) -> dict[str, Port]:

@@ -34,8 +34,8 @@ SOURCES = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """The outcome of a seeded fault. ``said`` lists the findings of the checks. If there is a
-    finding at the expected ``line``, ``said`` lists only this finding."""
+    """The outcome of a seeded fault. ``said`` lists the findings of the checks. If the expected
+    check has findings near the expected ``line``, ``said`` lists only these findings."""
 
     name: str
     check: str

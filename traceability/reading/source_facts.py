@@ -275,8 +275,9 @@ class References:
         """Returns all methods and functions that the functions in ``start`` may call, directly or
         indirectly. For each of them, the result contains the first caller that was found.
 
-        If ``within`` contains a virtual method, only the overriding method in ``within`` counts as
-        called. Calls inside the methods in ``ends`` are not followed.
+        ``within`` maps a virtual method to an overriding method. A call of such a virtual method
+        counts as a call of only this overriding method. Calls inside the methods in ``ends`` are
+        not followed.
         """
         callers = dict.fromkeys(start, "")
         work = list(callers)

@@ -155,7 +155,7 @@ class Traces:
 
 
 def _outermost(events: array[int], begin: int) -> Iterator[int]:
-    """Yields the events from the begin of a call to its end, including all calls inside it."""
+    """Yields the events from the start of a call to its end, including all calls inside it."""
     depth = 0
     for event in events[begin:]:
         yield event
