@@ -17,9 +17,10 @@ from portal.links import Links, slug
 from portal.measured_pages import driver_coverage
 from portal.names import VERDICTS
 from portal.pages import all_pages, trees, uses
-from portal.paper_views import compared, families, hidden_names
+from portal.paper_views import COMMON_CHECKS, ROLE_CHECK, compared, families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
+from portal.site_build import check_texts
 from portal.tuning_page import control_values
 from portal.verification_views import facets_of_test, options
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
@@ -59,6 +60,11 @@ def test_a_derived_class_overrides_operations_of_its_base(portal: Portal) -> Non
     family = families(portal)[0]
     seen = [(one.module.name, one.depth, len(one.own), len(one.overridden)) for one in family]
     assert seen == [("Mode", 0, 1, 0), ("RC", 1, 0, 1)]
+
+
+def test_the_checks_of_a_change_exist() -> None:
+    known = {check.id for check in check_texts()}
+    assert {*COMMON_CHECKS, ROLE_CHECK} <= known
 
 
 def test_hidden_names_have_their_kind(portal: Portal) -> None:
