@@ -40,8 +40,8 @@ class EnableSwitch final : public ModeDecorator {
   /// @brief Shortest pulse of the switch that does not order a stop.
   static constexpr Microseconds kMinNoStopPulse{1250};
 
-  /// @brief Binds this mode to the extended mode. A stop is latched at the start.
-  /// @param wrapped the extended mode
+  /// @brief Binds this mode to the wrapped mode. A stop is latched at the start.
+  /// @param wrapped the mode that this mode wraps
   /// @param signals signals of the remote control
   EnableSwitch(Mode& wrapped, const Signals& signals);
 

@@ -31,7 +31,7 @@ struct SteeringPlant {
   [[nodiscard]] double degrees() const { return steps * 0.05 + pushed; }
 
   int steps = 0;      // steps from the middle, positive to the left
-  double pushed = 0;  // degrees by which a push has moved the steering without steps
+  double pushed = 0;  // turn by an external push, without steps of the motor [degrees]
   bool stalled = false;
 };
 

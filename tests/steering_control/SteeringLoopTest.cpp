@@ -11,8 +11,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief Standard deviation of a sample, degrees. The mean of 8 samples stays within about 0.05
-/// degrees of the true angle.
+/// @brief Standard deviation of a sample, degrees. About 95 % of the means of 8 samples are within
+/// 0.05 degrees of the true angle.
 constexpr double kNoise = 0.07;
 
 struct SteeringLoopTest : testing::Test {

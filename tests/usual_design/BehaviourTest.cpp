@@ -18,8 +18,8 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 
 // ---- link to the PC ----------------------------------------------------------------------------
 
-/// @brief A Hello is answered with a Welcome. The Welcome contains the session, the cycle period, N
-/// and the cause of the reset.
+/// @brief A Hello is answered with a Welcome. The Welcome contains the session, the cycle period,
+/// the constant N of the operation states, and the cause of the reset.
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();

@@ -62,7 +62,8 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """Returns the output of a failed fuzzer from the line that states the cause."""
+    """Returns the part of a failed fuzzer's output that begins with the cause. If no cause is
+    found, returns the end of the output. The result has at most MOST_OF_TEXT characters."""
     match = CAUSE.search(output)
     return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 

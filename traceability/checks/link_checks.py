@@ -272,11 +272,14 @@ def missing_parts(root: Path) -> Iterator[Finding]:
     pins = _pins(root)
     targets, keys, folders = _targets(root), _keys(root), _built(root)
     for place, line in lines_below(root, PAGES, (".md", ".rst")):
-        wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
-        wrong += [f"program {name}" for name in PROGRAM.findall(line) if name not in targets]
+        wrong = [f"product '{name}'" for name in PRODUCT.findall(line) if name not in products]
+        wrong += [f"program '{name}'" for name in PROGRAM.findall(line) if name not in targets]
         wrong += [f"build/{name}" for name in BUILT.findall(line) if name not in folders]
         wrong += [
-            f"key {key}" for found in KEY.findall(line) for key in found if key and key not in keys
+            f"key '{key}'"
+            for found in KEY.findall(line)
+            for key in found
+            if key and key not in keys
         ]
         wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
         for name in wrong:

@@ -886,7 +886,7 @@ _FIXED = [
     ),
     Check(
         "hazard-time",
-        "Times of goals are derived",
+        "Times of safety goals match their formulas",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
         "10 %. The reaction time of the firmware is at most the fault-tolerant time. The scenarios "
         "of a goal without known exceptions accept no later reaction.",

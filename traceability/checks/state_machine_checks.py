@@ -360,7 +360,8 @@ def _undeclared(machine: StateMachine, change: Change) -> Finding:
     where = f"{change.source}::{change.operation}"
     if not change.target:
         text = f"{where} changes to a state that the composition does not define"
-        return Finding(change.place, "fsm-code", text, "use a successor that a builder passed")
+        fix = "change to a state that a builder passes to the constructor"
+        return Finding(change.place, "fsm-code", text, fix)
     text = (
         f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
     )

@@ -213,9 +213,9 @@ def settling(points: Points, start: float, target: float, band: float) -> float 
 
 
 def means(points: Points) -> Sequence[float]:
-    """Returns a moving average: for each point, the mean of the second that begins at this point.
-    Incomplete seconds at the end are left out. If the curve is shorter than a second, returns the
-    mean of all its points."""
+    """Returns a moving average: for each point, the mean over the 1000 ms that begin at this
+    point. At the end, points with less than 1000 ms after them are left out. If the curve is
+    shorter than 1000 ms, returns the mean of all its points."""
     last = points[-1][0]
     averages: list[float] = []
     for at, _ in points:

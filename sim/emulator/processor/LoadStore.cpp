@@ -127,7 +127,7 @@ constexpr Row kStackLoads{loadStack<Place::Offset>, loadStack<Place::Before>,
 constexpr Row kPcLoads{loadPc<Place::Offset>, loadPc<Place::Before>, loadPc<Place::After>,
                        loadPc<Place::Indexed>, loadPc<Place::Literal>};
 
-/// Size and sign of an access, with the numbers of opB in A5.2.4.
+/// Kind of an access. The values are the codes of opB in section A5.2.4 of the manual.
 enum class Access : std::uint8_t {
   StoreWord,
   StoreHalf,

@@ -2,7 +2,8 @@
 
 namespace wr::emulator {
 
-// A browser has no ELF file. The page itself determines the function of a finding.
+// A browser has no ELF file. Therefore the function and the source line of a finding
+// stay empty.
 void locate(Finding& /*finding*/, const std::filesystem::path& /*elf*/) {}
 
 }  // namespace wr::emulator

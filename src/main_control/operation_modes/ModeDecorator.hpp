@@ -28,7 +28,7 @@ class ModeDecorator : public Mode {
  protected:
   /// @brief Binds the decorator to the mode that it extends.
   /// @param id number of the mode, as in reports
-  /// @param wrapped the extended mode
+  /// @param wrapped the mode that this mode wraps
   ModeDecorator(ModeId id, Mode& wrapped);
   ~ModeDecorator() = default;
 

@@ -43,8 +43,8 @@ def test_products_programs_folders_pins_and_keys_that_are_missing_are_found(tmp_
         (tmp_path / name).write_text(text)
     assert [(one.place.line, one.text) for one in missing_parts(tmp_path)] == [
         (1, "there is no pin PTB3 in use"),
-        (2, "there is no program boards"),
-        (3, "there is no key x"),
-        (4, "there is no product none"),
+        (2, "there is no program 'boards'"),
+        (3, "there is no key 'x'"),
+        (4, "there is no product 'none'"),
         (5, "there is no build/log"),
     ]
