@@ -17,7 +17,7 @@ from traceability.reading.products import DEFAULT, PAPER
 from traceability.schema import LikelyChange, LogicModule, Method, Module, PaperElement
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
-ROLE_CHECK = "pattern-heir-unbound"  # for a change that adds a module with a role
+ROLE_CHECK = "pattern-subclass-unbound"  # for a change that adds a module with a role
 COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
 
 

@@ -279,7 +279,7 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
                     subclass,
                     Finding(
                         fact.place,
-                        "pattern-heir-unbound",
+                        "pattern-subclass-unbound",
                         f"{subclass} derives from {binding.module}, which is {binding.role} in "
                         f"{application.id}, but has no role of a subclass",
                     ),

@@ -308,7 +308,7 @@ _FIXED = [
         "correct the entries of design/applications.toml.",
     ),
     Check(
-        "pattern-heir-unbound",
+        "pattern-subclass-unbound",
         "Every subclass has a role",
         "If a class has an abstract role in a pattern application (for example Strategy), every "
         "subclass has the role of a subclass (for example Concrete Strategy). For a State, a "

@@ -28,7 +28,7 @@ def test_every_clause_of_the_design_has_code_and_the_other_way_round() -> None:
         "role-missing",
         "role-required",
         "count",
-        "heir-unbound",
+        "subclass-unbound",
     }
     patterns = {name.removeprefix("pattern-") for name in KNOWN if name.startswith("pattern-")}
     assert patterns - other == {name.removeprefix("pattern-") for name in CLAUSES}
