@@ -46,9 +46,9 @@ class ClosedLoopTest : public testing::Test, protected ControlledWheel {
 constexpr double kRolling = 0.55;  // [N m]
 constexpr double kSlope = 1.17;    // [N m] torque of a slope of 10 %
 
-/// @brief A wheel accelerates from 0 rpm to 150 rpm with less than 10 % overshoot. From 2.1 s after
-/// the order on, its velocity stays within 2 % of 150 rpm. This is true for three values of the
-/// inertia.
+/// @brief A wheel accelerates from 0 rpm to 150 rpm with less than 10 % overshoot. Its velocity
+/// stays within 2 % of 150 rpm, beginning 2.1 s after the order. This is true for three values of
+/// the inertia.
 /// @verifies FR-82
 TEST_F(ClosedLoopTest, FR82_StepReachesTheVelocity) {
   for (const double inertia : {0.037, 0.028, 0.048}) {
@@ -69,8 +69,8 @@ TEST_F(ClosedLoopTest, FR82_StepReachesTheVelocity) {
   }
 }
 
-/// @brief On flat ground, from 3 s after the order on, the velocity of a wheel stays within 1 % of
-/// 150 rpm.
+/// @brief On flat ground, the velocity of a wheel stays within 1 % of 150 rpm, beginning 3 s after
+/// the order.
 /// @verifies FR-83
 TEST_F(ClosedLoopTest, FR83_VelocityIsKeptOnTheFlat) {
   plant.load = kRolling;
@@ -81,8 +81,8 @@ TEST_F(ClosedLoopTest, FR83_VelocityIsKeptOnTheFlat) {
   EXPECT_LE(greatest, 1515);
 }
 
-/// @brief From 3 s after the beginning of an uphill slope on, the velocity of a wheel stays within
-/// 2 % of 150 rpm.
+/// @brief On an uphill slope, the velocity of a wheel stays within 2 % of 150 rpm, beginning 3 s
+/// after the wheel has reached the slope.
 /// @verifies FR-300
 TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
   plant.load = kRolling;
@@ -313,8 +313,8 @@ TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   }
 }
 
-/// @brief Steps between velocities, and reversals, settle within 5 s. A step from rest settles
-/// within 3 s. A reversal may need 2 s more, because the wheel must first become slow.
+/// @brief Steps between velocities, and reversals, settle within 5 s. A reversal may need 2 s more
+/// than a step from rest, because the wheel must first become slow.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {
@@ -329,8 +329,8 @@ TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   }
 }
 
-/// @brief If a wheel at full speed gets an order of 12 V in the opposite direction, it reverses in
-/// time, even with twice the inertia.
+/// @brief If a wheel at full speed gets an order of 12 V in the opposite direction, the reversal is
+/// never late, even with twice the inertia.
 /// @verifies FR-222
 TEST(VelocityLoop, FR222_ReversalFromFullSpeedIsInTime) {
   for (const Variant& variant : variants()) {

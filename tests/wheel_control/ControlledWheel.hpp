@@ -88,7 +88,7 @@ class ControlledWheel {
             .position = position};
   }
 
-  /// Returns the output of the driver to the motor.
+  /// Returns the voltage of the present duty cycle and orientation.
   [[nodiscard]] Tension output() const {
     constexpr Tension kSupply = SystemConstants::instance().supply();
     const Tension tension(pwm.dutyCycle().count() * (kSupply.count() / 100) / 100);

@@ -67,8 +67,9 @@ TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief For any demand, the wheel gets at most the supply voltage. Because the algorithm gets the
-/// applied voltage, its integral does not grow while the supply limits the voltage.
+/// @brief If the demand exceeds the supply voltage, the wheel gets the supply voltage. Because the
+/// algorithm gets the applied voltage, its integral does not grow while the supply limits the
+/// voltage.
 /// @verifies FR-86
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
@@ -158,8 +159,7 @@ TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A halt that has not ended yet leaves a voltage. The next rise of the voltage begins at
-/// this remaining voltage.
+/// @brief If an order interrupts a halt, the voltage rises from the voltage that the halt has left.
 /// @verifies FR-81
 TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -217,9 +217,9 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   }
 }
 
-/// @brief The motor of a wheel that its load keeps at rest draws the full current of its voltage.
-/// If the current is more than half of the full current, only a sixteenth of a voltage up to 14 V
-/// is counted, and only an eighth of a higher voltage. An order of up to 3.2 V is always counted
+/// @brief If the load keeps a wheel at rest, its motor draws the full current of its voltage. If
+/// the current is more than half of the full current, only a sixteenth of a voltage up to 14 V is
+/// counted, and only an eighth of a higher voltage. An order of up to 3.2 V is always counted
 /// fully.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
@@ -277,8 +277,8 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
     one.measure(Velocity(), Current());
     one.controller.control(tensionOf(static_cast<std::int16_t>(tension)), one.measured());
   };
-  // Each of these functions ends with the voltage kUsual at the output. It returns the sum of
-  // voltage times time at this moment [mV cycles].
+  // Each of the three functions below ends with the voltage kUsual at the output. The result is the
+  // sum of voltage times time at the end of the function [mV cycles].
   const auto afterMotion = [](ControlledWheel& one) {
     one.control(tensionOf(kUsual));
     return 0;
@@ -374,8 +374,8 @@ TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   EXPECT_FALSE(controller.blind());
 }
 
-/// @brief A wheel whose ordered velocity is 0 keeps the voltage that its load needs. There is no
-/// time limit.
+/// @brief A wheel whose ordered velocity is 0 keeps the voltage that its load needs, without a time
+/// limit.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   for (int cycle = 0; cycle < 6; ++cycle) {

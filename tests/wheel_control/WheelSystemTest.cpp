@@ -35,7 +35,8 @@ class WheelSystemTest : public testing::Test, protected SensedWheel {
                       .haltWheel = haltWheel}};
 };
 
-/// @brief Before its start, a system does no work, completes no cycle and returns no value.
+/// @brief Before its start, the control system of a wheel does no work, completes no cycle and
+/// returns no value.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
   system.control(orderOf(tensionOf(5000)), 1);
@@ -103,8 +104,8 @@ TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
   EXPECT_DEATH(other.start(), "assertion 3 failed");
 }
 
-/// @brief The system writes measured and applied values into the entries of its wheel. The entries
-/// of other wheels do not change.
+/// @brief The control system of a wheel writes measured and applied values into the entries of its
+/// wheel. The entries of other wheels do not change.
 /// @verifies FR-93
 /// @verifies FR-94
 TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
@@ -143,7 +144,7 @@ TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   EXPECT_EQ(outputs.tensions.at(kWheel), Tension(2600)) << "the wheel is being stopped";
 }
 
-/// @brief During a hold, the system still measures, and it stops the wheel.
+/// @brief During a hold, the control system of a wheel still measures, and stops the wheel.
 /// @verifies FR-88
 TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
   system.start();

@@ -100,8 +100,8 @@ TEST_F(WheelTest, FR89_TripIsLatched) {
   }
 }
 
-/// @brief The driver stays off for one whole control cycle, in which the current decays. Then the
-/// driver is on without voltage, and the motor brakes.
+/// @brief After an overcurrent trip, the driver stays off for one whole control cycle, in which the
+/// current decays. Then the driver is on without voltage, and the motor brakes.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   wheel.setTension(Tension(5000));

@@ -57,7 +57,7 @@ TEST_F(BluetoothTest, FR260_OrderWithoutConnectionIsNoMessage) {
   EXPECT_TRUE(mode.newMessage());
 }
 
-/// @brief The mode has a message as long as an order of its device is not too old.
+/// @brief The mode Bluetooth has a message as long as an order of its device is at most 200 ms old.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
   connectDevice();
@@ -72,7 +72,8 @@ TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief The mode reads an order once, and records Bluetooth as the source of its set-points.
+/// @brief The mode Bluetooth reads an order once, and records Bluetooth as the source of its
+/// set-points.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_ReadsAnOrderOnceAndMarksTheSource) {
   connectDevice();
@@ -83,7 +84,7 @@ TEST_F(BluetoothTest, FR150_ReadsAnOrderOnceAndMarksTheSource) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief The mode changes to its successor.
+/// @brief changeMode() of the mode Bluetooth sets the successor of this mode.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_ChangesToTheOtherMode) {
   mode.changeMode(controller);
@@ -101,7 +102,7 @@ TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   EXPECT_EQ(served, 1);
 }
 
-/// @brief The mode reports a stop order of the device, even when the order is old.
+/// @brief The mode Bluetooth reports a stop order of the device, even when the order is old.
 /// @verifies FR-151
 TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
   EXPECT_FALSE(mode.stopOrdered());

@@ -280,8 +280,8 @@ TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
   }
 }
 
-/// @brief Without a key or without a random number, nothing is received or sent. Challenges are not
-/// sent either.
+/// @brief Without a key or without a random number, the port returns no frame and sends no frame,
+/// not even a challenge.
 /// @verifies FR-265
 TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   FixedRandom broken(std::nullopt);

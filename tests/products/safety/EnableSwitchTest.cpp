@@ -64,7 +64,7 @@ TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Pulses below 1250 us order a stop. Pulses in the bands "PC" and "drive" do not.
+/// @brief Pulses below 1250 us order a stop. Pulses in the bands "PC" and "drive" order no stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
   for (const int width : {1350, 1650, 1750, 2100}) {
@@ -79,7 +79,8 @@ TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief A pulse is valid for 200 ms. Afterwards the remote control orders a stop.
+/// @brief A pulse of the enable switch is valid for 200 ms. After this time, the remote control
+/// orders a stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_SilenceStops) {
   signals(kDrivePulse);
@@ -121,7 +122,8 @@ TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief A pulse whose width is between two bands does not change the position of the switch.
+/// @brief A pulse of the enable switch whose width is between two bands does not change the
+/// position of the switch.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   signals(1300);

@@ -54,7 +54,7 @@ class WatchedLeads : public testing::Test {
   }
 
   /// Returns the number of cycles until swapped leads at a constant voltage are detected; 0 if they
-  /// are not detected.
+  /// are not detected within 20 cycles.
   int found(double rpm, double volts) {
     motor.swapped = true;
     for (int number = 1; number <= 20; ++number) {
@@ -125,8 +125,8 @@ TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   }
 }
 
-/// @brief The watch uses a cycle as evidence only if the cycle has a measurement, a voltage, and an
-/// edge in the direction of the velocity.
+/// @brief The watch uses a cycle as evidence only if the cycle has a measured velocity, a measured
+/// current, a voltage, and an edge in the direction of the velocity.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_FALSE(drive(100, 1, 40));

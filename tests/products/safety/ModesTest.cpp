@@ -47,8 +47,9 @@ TEST_F(SteeringGeometryTest, FR284_StraightOnAllWheelsAreAlike) {
   EXPECT_EQ(read(alike(1234, 0)), alike(1234, 0));
 }
 
-/// @brief At each steering angle, the velocity of each wheel fits its circle about the common
-/// centre within 0.5 %. No wheel is faster than ordered.
+/// @brief In a curve, all wheels drive on circles around one centre. At each steering angle, the
+/// velocities of the wheels are proportional to the radii of their circles, with errors of at most
+/// 0.5 % of the ordered velocity. No wheel is faster than ordered.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
   constexpr double kWheelbase = 1.582;
@@ -58,7 +59,8 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
       continue;
     }
     const double angle = steering / 100.0 * std::numbers::pi / 180;
-    // distance from the middle of the rear axle to the common centre, positive to the left [m]
+    // distance from the middle of the rear axle to the centre of all circles, positive to the left
+    // [m]
     const double centre = kWheelbase / std::tan(angle);
     const SetPoints order = read(alike(-3000, steering));
     std::array<double, 4> circles{};
@@ -175,8 +177,8 @@ TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
   }
 }
 
-/// @brief If any bit of the memory is damaged, the memory counts as a stored stop. Empty memory and
-/// erased memory also count as a stored stop.
+/// @brief If any bit of the memory is damaged, the memory counts as a stored stop. A value in which
+/// all bits are 0 or all bits are 1 also counts as a stored stop, even if its check value matches.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_DamagedMemoryIsAStop) {
   memory.save(false);

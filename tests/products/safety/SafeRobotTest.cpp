@@ -8,7 +8,8 @@ namespace {
 constexpr std::uint8_t kTension = 1;
 constexpr std::uint8_t kCurrent = 2;
 
-/// @brief If the stick is deflected at power-on, no wheel ever turns or gets a voltage.
+/// @brief If the stick is deflected at power-on, wheel 0 does not turn in 5 s, and then no wheel
+/// has a voltage.
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
@@ -19,8 +20,8 @@ TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief Orders of the PC move nothing until neutral orders have armed the robot. Then the whole
-/// robot follows the orders.
+/// @brief Orders of the PC move nothing until neutral orders have armed the robot. Then the robot
+/// follows the orders.
 /// @verifies FR-280
 /// @verifies FR-281
 /// @verifies FR-293
@@ -53,7 +54,7 @@ TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
 }
 
 /// @brief The PC orders different speeds and directions in each quantity, with stops between them.
-/// These orders do not cause a protective stop, and no wheel is faster than 330 rpm.
+/// These orders do not cause a protective stop, and wheel 0 stays slower than 330 rpm.
 /// @verifies FR-270
 /// @verifies FR-274
 /// @verifies FR-283
@@ -75,8 +76,8 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
   EXPECT_GT(fastest, 290);
 }
 
-/// @brief With orders of 24 V and of 10 A, the wheels stay at the speed limit of 290 rpm, in both
-/// directions.
+/// @brief With orders of 24 V and of 10 A, wheel 0 reaches the speed limit of 290 rpm within 6 rpm,
+/// in both directions, and is never faster than 305 rpm.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();
@@ -117,8 +118,9 @@ TEST_F(SafeRobot, FR282_TheRobotAcceleratesGently) {
   EXPECT_GT(speeds.back(), 0.8);
 }
 
-/// @brief The emergency stop brakes all wheels in the next cycle. After its release, the robot
-/// stays at rest until the remote control acknowledges the stop.
+/// @brief When the emergency stop is pressed, the next cycle latches a protective stop, and the
+/// robot brakes to rest. After the release of the emergency stop, the robot stays at rest until the
+/// remote control acknowledges the stop.
 /// @verifies FR-271
 /// @verifies FR-288
 /// @verifies FR-291
@@ -153,7 +155,8 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief A fault of the steering brakes all wheels. They stay braked after the end of the fault.
+/// @brief A fault of the steering brakes the robot to rest. After the end of the fault, the robot
+/// stays at rest.
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   armByPc();
@@ -275,8 +278,9 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief The PC drives the robot. The robot stops when the switch is in "stop" for 40 ms, at any
-/// time of the cycle. The robot stays at rest until the PC has ordered neutral values.
+/// @brief The PC drives the robot. The robot stops when the enable switch is in "stop" for 40 ms,
+/// at each of four times of the cycle. The robot stays at rest until the PC has ordered neutral
+/// values.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   armByPc();

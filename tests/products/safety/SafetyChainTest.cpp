@@ -222,7 +222,7 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
 }
 
 /// @brief The memory returns the stored cause with its wheel, or without a wheel. If the stored
-/// number belongs to no wheel, the memory is doubtful. This counts as a protective stop.
+/// number belongs to no wheel, the memory counts as a stored protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   RetainedProtection::Cells cells{};
@@ -238,8 +238,8 @@ TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   EXPECT_EQ(memory.stored(), RetainedProtection::Stop{.cause = StopCause::MissingMeasurement});
 }
 
-/// @brief A loss of the clock latches a protective stop. A start without a clock also latches a
-/// protective stop. An earlier cause is not overwritten.
+/// @brief A loss of the external clock latches a protective stop. A start at which this clock fails
+/// also latches a protective stop. An earlier cause is not overwritten.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_ALossOfTheClockIsAProtectiveStop) {
   RetainedProtection::Cells cells{};
@@ -258,8 +258,8 @@ TEST(RetainedProtectionTest, FR291_ALossOfTheClockIsAProtectiveStop) {
   EXPECT_EQ(memory.stored().wheel, 3);
 }
 
-/// @brief If the contact is open for three ticks between two cycles, the robot stops in the next
-/// cycle. If it is open for two ticks, the robot does not stop.
+/// @brief If the contact of the emergency stop is open for three ticks between two cycles, the
+/// robot stops in the next cycle. If this contact is open for two ticks, the robot does not stop.
 /// @verifies FR-271
 TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
   for (const int ticks : {2, 2, 3}) {
@@ -275,8 +275,8 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
   EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
 }
 
-/// @brief An opening is reported in each cycle in which the contact is open, even if the contact
-/// closes before the end of the cycle.
+/// @brief The watch of the emergency stop reports an opening in each cycle in which the contact is
+/// open, even if the contact closes before the end of the cycle.
 /// @verifies FR-271
 TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   FakeEdgeInput contact;
@@ -296,7 +296,7 @@ TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   EXPECT_FALSE(watch.opened());
 }
 
-/// @brief An acknowledgement clears an earlier opening of the contact.
+/// @brief An acknowledgement clears an earlier opening of the contact of the emergency stop.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   contact.set(true);
@@ -314,7 +314,8 @@ TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
-/// @brief An acknowledgement does not release the protective stop while the contact is open.
+/// @brief An acknowledgement does not release the protective stop while the contact of the
+/// emergency stop is open.
 /// @verifies FR-271
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR271_AnOpenContactCannotBeAcknowledged) {
@@ -330,7 +331,7 @@ TEST_F(ProtectiveStopTest, FR271_AnOpenContactCannotBeAcknowledged) {
 }
 
 /// @brief The robot stops if a wheel moves less than the other wheels. It also stops if a wheel
-/// draws 12 A for 1 s. A hold restarts the comparison.
+/// draws 12 A for 1 s. A hold restarts the comparison of the wheels.
 /// @verifies FR-297
 /// @verifies FR-298
 TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
@@ -486,7 +487,7 @@ TEST_F(ArmingTest, FR280_EveryWheelHasToBeNeutral) {
   }
 }
 
-/// @brief A hold disarms the robot. An acknowledgement also disarms it.
+/// @brief A hold disarms the robot. An acknowledgement also disarms the robot.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
   neutral(5);
@@ -559,8 +560,8 @@ TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   EXPECT_EQ(cycles, 18 + 35 + 18);
 }
 
-/// @brief A change of up to 17.6 rpm is applied in one cycle. A change of 17.7 rpm needs more
-/// cycles.
+/// @brief A change of a set-point by up to 17.6 rpm is applied in one cycle. A change by 17.7 rpm
+/// needs more cycles.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   order(ramp, alike(176));
@@ -569,7 +570,7 @@ TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   EXPECT_EQ(first(), 352);
 }
 
-/// @brief The change of any single wheel is limited.
+/// @brief The change of the set-point is limited for each single wheel.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -594,10 +595,9 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   EXPECT_EQ(spy.applied.wheels[2].value, -44);
 }
 
-/// @brief Set-points of current are not changed. A later set-point of velocity begins at the lower
-/// of two velocities. The first velocity is measured, and the second velocity is the velocity of an
-/// unloaded wheel at the present voltage. If these velocities have opposite directions, the
-/// set-point begins at 0.
+/// @brief Set-points of current are not changed. The ramp of a later set-point of velocity begins
+/// at the lower of two velocities: the measured velocity, and the velocity of an unloaded wheel at
+/// the present voltage. If these velocities have opposite directions, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   struct Case {
@@ -623,8 +623,8 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   }
 }
 
-/// @brief A set-point of voltage differs from the voltage of the wheel by at most 1.0 V away from
-/// 0, and by at most 2.4 V towards 0.
+/// @brief In each cycle, the magnitude of a set-point of voltage is at most 1.0 V higher and at
+/// most 2.4 V lower than the magnitude of the voltage at the wheel.
 /// @verifies FR-295
 TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   const auto next = [&](int applied, int ordered) {

@@ -93,8 +93,8 @@ class SafetyBuilderTest : public testing::Test {
 
 using SafetyBuilderDeathTest = SafetyBuilderTest;
 
-/// @brief Before the control systems are built, they cannot be started, and neither the control
-/// system nor its tick command can be requested.
+/// @brief Before the control systems are built, a call of start(), system() or tickCommand() of
+/// their builder ends the program.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(builder.start(), "assertion 1 failed");

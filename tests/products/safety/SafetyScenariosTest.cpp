@@ -54,8 +54,9 @@ class SafetyScenario : public testing::TestWithParam<const char*> {
 
 class StopOfTheRemoteControl : public SafetyScenario {};
 
-/// @brief The enable switch stops the robot while the PC drives, while the PC connects, and when
-/// there is no source of orders.
+/// @brief The enable switch stops the robot while the PC drives, while the PC connects, and in the
+/// state Reconnecting. The robot also stops when the receiver of the remote control sends no
+/// pulses.
 /// @verifies FR-285
 TEST_P(StopOfTheRemoteControl, FR285_ActsInEveryModeAndState) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -178,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(Resets, StopOfThePc, testing::Values("stop_survives_a_r
 
 class LossOfTheRemoteControl : public SafetyScenario {};
 
-/// @brief The robot stops when the receiver repeats its last pulses.
+/// @brief The robot stops when the receiver of the remote control repeats its last pulses.
 /// @verifies FR-289
 TEST_P(LossOfTheRemoteControl, FR289_StopsTheRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});

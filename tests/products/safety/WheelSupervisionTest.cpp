@@ -238,7 +238,7 @@ TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
 
 /// @brief At 10 V and 2 A, the voltage at the winding is 3 V. The voltage of the wheel may differ
 /// from the voltage of the model by the sum of 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of the
-/// induced voltage. A greater difference causes a stop in the second cycle.
+/// induced voltage. A greater difference in two successive cycles causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   // The equation 10 V - 3 V - e = 3.45 V + e / 10 has the solution e = 3.227 V.
@@ -298,9 +298,9 @@ TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::Tracking);
 }
 
-/// @brief At 1.0 V, which is the voltage of the bring-up, the voltage of a wheel at rest may differ
-/// from the voltage of the model by up to 1.5 V. At 1.1 V, the permitted difference is smaller, and
-/// the same current causes a stop.
+/// @brief At 1.0 V, which is the voltage of the bring-up, a difference of 1.375 V between the
+/// voltage of a wheel at rest and the voltage of the model does not cause a stop. At 1.1 V, the
+/// permitted difference is smaller, and the same current causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.0, 0), 0);
@@ -454,7 +454,7 @@ TEST_F(RejectedEdges, FR279_WithoutVoltageNoneIsACause) {
   }
 }
 
-/// A wheel with faults. Each fault is present in every cycle or in every second cycle.
+/// A wheel with faults. A fault is present in every cycle or in every second cycle.
 class FaultyWheel : public SupervisedWheel {
  protected:
   enum class Fault { Opposing, TooFast, Deviating, Missing, Edges, EqualCurrent, Swapped };
@@ -463,8 +463,8 @@ class FaultyWheel : public SupervisedWheel {
                                       Fault::Missing,  Fault::Edges,   Fault::EqualCurrent,
                                       Fault::Swapped};
 
-  /// Runs a cycle of a wheel. The fault is present if the number of the cycle is a multiple of
-  /// `multiple`.
+  /// Runs a cycle of a wheel. The faults TooFast, EqualCurrent and Swapped are present in each
+  /// cycle. Each other fault is present if the number of the cycle is a multiple of `multiple`.
   static StopCause faulty(WheelSupervision& supervised, Fault fault, int number, int multiple) {
     const bool present = number % multiple == 0;
     const double noise = fault == Fault::EqualCurrent ? 0 : 0.001 * (number % 2);
@@ -505,8 +505,8 @@ class FaultyWheel : public SupervisedWheel {
   }
 };
 
-/// @brief After a reset, the supervision behaves as at the start. Faults before the reset, in any
-/// number of cycles, do not change the cycle in which a later fault is detected.
+/// @brief After a reset, the supervision behaves as at the start. Faults in up to 15 cycles before
+/// the reset do not change the cycle in which a later fault is detected.
 /// @verifies FR-275
 /// @verifies FR-276
 /// @verifies FR-277

@@ -26,7 +26,8 @@ class WaitingKTest : public ControllerFixture {
   WaitingK waitingK{state, other, warning};
 };
 
-/// @brief In its control step, the state warns. The control systems follow the last set-points.
+/// @brief In its control step, the state WaitingK switches the warning on. The control systems
+/// follow the last set-points.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_WarnsAndGoesOn) {
   EXPECT_FALSE(warning.isOn());
@@ -37,7 +38,8 @@ TEST_F(WaitingKTest, FR152_WarnsAndGoesOn) {
   EXPECT_EQ(system.applied.steering, Angle(30));
 }
 
-/// @brief A message ends the warning. The message is read, and the working state follows.
+/// @brief A message switches the warning of the state WaitingK off. The message is read, and the
+/// working state follows.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
   controller.control();
@@ -47,7 +49,8 @@ TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief A failed read ends the warning. The next state follows, and the mode does not change.
+/// @brief A failed read switches the warning of the state WaitingK off. The next state follows, and
+/// the mode does not change.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
   controller.control();
@@ -58,7 +61,7 @@ TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief The report contains the number of the state.
+/// @brief The report contains the number of the state WaitingK.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_ReportTellsTheState) {
   connect();

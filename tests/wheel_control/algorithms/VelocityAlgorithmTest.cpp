@@ -60,8 +60,8 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
   }
 }
 
-/// @brief After a voltage that could not be applied, the model continues from the measured
-/// velocity.
+/// @brief If the demanded voltage could not be applied completely, the model continues from the
+/// measured velocity.
 /// @verifies FR-301
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);

@@ -12,7 +12,8 @@ class StopTest : public testing::Test, protected SpiedCommands {
   Stop stop{setTension, stopWheel};
 };
 
-/// @brief The voltage falls by 2.4 V per cycle. At 0, the wheel is stopped.
+/// @brief The behaviour Stop lowers the voltage by 2.4 V per cycle. At 0 V, the command StopWheel
+/// is executed.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_TensionFallsStepByStep) {
   Tension applied(6000);
