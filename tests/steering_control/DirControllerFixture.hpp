@@ -97,8 +97,8 @@ class DirControllerFixture : public testing::Test {
     ASSERT_EQ(state(), SteeringState::Turning);
   }
 
-  /// @brief Runs the motor until it is ready, and then for one tick. Returns its rate, which shows
-  /// the demanded direction.
+  /// @brief Runs the motor until it is ready, and then for one tick. Returns the rate of the motor,
+  /// which shows the demanded direction.
   StepRate demand() {
     while (!control.motor.device.ready()) {
       control.motor.device.tick();

@@ -46,7 +46,8 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
-/// @brief A steering that makes half of the expected motion to the right is also not stalled.
+/// @brief A steering that makes half of the expected motion to the right is also not stalled. With
+/// less motion, it is stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();
@@ -62,8 +63,8 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
 }
 
 /// @brief Steps whose sum is less than 0.6 degrees do not show whether the steering is stalled. The
-/// observation window therefore lasts until their sum is 0.6 degrees. A slow stall is thus also
-/// detected.
+/// observation window therefore lasts until their sum is 0.6 degrees. In this way, a stall of a
+/// slow turn is also detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();
@@ -211,7 +212,7 @@ TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
   EXPECT_TRUE(status.value.rightEnd);
 }
 
-/// @brief An order is valid for exactly 300 ms.
+/// @brief An order to the steering is valid for exactly 300 ms.
 /// @verifies FR-109
 TEST_F(DirControllerTest, FR109_AnOrderIsYoungFor300Milliseconds) {
   switchOn();
@@ -226,7 +227,7 @@ TEST_F(DirControllerTest, FR109_AnOrderIsYoungFor300Milliseconds) {
   EXPECT_EQ(control.clock.now() - last, Microseconds(300001));
 }
 
-/// @brief A position is valid for exactly 20 ms.
+/// @brief A position of the steering is valid for exactly 20 ms.
 /// @verifies FR-110
 TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   switchOn();

@@ -104,7 +104,8 @@ TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   EXPECT_EQ(measurements.steeringState, SteeringState::Holding);
 }
 
-/// @brief A position that is older than 150 ms is missing, even if the tick is recent.
+/// @brief A position of the steering that is older than 150 ms is reported as missing, even if the
+/// last tick is recent.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_AnOldPositionIsMissing) {
   const Stamped<Angle> position{Angle(250), clock.now()};
@@ -118,7 +119,7 @@ TEST_F(DirSystemTest, FR116_AnOldPositionIsMissing) {
   EXPECT_EQ(measurements.steering, std::nullopt);
 }
 
-/// @brief A position that was never measured is missing.
+/// @brief A position of the steering that was never measured is reported as missing.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_APositionThatIsUnknownIsMissing) {
   measurements.steering = Angle(1);

@@ -56,9 +56,9 @@ TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
   EXPECT_EQ(loop.state(), SteeringState::Turning);
 }
 
-/// @brief The steering reaches any angle between the stops within 0.5 degrees in one move. It
-/// overshoots the angle by at most 0.1 degrees, and then stays at rest for a minute. Its rate
-/// changes by at most one step/s in each tick, and is at most 500 steps/s.
+/// @brief The steering reaches each of five angles within 0.2 degrees in one move. It overshoots
+/// the angle by at most 0.1 degrees, and then stays at rest for a minute. In the 5 s after each
+/// order, its rate changes by at most one step/s in each tick, and is at most 500 steps/s.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-103

@@ -45,9 +45,9 @@ scenario::PcReport reportOfRobot(bool isDisturbed) {
   return robot.report();
 }
 
-/// @brief A robot that receives frames with errors counts them by kind of error. All other values
-/// of its report are equal to the values of a robot that does not receive these frames. Only the
-/// processor times differ, because the reception of a frame needs time.
+/// @brief A robot that receives frames with errors counts them by kind of error. Its processor
+/// times also differ from the times of a robot that does not receive these frames, because the
+/// reception of a frame needs time. All other values in the reports of both robots are equal.
 /// @verifies FR-48
 /// @verifies FR-63
 TEST(DroppedFramesOfRobot, FR63_ReportCountsDroppedFramesByReason) {

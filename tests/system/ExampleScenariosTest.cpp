@@ -37,16 +37,17 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief At a step from 0 rpm to 150 rpm with sensor noise, the error of the velocity is below 2 %
-/// from 2 s after the order on, and below 1 % from 3 s on. The overshoot is less than 10 %.
+/// @brief At a step from 0 rpm to 150 rpm with sensor noise, the error of the velocity is below 2
+/// %, beginning 2 s after the order, and below 1 %, beginning 3 s after the order. The overshoot is
+/// less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
   play("velocity_step");
 }
 
-/// @brief From 3 s after the beginning of an uphill slope of 10 % on, the error of the velocity is
-/// at most 2 %.
+/// @brief On an uphill slope of 10 %, the error of the velocity is at most 2 %, beginning 3 s after
+/// the robot has reached the slope.
 /// @verifies FR-300
 TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
@@ -127,8 +128,8 @@ TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
 
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
-/// @brief The robot meets the expectations of the example scenarios that no test above plays. The
-/// scenario of ten minutes is left out, because the tests of the programs play this scenario.
+/// @brief The robot meets the expectations of three example scenarios: the loss of the PC, faults
+/// of the steering, and a stop on a slope. Other tests play the other example scenarios.
 /// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   play(GetParam());

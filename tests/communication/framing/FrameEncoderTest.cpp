@@ -24,7 +24,8 @@ TEST(FrameEncoder, FR40_MakesAFrameAsTheProtocolSays) {
               ElementsAreArray(test::fromHex("0702020101d82400")));
 }
 
-/// @brief For any payload, the only zero byte of a frame is its last byte.
+/// @brief Even if all 200 bytes of the payload are zero, the only zero byte of a frame is its last
+/// byte.
 /// @verifies FR-40
 TEST(FrameEncoder, FR40_OnlyTheLastByteIsZero) {
   FrameEncoder encoder;

@@ -36,7 +36,7 @@ constexpr std::uint8_t kOrder = 0x04;
 constexpr std::uint8_t kWelcome = 0x81;
 constexpr std::uint8_t kReport = 0x82;
 
-/// @brief A connection to the PC. The test plays the role of the PC.
+/// @brief The link to the PC. The test plays the role of the PC.
 struct PcConnectionTest : testing::Test {
   /// @brief Puts bytes on the serial line at the present time. Then serves the link in a cycle
   /// whose clock pulse has the same time.

@@ -12,7 +12,8 @@ struct SteeringPowerTest : testing::Test {
   SteeringDevice& device = motor.device;
 };
 
-/// @brief After the start, the motor stays off, even when ticks pass and a rate is set.
+/// @brief After the start, the motor of the steering stays off, even when ticks pass and a rate is
+/// set.
 /// @verifies FR-106
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR106_TheMotorIsOffAfterStart) {

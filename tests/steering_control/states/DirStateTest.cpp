@@ -9,7 +9,7 @@ namespace {
 
 using DirStateTest = DirControllerFixture;
 
-/// @brief Each state has its number in reports.
+/// @brief Each state of the steering has its number in reports.
 /// @verifies FR-116
 TEST_F(DirStateTest, FR116_StatesAreNumbered) {
   EXPECT_EQ(control.states.off.id(), SteeringState::Off);
@@ -18,7 +18,8 @@ TEST_F(DirStateTest, FR116_StatesAreNumbered) {
   EXPECT_EQ(control.states.fault.id(), SteeringState::Fault);
 }
 
-/// @brief The motor stays off without an order and with an order to hold.
+/// @brief After the start, the motor of the steering stays off without an order and with an order
+/// to hold.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   tickOnly();
@@ -28,8 +29,8 @@ TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief An order to follow a set-point switches the motor on, even when the steering has the
-/// right angle. The motor stays on.
+/// @brief An order to follow a set-point switches the motor of the steering on, even when the
+/// steering has the right angle. The motor stays on.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   for (int i = 0; i < 2; ++i) {
@@ -49,7 +50,7 @@ TEST_F(DirStateTest, FR106_AnOldOrderSwitchesNothingOn) {
   EXPECT_EQ(state(), SteeringState::Off);
 }
 
-/// @brief A motor that holds does not turn before it is ready.
+/// @brief In the state Holding, the motor of the steering does not turn before it is ready.
 /// @verifies FR-107
 TEST_F(DirStateTest, FR107_NoTurnBeforeTheMotorIsReady) {
   ordered = 1000;
@@ -63,7 +64,7 @@ TEST_F(DirStateTest, FR107_NoTurnBeforeTheMotorIsReady) {
 }
 
 /// @brief In the state Holding, the steering does not turn within the dead band. It turns when the
-/// ordered angle is farther away.
+/// distance to the ordered angle is greater than the dead band.
 /// @verifies FR-102
 TEST_F(DirStateTest, FR102_HoldingTurnsBeyondTheDeadBand) {
   switchOn();
@@ -119,7 +120,8 @@ TEST_F(DirStateTest, FR101_ATurnEndsAtRest) {
   EXPECT_EQ(state(), SteeringState::Holding);
 }
 
-/// @brief A target on the other side reverses a turn. The state Holding does not occur in between.
+/// @brief During a turn, a target on the other side of the steering reverses the turn. The state
+/// Holding does not occur in between.
 /// @verifies FR-101
 TEST_F(DirStateTest, FR101_ATargetOnTheOtherSideReversesTheTurn) {
   beginTurn();
@@ -239,7 +241,7 @@ TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief The fault remains with any order to follow a set-point, and without orders.
+/// @brief A fault of the steering remains with orders to follow a set-point, and without orders.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AFaultStays) {
   switchOn();
@@ -258,7 +260,7 @@ TEST_F(DirStateTest, FR112_AFaultStays) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief An order to hold from before the fault does not end the fault.
+/// @brief An order to hold that was sent before a fault of the steering does not end the fault.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AnOrderToHoldFromBeforeTheFaultDoesNotEndIt) {
   switchOn();
@@ -269,8 +271,8 @@ TEST_F(DirStateTest, FR112_AnOrderToHoldFromBeforeTheFaultDoesNotEndIt) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief An order to hold does not end a fault. A release ends the fault. The motor stays off
-/// until there is an order to follow a set-point.
+/// @brief An order to hold does not end a fault of the steering. A release ends the fault. The
+/// motor stays off until there is an order to follow a set-point.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_OnlyAReleaseEndsAFault) {
   switchOn();

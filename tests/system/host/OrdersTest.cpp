@@ -38,8 +38,8 @@ TEST_F(OrdersOfRobotOnHost, FR11_ModeRcReadsNoOrderOfThePc) {
   EXPECT_EQ(robot.report().state, kWaiting);
 }
 
-/// @brief A single signal of the remote control is not an order. The second signal completes the
-/// order.
+/// @brief The velocity signal of the remote control alone is not an order. The direction signal
+/// completes the order.
 /// @verifies FR-50
 TEST_F(OrdersOfRobotOnHost, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
   robot.connect();
