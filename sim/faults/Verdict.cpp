@@ -17,7 +17,7 @@ bool differs(const Outputs& faulty, const Outputs& reference) {
 }
 
 struct Wrong {
-  int before = 0;  // like total, up to the detection
+  int before = 0;  // ms with wrong outputs until the detection; shorter periods as for total
   int total = 0;   // ms with wrong outputs, without periods of at most kShort ms
   int after = 0;   // ms with voltage at a wheel or with a moved steering, after a reset
 };

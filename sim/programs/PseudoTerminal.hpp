@@ -12,9 +12,9 @@ namespace wr::programs {
 
 /// @brief A pseudo-terminal on this computer.
 ///
-/// Clients use the other end of the pseudo-terminal. The object keeps this end open, too. Therefore
-/// clients can disconnect and connect again. Bytes that the pseudo-terminal does not accept
-/// immediately wait in a bounded buffer.
+/// Clients use the far end of the pseudo-terminal. The object also keeps the far end open.
+/// Therefore clients can disconnect and connect again. Bytes that the pseudo-terminal does not
+/// accept immediately wait in a bounded buffer.
 class PseudoTerminal final : public SerialLine {
  public:
   /// @brief Maximum number of bytes that wait to be sent.

@@ -27,7 +27,7 @@ void print(const faults::Result& result) {
       result.fault.bit, result.fault.value, result.pc,
       std::string(nameOf(result.verdict.outcome)).c_str(), result.verdict.safeAfter,
       result.verdict.wrongFor, result.stop.c_str());
-  std::fflush(stdout);  // otherwise a process that is forked later prints the text again
+  std::fflush(stdout);  // otherwise, a copy of this process prints the text again
 }
 
 // A case that the option --case repeats: a fault, and the time in the drive at which the fault is

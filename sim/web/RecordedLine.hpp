@@ -14,7 +14,7 @@ class RecordedLine final : public scenario::RobotSession {
   /// @brief Bytes that one side has sent.
   struct Piece {
     Time at;                          ///< time at which the PC sent or read the bytes
-    bool fromPc;                      ///< false: the robot sent them
+    bool fromPc;                      ///< false: the robot sent the bytes
     std::vector<std::uint8_t> bytes;  ///< never empty
   };
 

@@ -63,8 +63,8 @@ TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief The main thread posts the thread of a wheel. The thread of the wheel interrupts the main
-/// thread, and runs once for each post.
+/// @brief The main thread posts the threads of the wheels. Each of these threads interrupts the
+/// main thread, and runs once for each post.
 /// @verifies FR-172
 TEST(K64ThreadOfAWheel, GoesBeforeTheMainThread) {
   constexpr std::uint16_t kMain = 4;

@@ -212,9 +212,10 @@ const auto kSituations = std::to_array<Situation>({
 
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
-/// @brief When the enable switch is set to "stop" at any time of the cycle, all wheels brake within
-/// 200 ms. This is tested in each mode and state in which the robot drives. Orders of the PC do not
-/// end the stop.
+/// @brief When the enable switch is set to "stop", all wheels brake within 200 ms. This is tested
+/// at six times of the cycle, and in five situations: the PC drives, the PC has missed one cycle,
+/// the PC has missed N cycles, and the remote control drives with and without a connected PC.
+/// Orders of the PC do not end the stop.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();

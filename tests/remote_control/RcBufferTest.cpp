@@ -82,7 +82,7 @@ TEST_F(RcBufferTest, FR52_PulsesSetVelocityAndAngle) {
   }
 }
 
-/// @brief A value has the time at which its pulse ended.
+/// @brief A value of the remote control has the time at which its pulse ended.
 /// @verifies FR-52
 TEST_F(RcBufferTest, FR52_TellsWhenThePulseEnded) {
   velocity.pulse(1700);
@@ -206,7 +206,7 @@ class RcPathTest : public RcBufferTest {
   RC mode{basic, basic};
 };
 
-/// @brief With pulses on both pins, the remote control has a message.
+/// @brief With pulses on both pins, the mode RC has a message.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_MessageWithPulses) {
   EXPECT_FALSE(mode.newMessage());

@@ -100,8 +100,8 @@ TEST(ControlThread, FR4_OnlyOnePostIsKept) {
   EXPECT_EQ(thread.overruns(), 5);
 }
 
-/// @brief A second post before the body has begun is also an overrun. The activation of the first
-/// post is kept.
+/// @brief A second post before the body has begun is also an overrun. Both posts are kept: the body
+/// runs twice.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {

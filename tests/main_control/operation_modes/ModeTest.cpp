@@ -126,7 +126,7 @@ TEST_F(ModeTest, FR36_PcHasNoMessageWithoutConnection) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief Each mode changes to its successor.
+/// @brief changeMode() of the modes RC and PC sets the successor of the mode.
 /// @verifies FR-17
 TEST_F(ModeTest, FR17_ModesChangeToTheOther) {
   RC rc(basicRc, second);

@@ -177,7 +177,7 @@ TEST_F(OperationStateTest, FR14_WorkingAndWaitingStatesApplyControl) {
   }
 }
 
-/// @brief Each state reports its number.
+/// @brief Each operation state reports its number.
 /// @verifies FR-61
 TEST_F(OperationStateTest, FR61_EachStateReportsItsNumber) {
   Working working(other);

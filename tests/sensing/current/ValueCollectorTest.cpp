@@ -266,7 +266,7 @@ TEST_F(CurrentTest, FR128_FiveInARow) {
   }
 }
 
-/// @brief One sample within 15 A restarts the count.
+/// @brief One sample within 15 A restarts the count of samples that are too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_NotInARow) {
   ticks(64, 2048);
@@ -300,8 +300,8 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief If the zero point is less than 15 A from an end of the range, only the last value of the
-/// range is too high.
+/// @brief If the zero point is less than 15 A from an end of the range, only the last value at this
+/// end of the range counts as too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {
@@ -354,8 +354,8 @@ class FakeSwitch final : public DigitalOutput {
   bool on = false;
 };
 
-/// @brief The fifth sample switches the driver off, before any control cycle. The test includes the
-/// whole path from the tick of the timer to the driver.
+/// @brief The fifth sample that is too high switches the driver off, before any control cycle. The
+/// test includes the whole path from the tick of the timer to the driver.
 /// @verifies FR-128
 TEST(Overcurrent, FR128_SwitchesTheDriverOff) {
   FakeTimebase time;

@@ -24,7 +24,7 @@ Edge fall(std::uint64_t at) {
   return {.at = Instant(at), .rising = false};
 }
 
-/// @brief The basic collector stores only the last edge.
+/// @brief The basic collector stores only the time of the last edge.
 /// @verifies FR-120
 TEST(InstantCollector, FR120_BasicKnowsTheLastEdge) {
   BasicCollector basic;
@@ -84,7 +84,7 @@ TEST(InstantCollector, FR52_NoWidthWithoutWholePulse) {
   EXPECT_FALSE(known(width).width);
 }
 
-/// @brief The count is the sum of the directions.
+/// @brief The count of a CountCollector is the sum of the directions of all edges.
 /// @verifies FR-121
 TEST(InstantCollector, FR121_CountIsTheSumOfDirections) {
   BasicCollector basic;

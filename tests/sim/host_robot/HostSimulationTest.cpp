@@ -70,7 +70,7 @@ TEST_F(HostSimulationTest, TimeStandsWhereItWasAskedFor) {
   EXPECT_FALSE(world.robot.watchdog().missed());
 }
 
-/// @brief A robot without an order does not move, and its sensors report no motion.
+/// @brief A robot without an order does not drive and does not steer.
 TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   connect();
   world.runUntil(at(5'000));
@@ -78,8 +78,8 @@ TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
 }
 
-/// @brief Each edge occurs at the time at which the shaft reaches the position of the edge. The
-/// firmware counts 60 edges per turn of the shaft, and measures the velocity of the wheel.
+/// @brief The firmware counts 60 edges per turn of the shaft, and measures the velocity of the
+/// wheel.
 TEST_F(HostSimulationTest, FirmwareCountsTheWayOfTheWheels) {
   connect();
   cycles(30, velocity(1000));
@@ -128,8 +128,8 @@ TEST_F(HostSimulationTest, EmergencyStopIsOnItsPin) {
   EXPECT_TRUE(world.robot.pins().emergencyStop.level());
 }
 
-/// @brief From power-on, only the enable switch of the remote control has pulses. The sticks have
-/// no pulses at first.
+/// @brief In the first second after power-on, only the enable switch of the remote control has
+/// pulses. The sticks have no pulses.
 TEST_F(HostSimulationTest, OnlyTheEnableSwitchSendsAtFirst) {
   int rises = 0;
   bool high = false;
@@ -144,7 +144,7 @@ TEST_F(HostSimulationTest, OnlyTheEnableSwitchSendsAtFirst) {
   EXPECT_NEAR(rises, 50, 1);
 }
 
-/// @brief Two runs with the same inputs are equal to the last bit.
+/// @brief In two runs with the same inputs, the robot has exactly the same distance and velocity.
 TEST_F(HostSimulationTest, RunsRepeatExactly) {
   host::HostSerialPort port;
   host_robot::HostSimulation other(port);

@@ -14,7 +14,7 @@ namespace wr::test {
 namespace {
 
 // Returns the names of all example scenarios except the longest. The test ScenariosOnBoard plays
-// the longest example twice on the virtual board.
+// the longest example on the virtual board.
 std::vector<std::string> examples() {
   std::vector<std::string> names;
   const auto folder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";

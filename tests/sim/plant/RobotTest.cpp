@@ -500,8 +500,8 @@ class CurveTest : public RobotTest {
 // middle of the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
-/// @brief With set-points that match the geometry, the robot drives the geometric curve, and the
-/// wheels do not work against each other.
+/// @brief With set-points that match the geometry of the curve, the robot drives the geometric
+/// curve, and the wheels do not work against each other.
 TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
   follow({100 * kGeometry[0], 100 * kGeometry[1], 100 * kGeometry[2], 100 * kGeometry[3]}, 8000);
   const double rear = 100.0 / 600 * 2 * std::numbers::pi * DriveTrain::kRadius;
@@ -512,8 +512,8 @@ TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
   }
 }
 
-/// @brief With equal set-points, the wheels work against each other. The inner rear wheel brakes.
-/// The outer front wheel pulls with several times the current of a straight drive.
+/// @brief With equal set-points in a curve, the wheels work against each other: one wheel brakes
+/// with more than 2 A, and one wheel pulls with more than 5 A.
 TEST_F(CurveTest, EqualVelocitiesFight) {
   follow({100, 100, 100, 100}, 8000);
   double greatest = 0;
