@@ -61,7 +61,9 @@ bool BoardSession::runUntil(Time instant) {
 bool BoardSession::runThroughPulse() {
   if (!board.runToInterrupt(kPulseInterrupt, board.now() + kLongest)) {
     if (!board.finding()) {
-      throw std::runtime_error("there was no clock pulse in 1 s");
+      throw std::runtime_error(
+          "there was no clock pulse in 1 s; check that the firmware image is an image of the "
+          "robot");
     }
     return false;
   }

@@ -22,7 +22,7 @@ template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};
   if (offset + sizeof part > file.size()) {
-    throw std::runtime_error("the ELF file is too short");
+    throw std::runtime_error("the ELF file is incomplete; build it again");
   }
   std::memcpy(&part, file.data() + offset, sizeof part);
   return part;
@@ -42,7 +42,8 @@ Symbols::Symbols(const std::filesystem::path& elf) : elf_(elf) {
   const std::vector<char> file{std::istreambuf_iterator<char>(stream), {}};
   if (file.size() < sizeof(Elf32_Ehdr) || std::memcmp(file.data(), ELFMAG, SELFMAG) != 0 ||
       file[EI_CLASS] != ELFCLASS32) {
-    throw std::runtime_error("not an ELF file of 32 bits: " + elf.string());
+    throw std::runtime_error(
+        elf.string() + " is not an ELF file of 32 bits; use the ELF file of the firmware image");
   }
   const auto header = partAt<Elf32_Ehdr>(file, 0);
   for (std::size_t i = 0; i < header.e_shnum; ++i) {

@@ -118,7 +118,8 @@ class VirtualBoard::Parts final : public Microcontroller {
           drive(level.port, level.pin, level.high);
         }) {
     if (image_.size() > kFlashSize) {
-      throw std::runtime_error("the firmware image is larger than the flash");
+      throw std::runtime_error(
+          "the firmware image is larger than the flash of 1 MiB; check its path");
     }
     build();
     connect();

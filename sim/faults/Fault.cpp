@@ -54,7 +54,7 @@ constexpr std::array<SensorFault, 10> kSensorFaults{{
 constexpr std::uint32_t kCoreRegisters = 16;
 constexpr int kForEver = 0;
 constexpr std::uint32_t kHeld =
-    0;  // 0: the interrupt line is blocked; 1: an interrupt is raised without a cause
+    0;  // Fault::bit; 0: the interrupt line is blocked; 1: an interrupt is raised without a cause
 constexpr std::uint32_t kFirstException = 16;
 constexpr std::uint32_t kNominalBaud = 115'200;
 

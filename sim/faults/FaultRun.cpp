@@ -209,7 +209,9 @@ class FaultRun::Robot {
     session.runThroughPulse();
     listen();
     if (!welcome) {
-      throw std::runtime_error("the robot does not answer");
+      throw std::runtime_error(
+          "the robot does not answer a Hello; check that the firmware image is an image of the "
+          "robot");
     }
     send(pc_.confirm(welcome->session));
     session.runThroughPulse();
@@ -283,7 +285,8 @@ FaultRun::FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path&
   const bool drives =
       std::ranges::any_of(reference_, [](const Outputs& one) { return !one.wheelsOff(); });
   if (!drives || reports_.back().inhibit != 0) {
-    throw std::runtime_error("without a fault the robot does not drive");
+    throw std::runtime_error(
+        "the robot does not drive without a fault; choose another seed or another firmware image");
   }
 }
 

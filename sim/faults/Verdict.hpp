@@ -31,9 +31,10 @@ struct Observation {
 /// @brief Class of the effect of a fault.
 enum class Outcome : std::uint8_t {
   Harmless,  ///< the outputs are not wrong, in comparison with the run without the fault
-  Detected,  ///< a reset or a report was in time, and no output was wrong after a reset
-  Late,    ///< there was a reset or a report, but the outputs were wrong for too long or after the
-           ///< reset
+  Detected,  ///< there was a reset or a report after at most kSafeWithin ms of wrong outputs, and
+             ///< no output was wrong after a reset
+  Late,  ///< there was a reset or a report, but the outputs were wrong for more than kSafeWithin ms
+         ///< before it, or after a reset
   Silent,  ///< the outputs were wrong, and there was neither a reset nor a report
   Hung,    ///< there was no report, no answer and no reset
   Stopped  ///< the virtual board cannot continue; the behaviour of a real board is unknown

@@ -42,7 +42,7 @@ struct HostSteeringPins {
   HostAnalogInput angle;
 };
 
-/// @brief All pins of the firmware on the host. Nothing is connected at first. The inputs of the
+/// @brief All pins of the firmware on the host. At first, no pin is connected. The inputs of the
 /// currents and of the steering angle are in the middle of their ranges. There are no edges. No end
 /// stop and no emergency stop is active.
 struct HostPins {

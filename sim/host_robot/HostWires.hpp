@@ -23,8 +23,8 @@ class HostWires {
   /// need no call of this function, because each pulse takes effect immediately.
   void drive();
 
-  /// @brief Sets the pins to the values of the sensors. Sensors that are simulated as edges are
-  /// excluded.
+  /// @brief Sets the pins to the values of the sensors. The pins of the Hall sensors and of the
+  /// remote control are excluded, because the simulation sets them edge by edge.
   void measure();
 
  private:

@@ -43,19 +43,19 @@ enum class Fault : std::uint8_t {
   HallLosses,     ///< edges of a wheel are lost; value: edges per second
   Leads,          ///< the leads of a motor are swapped
   Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
-  CurrentOpen,    ///< the cable is broken, and the open input follows the input that was converted
-                  ///< before
-  CurrentStuck,   ///< a current sensor keeps its value
+  CurrentOpen,   ///< the cable of a current sensor is broken; the voltage of its open input follows
+                 ///< the input that is converted before it
+  CurrentStuck,  ///< a current sensor keeps its value
   CurrentOffset,  ///< a current sensor has an offset; value: mA
   Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
-  AngleOpen,      ///< the cable is broken, and the open input follows the input that was converted
-                  ///< before
-  AngleStuck,     ///< the angle sensor keeps its value
-  AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree per second
-  Stall,          ///< the steering is stuck
-  Block,          ///< a wheel cannot turn
-  LeftEnd,        ///< the wire of the left end stop is broken
-  RightEnd        ///< the wire of the right end stop is broken
+  AngleOpen,   ///< the cable of the angle sensor is broken; the voltage of its open input follows
+               ///< the input that is converted before it
+  AngleStuck,  ///< the angle sensor keeps its value
+  AngleDrift,  ///< the angle sensor drifts; value: 0.01 degree per second
+  Stall,       ///< the steering is stuck
+  Block,       ///< a wheel cannot turn
+  LeftEnd,     ///< the wire of the left end stop is broken
+  RightEnd     ///< the wire of the right end stop is broken
 };
 
 /// @brief Effect of the emergency stop's circuit on the motors.
@@ -236,7 +236,7 @@ class Robot {
   [[nodiscard]] double steeringDegrees() const { return steering_.degrees(); }
 
   /// @brief Returns the slope of the ground under the robot.
-  /// @return percent, positive uphill
+  /// @return percent, positive uphill in the direction in which the robot started
   [[nodiscard]] double slope() const { return surroundings_.slope; }
 
   /// @brief Returns the voltage of the supply under its load.

@@ -37,7 +37,7 @@ using std::chrono::nanoseconds;
 
 // Time between two reads of the serial line of UART0.
 constexpr milliseconds kSlice{2};
-// Maximum number of bytes per read of the serial line. More bytes wait until the next read.
+// Size of the buffer for one read of the serial line. The program reads until no bytes wait.
 constexpr std::size_t kBytes = 64;
 constexpr milliseconds kPeriod{100};
 constexpr double kNanoseconds = 1e9;
@@ -410,7 +410,8 @@ Exit runBench(board_robot::BoardSession& robot, const Settings& settings) {
   const auto end = scenario::Scenario::load(settings.scenario).end();
   const auto measured = kPeriod * (board_robot::CycleMeter::kCycles + 1);
   if (end < measured) {
-    throw CLI::ValidationError("--bench", settings.scenario + " is shorter than 1001 cycles");
+    throw CLI::ValidationError(
+        "--bench", settings.scenario + " is shorter than 1001 cycles; use a longer scenario");
   }
   const auto meter =
       std::make_unique<board_robot::CycleMeter>(robot, end - measured, settings.profile);

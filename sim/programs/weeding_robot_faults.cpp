@@ -67,7 +67,11 @@ int main(int count, char** arguments) try {
   auto* kinds = app.add_option("--only", only, "kind of all faults [each fault has a random kind]")
                     ->type_name("KIND")
                     ->check([](const std::string& name) {
-                      return wr::faults::kindOf(name) ? "" : "there is no kind " + name;
+                      return wr::faults::kindOf(name)
+                                 ? ""
+                                 : "there is no kind " + name +
+                                       "; choose from ram, code, stack, register, flash, "
+                                       "interrupt, sensor, serial, clock, supply";
                     });
   std::vector<std::array<std::int64_t, 4>> cases;
   app.add_option(

@@ -20,7 +20,7 @@ namespace {
 
 // Time that the robot runs between two reads of the computer's clock.
 constexpr Microseconds kSlice = milliseconds(1);
-// Maximum number of bytes per read of the pseudo-terminal. More bytes wait until the next read.
+// Size of the buffer for one read of the pseudo-terminal. The program reads until no bytes wait.
 constexpr std::size_t kBytes = 64;
 
 struct Settings {

@@ -11,7 +11,8 @@ namespace wr::scenario {
 ///
 /// Each datagram is one action of a scenario without its time, for example "rc off", "fault hall 0"
 /// or "expect true_velocity0 between 5 3000". The sender gets the answer "ok" or the error message.
-/// Actions of the PC are rejected, because the PC link is in use.
+/// Actions of the PC are rejected, because the PC link is in use. Actions that need a scenario, for
+/// example 'mark', are also rejected.
 class ControlChannel {
  public:
   /// @brief Opens the socket. Throws std::system_error when this fails.

@@ -12,7 +12,8 @@ Image image(std::uint32_t seed, std::uint32_t actions) {
   std::ifstream file(WR_TORTURE_PROGRAM, std::ios::binary);
   Image bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (bytes.size() <= kActionsAddress + sizeof actions) {
-    throw std::runtime_error("there is no torture program: " WR_TORTURE_PROGRAM);
+    throw std::runtime_error(
+        "there is no torture program; build the target torture_program: " WR_TORTURE_PROGRAM);
   }
   std::memcpy(bytes.data() + kSeedAddress, &seed, sizeof seed);
   std::memcpy(bytes.data() + kActionsAddress, &actions, sizeof actions);
