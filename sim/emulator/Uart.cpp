@@ -40,7 +40,8 @@ constexpr std::uint32_t kComplete = 1U << 6;
 constexpr std::uint32_t kEmpty = 1U << 7;
 
 // A receiver tolerates an error of half a bit at the stop bit, which is the tenth bit. This is a
-// tolerance of 5 % for both sides together. The PC uses a part of this tolerance.
+// tolerance of 5 % for both sides together. The model permits 3 % to the board, because the PC
+// needs a part of this tolerance.
 constexpr double kMostDeviation = 0.03;
 
 constexpr std::int64_t kBits = 10;

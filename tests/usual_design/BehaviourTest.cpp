@@ -55,8 +55,8 @@ TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   EXPECT_EQ(this->robot.report().unexpected, 2);
 }
 
-/// @brief Damaged frames, impossible lengths, types and versions, and values out of range are
-/// counted separately. The robot reads no order from these frames.
+/// @brief Damaged frames, frames of wrong length, frames of unknown type or version, and orders out
+/// of range are counted separately. The robot reads no order from these frames.
 TYPED_TEST(Behaviour, CountsBadFrames) {
   this->robot.commandByPc();
   scenario::Bytes damaged = this->robot.pc.keepAlive();
@@ -207,7 +207,7 @@ TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
 
 // ---- the wheel ---------------------------------------------------------------------------------
 
-/// @brief An ordered velocity is reached. Then the mean over 2 s is within 2 percent of the order.
+/// @brief After 2.5 s, the mean velocity over 2 s is within 2 percent of the order.
 TYPED_TEST(Behaviour, ReachesAVelocity) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);

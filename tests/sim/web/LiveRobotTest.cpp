@@ -70,8 +70,8 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
-/// @brief The record of the last call of a function contains the time and the registers of this
-/// call. A function that was never called has no time.
+/// @brief The record of the last call of a function contains the time of this call. A function that
+/// was never called has no time.
 TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);
@@ -139,7 +139,7 @@ TEST(LiveRobotTest, ActsOnTheWorld) {
   EXPECT_THROW(robot->perform("fault nonsense"), scenario::Scenario::Error);
 }
 
-/// @brief The bytes of both directions are recorded. Each byte is recorded once.
+/// @brief The bytes of both directions are recorded. Each byte is returned once.
 TEST(LiveRobotTest, RecordsTheLine) {
   const auto robot = robotIn(kFree);
   run(*robot, 5);

@@ -29,7 +29,7 @@ TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   EXPECT_LT(this->robot.report().tension[0], unloaded(600));
 }
 
-/// @brief The velocity finally reaches the set-point.
+/// @brief After 3 s, the mean velocity over 2 s is within 5 percent of the set-point.
 TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
