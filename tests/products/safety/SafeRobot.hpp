@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/host_robot/HostSession.hpp"
@@ -25,7 +26,9 @@ class SafeRobot : public testing::Test {
   /// Runs a cycle.
   void cycle() {
     line.runThroughPulse();
-    fastest = std::max(fastest, std::abs(line.robot().velocityRpm(0)));
+    for (std::size_t wheel = 0; wheel < plant::kWheels; ++wheel) {
+      fastest = std::max(fastest, std::abs(rpm(wheel)));
+    }
     for (const scenario::Bytes& body : scenario::bodies(line.takeSent())) {
       if (const auto sent = scenario::reportOf(body)) {
         report = *sent;
@@ -96,7 +99,7 @@ class SafeRobot : public testing::Test {
   scenario::PcSender pc;
   scenario::PcReport report;
   scenario::PcWelcome welcome;
-  double fastest = 0;
+  double fastest = 0;  // greatest velocity of a wheel so far, in rpm
 };
 
 }  // namespace wr::test

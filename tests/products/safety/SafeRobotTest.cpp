@@ -8,8 +8,8 @@ namespace {
 constexpr std::uint8_t kTension = 1;
 constexpr std::uint8_t kCurrent = 2;
 
-/// @brief If the stick is deflected at power-on, wheel 0 does not turn in 5 s, and then no wheel
-/// has a voltage.
+/// @brief If the stick is deflected at power-on, no wheel turns in 5 s, and then no wheel has a
+/// voltage.
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
@@ -54,7 +54,7 @@ TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
 }
 
 /// @brief The PC orders different speeds and directions in each quantity, with stops between them.
-/// These orders do not cause a protective stop, and wheel 0 stays slower than 330 rpm.
+/// These orders do not cause a protective stop, and each wheel stays slower than 330 rpm.
 /// @verifies FR-270
 /// @verifies FR-274
 /// @verifies FR-283
@@ -77,7 +77,7 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
 }
 
 /// @brief With orders of 24 V and of 10 A, wheel 0 reaches the speed limit of 290 rpm within 6 rpm,
-/// in both directions, and is never faster than 305 rpm.
+/// in both directions, and no wheel is ever faster than 305 rpm.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();
