@@ -18,7 +18,7 @@ from traceability.schema import HOST, VIRTUAL_K64, Place
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
-# A change without an extension is compared with this firmware image.
+# A change is compared with this firmware image if its declaration does not name another image.
 UNCHANGED = "weeding_robot_paper"
 # Folders of the composition, whose files create the objects and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
