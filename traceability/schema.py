@@ -514,8 +514,7 @@ class Requirement:
     runs: Mapping[str, TreeRun] = field(default_factory=dict)
     # target -> executed lines and branches of the methods
     coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)
-    # metrics that show that the requirement is fulfilled, for example for a requirement without
-    # calls
+    # metrics with bounds; if the metrics meet their bounds, the requirement is fulfilled
     evidence: Sequence[Evidence] = field(default_factory=list)
     reviews: Sequence[Review] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)

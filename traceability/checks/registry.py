@@ -355,13 +355,13 @@ _FIXED = [
     Check(
         "secret-registers",
         "A block of registers has owners",
-        "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
-        "design/register_owners.toml. Each owner uses its namespace. No address is in two "
-        "namespaces. Only this file defines registers: no other file and no linker script defines "
-        "a register, converts a number to an address, or names a volatile object. No module "
-        "passes a register to another module. No offset leads from one block of registers to "
-        "another block. Assembler instructions are only in the drivers, and only those of the "
-        "start-up code access memory.",
+        "design/register_owners.toml lists the owners of each namespace of src/k64/registers.hpp. "
+        "Only the owners use the namespace, and each owner uses it. No address is in two "
+        "namespaces. Only src/k64/registers.hpp defines registers, and no linker script defines a "
+        "symbol at the address of a register. Only src/k64/Register.hpp converts a number to an "
+        "address, or names a volatile object. No module passes a register to another module. No "
+        "offset leads from one block of registers to another block. Assembler instructions are "
+        "only in the drivers, and only those of the start-up code access memory.",
         "If a block has several owners, the check does not detect which channel or pin each owner "
         "uses. It does not follow an offset that is computed elsewhere. It does not detect that a "
         "register has an effect on another block.",
@@ -399,7 +399,7 @@ _FIXED = [
     ),
     Check(
         "uses-unused",
-        "No allowance without use",
+        "Each allowed use occurs in the code",
         "Every use that design/uses.toml allows occurs in the code, and only one entry allows "
         "this use. Every declared cycle exists in the code, within the declared folder.",
         "The check cannot judge whether the declared reason is good.",
@@ -564,11 +564,11 @@ _FIXED = [
         "transition. A guard, or an event with a time, is a condition. The transition has a "
         "condition if the code makes the change on some paths only. The transition has no "
         "condition if the code makes the change on every path. A guard that names a state of "
-        "another machine, such as 'in Reconnecting', is not compared. The "
-        "table [guards] of the file lists the conditions of each guard. Before each change, the "
-        "code checks the conditions of the guard. The table [actions] of the file lists the "
-        "methods of each action. Before each change, the code calls the methods of the action, and "
-        "it calls no other method of this table.",
+        "another machine, such as 'in Reconnecting', is not compared. The table [guards] of the "
+        "file lists the conditions of each guard. Before each change, the code checks the "
+        "conditions of the guard. The table [actions] of the file lists the methods of each "
+        "action. Before each change, the code calls the methods of the action, and it calls no "
+        "other method of this table.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -639,12 +639,12 @@ _FIXED = [
     ),
     Check(
         "module-preprocessor",
-        "No macro, no condition",
-        "The preprocessor is used only to include named files. Therefore, every product compiles "
-        "the same text.",
+        "No macros and no conditional compilation",
+        "The preprocessor is used only to include named files, and for #pragma once. Therefore, "
+        "every product compiles the same text.",
         "The check does not detect which files the build includes in a product. The tests of the "
         "products check this.",
-        "use a constant, a template, or another module that the build chooses.",
+        "use a constant, a template, or separate modules from which the build chooses.",
     ),
     Check(
         "secret-open",
@@ -658,7 +658,7 @@ _FIXED = [
     ),
     Check(
         "secret-hidden",
-        "Hidden names stay inside",
+        "Only the owner uses a hidden name",
         "If a module lists a header, class, function or constant in @hides, only this module uses "
         "it. If a logic module lists a name in @hides, only files of its folder use this name. If "
         "@hides lists a constant, no constant in another file has the same value and a similar "
@@ -871,7 +871,7 @@ _FIXED = [
         "The safety case names existing parts",
         "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an "
         "id AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe "
-        "state, another entry of the file declares this part.",
+        "state, another entry of the file declares this goal, assumption or safe state.",
         "The check does not find hazards that nobody found.",
         "correct the name.",
     ),
@@ -935,7 +935,7 @@ _FIXED = [
     ),
     Check(
         "hazard-priority",
-        "Safety has priority",
+        "Safety goals determine the lowest priority",
         "The priority of a requirement is at least the priority that design/safety_case.toml "
         "derives from the level of its safety goals.",
         "The check ignores requirements that serve no safety goal.",

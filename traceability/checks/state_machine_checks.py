@@ -276,8 +276,8 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     conditions of the change itself, and of the changes above it in the same operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    # One call can have several possible new states. The code then has several changes at the same
-    # place.
+    # One call can have several possible new states. ``code.changes`` then contains several changes
+    # at the same place.
     before += [other for other in changes if other.place == change.place]
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
