@@ -1221,7 +1221,9 @@ class MadeChange:
 
     application: str
     event: str
-    hard: str  # name of the event in the list of hard changes
+    # short name of the event in the list of hard changes on the page of the likely changes; "" if
+    # the list does not contain the change
+    hard: str
     why: str  # reason why the change must edit existing files
     classes: Sequence[str]
     # folder of the extension that makes the change; "" if a folder of changes/ makes it

@@ -256,8 +256,7 @@ _FIXED = [
         "for an application names this application, modules with a role in the application, and "
         "modules of extensions as examples. All these parts exist. Each name in backticks in a "
         "step exists.",
-        "The check cannot judge whether the steps are sufficient. The extensions are examples in "
-        "which some of these steps were sufficient.",
+        "The check cannot judge whether the steps are sufficient.",
         "correct the name.",
     ),
     Check(

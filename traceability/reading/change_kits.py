@@ -39,7 +39,9 @@ class Kit:
     application: str
     event: str
     place: Place
-    hard: str = ""  # name of the event in the list of hard changes
+    # short name of the event in the list of hard changes on the page of the likely changes; "" if
+    # the list does not contain the change
+    hard: str = ""
     why: str = ""  # reason why the change must edit existing files
     # added classes that have the role ``adds`` of the recipe
     classes: list[str] = field(default_factory=list)
