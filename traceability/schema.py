@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from traceability.sources import EXTENSIONS
 
-# The targets on which a test can run: this computer, and the virtual board, which starts the
+# The targets on which a test can run: this computer, and the virtual board, which executes the
 # firmware image.
 HOST = "host"
 VIRTUAL_K64 = "virtual K64"
@@ -129,19 +129,20 @@ class DataPart:
     type: str  # "" for an enumerator
     text: str
     unit: str  # "" without a unit
-    makers: Sequence[str]  # modules
-    readers: Sequence[str]
+    makers: Sequence[str]  # modules that write the part
+    readers: Sequence[str]  # modules that read the part and do not write it
 
 
 @dataclass(frozen=True)
 class MessageField:
-    """A field of the messages between the PC and the robot: an order, a report or a welcome."""
+    """A field of the messages between the PC and the robot. Orders, reports and welcomes are such
+    messages."""
 
     name: str
     text: str
     width: str = ""  # "u8" or "i16"; "" when no message has the field
-    writers: Sequence[str] = field(default_factory=list)  # modules
-    readers: Sequence[str] = field(default_factory=list)
+    writers: Sequence[str] = field(default_factory=list)  # modules that write the field
+    readers: Sequence[str] = field(default_factory=list)  # modules that read the field
 
 
 @dataclass(frozen=True)
@@ -183,8 +184,8 @@ class Module:
     hides: Sequence[str] = field(default_factory=list)
     # blocks of registers that only this module may access
     registers: Sequence[str] = field(default_factory=list)
-    # tests that executed a method of the module, and the tests in the file that is named after the
-    # module
+    # tests that executed a method of the module, and the tests in the test file that is named after
+    # the module
     tests: Sequence[str] = field(default_factory=list)
     lines_total: int | None = None
     lines_covered: int | None = None
@@ -209,8 +210,8 @@ def is_extension(logic: str) -> bool:
 
 @dataclass(frozen=True)
 class LogicModule:
-    """A folder with design modules. ``name`` is the name that the paper uses, for example
-    ``OperationModes``."""
+    """A folder with design modules, or a folder that contains such folders. ``name`` is the name of
+    the folder in the form that the paper uses, for example ``OperationModes``."""
 
     id: str
     name: str
@@ -513,8 +514,7 @@ class Requirement:
     runs: Mapping[str, TreeRun] = field(default_factory=dict)
     # target -> executed lines and branches of the methods
     coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)
-    # metrics that show that the requirement is fulfilled, for example for a requirement without
-    # calls
+    # metrics with bounds; if the metrics meet their bounds, the requirement is fulfilled
     evidence: Sequence[Evidence] = field(default_factory=list)
     reviews: Sequence[Review] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)
@@ -649,7 +649,8 @@ class TouchedFile:
 @dataclass(frozen=True)
 class SafetyCost:
     """The cost of the safety functions: the files and lines that were added or edited for them
-    since the base commit. If there is no git, the model has ``None`` instead of this object."""
+    since the base commit. If git does not contain the base commit, the model has ``None`` instead
+    of this object."""
 
     base: str
     commit: str
@@ -709,9 +710,9 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """A reason why some code breaks a rule. There are three rules: each method, test and source
-    line serves a requirement; the firmware itself calls each public method ("uncalled"); the head
-    of each loop counts the iterations ("loop")."""
+    """The reason why code is permitted to break a rule. There are three rules. Each method, test
+    and source line serves a requirement ("method", "test", "line"). The firmware itself calls each
+    public method ("uncalled"). Each loop is a ``for`` with a condition ("loop")."""
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]
@@ -1220,7 +1221,9 @@ class MadeChange:
 
     application: str
     event: str
-    hard: str  # name of the event in the list of hard changes
+    # short name of the event in the list of hard changes on the page of the likely changes; "" if
+    # the list does not contain the change
+    hard: str
     why: str  # reason why the change must edit existing files
     classes: Sequence[str]
     # folder of the extension that makes the change; "" if a folder of changes/ makes it

@@ -1,5 +1,6 @@
 """change-kit: for each likely change, a folder shows how to make it. The folder adds a class with
-the role that the recipe of the pattern demands, or edits a file that the recipe names."""
+the role that the recipe of the pattern demands, or edits a file of a module that the recipe lists
+as altered."""
 
 from __future__ import annotations
 
@@ -55,7 +56,7 @@ def _change(
     for name in set(kit.named_tests) - set(model.tests):
         yield f"there is no test {name}"
     if made.patched and not made.why:
-        yield "the change edits existing files without a reason"
+        yield "the change edits existing files, but its folder states no reason"
 
 
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:

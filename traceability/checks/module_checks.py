@@ -156,8 +156,8 @@ def _written(model: Model, facts: Facts) -> Iterator[Finding]:
     if total is not None and {len(listed), len(set(listed))} != {total}:
         different = len(set(listed))
         text = (
-            f"the design lists {len(listed)} modules, {different} different, but the paper has "
-            f"{total}"
+            f"the design lists {len(listed)} modules with {different} different names, but the "
+            f"paper has {total} modules"
         )
         yield Finding(Place("design/modules.toml", 1), "module-count", text)
 

@@ -72,7 +72,10 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         if not words.knows(name):
             text = f"the text names {name}, which the code does not have"
             yield Finding(
-                place, CHECKS.get(Path(place.file).stem, "doc-name"), text, "write the present name"
+                place,
+                CHECKS.get(Path(place.file).stem, "doc-name"),
+                text,
+                "write the name that the code has now",
             )
 
 

@@ -1,5 +1,5 @@
-"""req-number: each number in the text of a requirement is linked to a constant in the code, and has
-the value of this constant."""
+"""req-number: each number with a unit in the text of a requirement is linked to a constant in the
+code, and has the value of this constant."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def _unlinked(
     links: RequirementNumbers | None,
     without: dict[str, Place],
 ) -> Iterator[Finding]:
-    """Finds numbers in the texts of requirements that design/requirement_numbers.toml links to no
-    constant."""
+    """Finds numbers in the texts of requirements for which design/requirement_numbers.toml names
+    neither a constant nor a reason why there is no constant."""
     for number in stated.keys() - (links.constants.keys() if links else set()):
         if f"{requirement.id} {number}" not in without:
             text = f"{requirement.id} states {number}, but no constant is linked with it"

@@ -159,7 +159,7 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
                 Place("design/clauses.toml", 1),
                 "pattern-known",
                 f"the clause {name} is not declared, so its function is never used",
-                "declare the clause",
+                "write a clause with this id",
             )
     for clause in clauses.values():
         for text, word, fix in _clause_problems(clause, facts):

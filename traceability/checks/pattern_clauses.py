@@ -200,7 +200,7 @@ def state_unmarked(shape: Shape) -> Broken:
             if state and context not in states and not beside:
                 yield (
                     name.place,
-                    f"{context} uses the number of {state}: {name.target}::{name.member}",
+                    f"{context} uses the enumerator of {state}: {name.target}::{name.member}",
                 )
     yield from state_unasked(shape, {target for target, _ in own})
 
@@ -212,9 +212,9 @@ def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
     contexts = set(shape.playing("Context")) - states
     for branch in shape.facts.syntax.branches:
         if branch.by in contexts and branch.target in states:
-            yield branch.place, f"{branch.by} compares the address of a {branch.target}"
+            yield branch.place, f"{branch.by} compares the address of an object of {branch.target}"
         elif branch.by in contexts and branch.target in enumerations:
-            yield branch.place, f"{branch.by} branches on the number of a {branch.target}"
+            yield branch.place, f"{branch.by} branches on an enumerator of {branch.target}"
     yield from state_addresses(shape, contexts)
 
 
@@ -602,12 +602,12 @@ def singleton_one(shape: Shape) -> Broken:
         if not gives or len(instances) > 1:
             yield shape.place(module), f"{module} does not return its only instance"
         for subclass in shape.facts.subclasses.get(module, []):
-            yield shape.place(subclass), f"each {subclass} is a second {module}"
+            yield shape.place(subclass), f"each object of {subclass} is a second object of {module}"
         for body in shape.facts.syntax.bodies:
             made = [call.place for call in body.calls if call.target == f"{module}::{module}"]
             if body.id not in {method.id for method in gives[:1]}:
                 for place in made:
-                    yield place, f"{body.id} constructs a second {module}"
+                    yield place, f"{body.id} constructs a second object of {module}"
 
 
 def singleton_constructor(shape: Shape) -> Broken:

@@ -34,7 +34,8 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
 
 
 def _wrong_types(table: dict[str, Any], facts: Facts) -> Iterator[tuple[str, str]]:
-    """Yields for each frame with a wrong type a pattern of its line, and the fault."""
+    """Yields for each frame with a wrong type: a pattern that matches its line, and the text of
+    the finding."""
     numbers = _enumerators("FrameType", facts)
     for frame in table.get("frame", []):
         name, kind = str(frame.get("name")), frame.get("type")
@@ -44,7 +45,8 @@ def _wrong_types(table: dict[str, Any], facts: Facts) -> Iterator[tuple[str, str
 
 
 def _wrong_values(table: dict[str, Any], facts: Facts) -> Iterator[tuple[str, str]]:
-    """Yields for each value with a wrong number a pattern of its line, and the fault."""
+    """Yields for each value with a wrong number: a pattern that matches its line, and the text of
+    the finding."""
     for enumeration in table.get("enumeration", []):
         firmware = str(enumeration.get("firmware", ""))
         numbers = _enumerators(firmware, facts)

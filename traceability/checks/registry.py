@@ -32,11 +32,11 @@ class Check:
 
 # The purpose of each family of checks. The first word of a check's id is the name of its family.
 WHY = {
-    "syntax": "All other checks read the syntax tree. They need a tree without errors.",
+    "syntax": "Most checks read the syntax tree of the code. They need a tree without errors.",
     "design": "The checks compare design/ with the code. They cannot compare a file that they "
     "cannot read.",
-    "doc": "Every document is generated from these texts. A mistake in a text is in every "
-    "document.",
+    "doc": "The pages are generated from the comments of the code, the texts of design/ and the "
+    "files of docs/. A mistake in such a text is also on the pages.",
     "module": (
         "A developer can find, understand and replace a small module that has a known place and a "
         "specification. To do this, the developer need not read the other modules."
@@ -49,7 +49,8 @@ WHY = {
         "A pattern makes changes easy only while the code has the structure of the pattern. Each "
         "clause states a part of this structure."
     ),
-    "change": "A developer who changes a value must find the other values that depend on it.",
+    "change": "A developer who changes a value must find the other values that depend on it. An "
+    "example of a likely change shows which files a developer must edit.",
     "uses": (
         "The allowed uses of a module show two facts: which modules must be reused together with "
         "it, and which changes can break it."
@@ -76,10 +77,11 @@ WHY = {
     ),
     "stack": (
         "The threads and interrupts share one stack. The stack must be large enough for the "
-        "deepest calls, and these calls may occur in no test."
+        "deepest calls. It is possible that no test makes these calls."
     ),
     "time": (
-        "A cycle that is too long disturbs the control. The longest cycle may occur in no test."
+        "A cycle that is too long disturbs the control. It is possible that no test contains the "
+        "longest cycle."
     ),
     "req": "A requirement is fulfilled only when the code, the tests and the test results show "
     "this.",
@@ -128,14 +130,14 @@ _FIXED = [
         "`pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed.",
-        "write its present name.",
+        "write the name that the code has now.",
     ),
     Check(
         "design-entry",
         "The files of the design can be read",
         "Every file of design/ exists and is valid TOML. Each entry has all keys that it needs, "
-        "and no other keys. No required text is empty. No name has two entries. Each baseline and "
-        "each review has a date.",
+        "and no other keys. No required text is empty. No name has two entries. Each review has a "
+        "date.",
         "The check cannot judge whether an entry is true. The other checks compare the entries "
         "with the code. They do not run while a file cannot be read.",
         "correct the line, or the name of the key.",
@@ -170,7 +172,8 @@ _FIXED = [
         "Each design module has exactly one secret",
         "The comment above every design module has exactly one @secret, which differs from the "
         "@function. No two modules have the same @secret.",
-        "The check cannot judge whether the code really hides this change from the other modules.",
+        "The check cannot judge whether the code really hides the change, which @secret states, "
+        "from the other modules.",
         "write @secret above the class, and state the one likely change that only this module "
         "hides.",
     ),
@@ -253,8 +256,7 @@ _FIXED = [
         "for an application names this application, modules with a role in the application, and "
         "modules of extensions as examples. All these parts exist. Each name in backticks in a "
         "step exists.",
-        "The check cannot judge whether the steps are sufficient. The extensions are examples in "
-        "which some of these steps were sufficient.",
+        "The check cannot judge whether the steps are sufficient.",
         "correct the name.",
     ),
     Check(
@@ -264,8 +266,7 @@ _FIXED = [
         "application. The files in the folder make the likely change. The folder names a class "
         "that derives from a base class of the recipe, or the folder edits a module that the "
         "recipe lists as altered. The folder names tests on the host and on the virtual K64, and "
-        "these tests exist. If the change alters existing source lines, the folder states the "
-        "reason.",
+        "these tests exist. If the change edits existing files, the folder states the reason.",
         "The check cannot judge whether the change is likely, or whether the tests of the change "
         "find a fault in it.",
         "complete the folder of the change as changes/README.md explains.",
@@ -317,7 +318,7 @@ _FIXED = [
         "needs a role in only one application. A Command that is nested in a module contains only "
         "the code of a thread, and needs no role.",
         "The check cannot judge whether the subclass has the right role.",
-        "give the subclass a role, or derive the subclass from another class.",
+        "write a @role above the subclass, or derive the subclass from another class.",
     ),
     Check(
         "uses-allowed",
@@ -353,13 +354,13 @@ _FIXED = [
     Check(
         "secret-registers",
         "A block of registers has owners",
-        "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
-        "design/register_owners.toml. Each owner uses its namespace. No address is in two "
-        "namespaces. Only this file defines registers: no other file and no linker script defines "
-        "a register, converts a number to an address, or names a volatile object. No module "
-        "passes a register to another module. No offset leads from one block of registers to "
-        "another block. Assembler instructions are only in the drivers, and only those of the "
-        "start-up code access memory.",
+        "design/register_owners.toml lists the owners of each namespace of src/k64/registers.hpp. "
+        "Only the owners use the namespace, and each owner uses it. No address is in two "
+        "namespaces. Only src/k64/registers.hpp defines registers, and no linker script defines a "
+        "symbol at the address of a register. Only src/k64/Register.hpp converts a number to an "
+        "address, or names a volatile object. No module passes a register to another module. No "
+        "offset leads from one block of registers to another block. Assembler instructions are "
+        "only in the drivers, and only those of the start-up code access memory.",
         "If a block has several owners, the check does not detect which channel or pin each owner "
         "uses. It does not follow an offset that is computed elsewhere. It does not detect that a "
         "register has an effect on another block.",
@@ -397,7 +398,7 @@ _FIXED = [
     ),
     Check(
         "uses-unused",
-        "No allowance without use",
+        "Each allowed use occurs in the code",
         "Every use that design/uses.toml allows occurs in the code, and only one entry allows "
         "this use. Every declared cycle exists in the code, within the declared folder.",
         "The check cannot judge whether the declared reason is good.",
@@ -415,10 +416,11 @@ _FIXED = [
         "arch-code",
         "Connections of the high-level diagram are in the code",
         "For each declared connection, the code contains calls from the first module to the "
-        "second module. If the kind of the connection is command, a Command makes the calls. If "
-        "the kind is pipe, the first module writes the pipe and the second module reads it.",
-        "The check does not read physical connections. It does not find connections in the code "
-        "that the architecture does not declare.",
+        "second module. If the kind of the connection is pipe, the first module writes the pipe "
+        "and the second module reads it.",
+        "The check does not read physical connections. It does not distinguish the kinds call, "
+        "command and interrupt. It does not find connections in the code that the architecture "
+        "does not declare.",
         "correct the connection, or the code.",
     ),
     Check(
@@ -532,7 +534,7 @@ _FIXED = [
         "the computed bound of this path.",
         "The check does not detect that an interrupt can occur more often than design/times.toml "
         "states.",
-        "find the bound that is too small and correct it. It is the declared bound of a loop or a "
+        "find the bound that is too small and correct it: the declared bound of a loop, or a "
         "number in design/times.toml.",
     ),
     Check(
@@ -557,13 +559,15 @@ _FIXED = [
         "assigns the state. The successor is the object that a builder passed to the state. The "
         "builder passes the initial state to the Context. If an operation changes the state on "
         "every path, no declared transition of this operation stays in the state. If an operation "
-        "has only one transition to another state, this transition has a guard, or an event with a "
-        "time, if the code makes the change on some paths only, and has neither otherwise. A guard "
-        "that names a state of another machine, such as 'in Reconnecting', is not compared. The "
-        "table [guards] of the file lists the conditions of each guard. Before each change, the "
-        "code checks the conditions of the guard. The table [actions] of the file lists the "
-        "methods of each action. Before each change, the code calls the methods of the action, and "
-        "it calls no other method of this table.",
+        "of a state has only one declared transition, the check compares the condition of this "
+        "transition. A guard, or an event with a time, is a condition. The transition has a "
+        "condition if the code makes the change on some paths only. The transition has no "
+        "condition if the code makes the change on every path. A guard that names a state of "
+        "another machine, such as 'in Reconnecting', is not compared. The table [guards] of the "
+        "file lists the conditions of each guard. Before each change, the code checks the "
+        "conditions of the guard. The table [actions] of the file lists the methods of each "
+        "action. Before each change, the code calls the methods of the action, and it calls no "
+        "other method of this table.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -573,10 +577,10 @@ _FIXED = [
         "fsm-seen",
         "Each transition is made in a test",
         "Each transition was made in a test on the host that passed. The recorded calls of the "
-        "test show the transition: the Context calls the operation of the old state, and only the "
-        "successor has all methods of states that the Context calls afterwards. For each "
-        "requirement that a transition names, a test of the requirement makes the transition. No "
-        "test makes a change that is not declared.",
+        "test show the transition: the Context calls the operation of the old state, and then "
+        "calls methods of the new state. Of all states, only the new state has all these methods. "
+        "For each requirement that a transition names, a test of the requirement makes the "
+        "transition. No test makes a change of the state that is not declared.",
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
@@ -588,7 +592,8 @@ _FIXED = [
         "The model of the proofs matches the machines and the code",
         "Every machine of design/fsm has its step, its guards and its events in the composition "
         "design/proofs/robot.pml. Each hand-written step of the composition lists methods that "
-        "exist. Each number of a step equals the constant that the step names.",
+        "exist. Each number that the composition defines equals the constant that the comment of "
+        "the number names.",
         "The check does not prove that a step of the model behaves like the methods that the step "
         "names.",
         "correct the composition, or the names of methods and constants in the composition.",
@@ -616,28 +621,29 @@ _FIXED = [
         "Controllers and sensors are independent",
         "If design/uses.toml separates two modules, neither module names the other module or "
         "includes its header. No controller names a sensor, and no sensor names a controller.",
-        "The check does not find a third module that gives a controller a reference to a sensor, "
-        "or gives a sensor a reference to a controller.",
+        "The check does not find a third module that passes a reference to a sensor to a "
+        "controller, or a reference to a controller to a sensor.",
         "pass the value through a pipe.",
     ),
     Check(
         "module-file",
         "Every file belongs to a module",
         "Every file below src and extensions belongs to a module, contains data types, belongs to "
-        "a composition, or is listed as shared in design/modules.toml. If the file of a module "
-        "contains a function or a class outside the class of the module, other files cannot use "
-        "it, unless it is an operator. Every variable is a member of an object.",
+        "a composition, or is listed as shared in design/modules.toml. The file of a module can "
+        "contain functions and classes outside the class of the module. Other files cannot use "
+        "these functions and classes. Operators are an exception: other files can use them. Every "
+        "variable is a member of an object.",
         "The check does not limit the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
     Check(
         "module-preprocessor",
-        "No macro, no condition",
-        "The preprocessor is used only to include named files. Therefore, every product compiles "
-        "the same text.",
+        "No macros and no conditional compilation",
+        "The preprocessor is used only to include named files, and for #pragma once. Therefore, "
+        "every product compiles the same text.",
         "The check does not detect which files the build includes in a product. The tests of the "
         "products check this.",
-        "use a constant, a template, or another module that the build chooses.",
+        "use a constant, a template, or separate modules from which the build chooses.",
     ),
     Check(
         "secret-open",
@@ -651,7 +657,7 @@ _FIXED = [
     ),
     Check(
         "secret-hidden",
-        "Hidden names stay inside",
+        "Only the owner uses a hidden name",
         "If a module lists a header, class, function or constant in @hides, only this module uses "
         "it. If a logic module lists a name in @hides, only files of its folder use this name. If "
         "@hides lists a constant, no constant in another file has the same value and a similar "
@@ -731,8 +737,8 @@ _FIXED = [
         "Numbers of requirements agree with the code",
         "Each number with a unit in a requirement is linked with a constant in "
         "design/requirement_numbers.toml. The number is in digits or written as a word. The "
-        "constant has this value. The file lists the other numbers, with the reason why the code "
-        "has no constant for them.",
+        "constant has this value. design/requirement_numbers.toml also lists the numbers for which "
+        "the code has no constant, with the reason.",
         "The check does not find numbers whose unit is not in its list of units. It cannot judge "
         "whether the linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
@@ -769,10 +775,10 @@ _FIXED = [
     Check(
         "req-method",
         "Each public method serves a requirement",
-        "Each public method of a design module fulfils one of four conditions. It is tagged with "
-        "@satisfies, has a node in a tree, overrides a method with a tag or a node, or is "
-        "overridden by such a method. A constructor serves the requirements of its module. Other "
-        "methods are justified in design/justified.toml.",
+        "Each public method of a design module is tagged with @satisfies or has a node in a tree. "
+        "If a method has a tag or a node, the method that it overrides and the other methods that "
+        "override the same method need none. A constructor serves the requirements of its module. "
+        "Other methods are justified in design/justified.toml.",
         "The check cannot judge whether the requirement needs the method.",
         "tag the method with @satisfies, use it in a tree, remove it, or justify it in "
         "design/justified.toml.",
@@ -826,7 +832,8 @@ _FIXED = [
     Check(
         "req-unknown",
         "Tags name requirements that exist",
-        "Every @satisfies and @verifies names one requirement of requirements/.",
+        "Every @satisfies and @verifies names one requirement of requirements/. Every requirement "
+        "that a transition of a state machine or a metric in design/closed_loop.toml names exists.",
         "The check does not find a tag that names an existing, but wrong requirement.",
         "correct the id.",
     ),
@@ -863,7 +870,7 @@ _FIXED = [
         "The safety case names existing parts",
         "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an "
         "id AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe "
-        "state, another entry of the file declares this part.",
+        "state, another entry of the file declares this goal, assumption or safe state.",
         "The check does not find hazards that nobody found.",
         "correct the name.",
     ),
@@ -889,7 +896,8 @@ _FIXED = [
         "Times of safety goals match their formulas",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
         "10 %. The reaction time of the firmware is at most the fault-tolerant time. The scenarios "
-        "of a goal without known exceptions accept no later reaction.",
+        "of a goal without known exceptions accept no reaction that is later than the "
+        "fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It cannot judge whether the tests measure the right reaction. It compares only "
         "the declared number of the reaction, and not the times in the text of the reaction. If a "
@@ -912,9 +920,9 @@ _FIXED = [
         "Fault scenarios have a goal, and their tests passed",
         "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. A "
         "test plays the scenario, and this test passed on each target for which it is built. "
-        "Every scenario that a goal lists exists. A result that is older than the sources is not "
-        "counted as passed.",
-        "The check does not find faults without a scenario.",
+        "Every scenario that a goal lists exists.",
+        "The check does not find faults without a scenario. It ignores test results that are older "
+        "than the sources.",
         "complete the links, play the scenario in a test, or correct the failure.",
     ),
     Check(
@@ -926,7 +934,7 @@ _FIXED = [
     ),
     Check(
         "hazard-priority",
-        "Safety has priority",
+        "Safety goals determine the lowest priority",
         "The priority of a requirement is at least the priority that design/safety_case.toml "
         "derives from the level of its safety goals.",
         "The check ignores requirements that serve no safety goal.",
@@ -955,7 +963,8 @@ _FIXED = [
         "suspect-test",
         "Verifying tests are as in the baseline",
         "These texts are unchanged since the baseline: the tests that verify a requirement, their "
-        "fixtures, parameters and helpers, and the scenarios that the tests play.",
+        "fixtures, parameters and helpers, the scenarios that the tests play, and the reasons for "
+        "source lines that no test executes.",
         "The check does not compare the simulator, tests in Python, comments and formatting.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
@@ -963,10 +972,12 @@ _FIXED = [
         "suspect-design",
         "Texts without a requirement are as in the baseline",
         "These texts are unchanged since the baseline: the sentences in the files of design/ and "
-        "changes/, and the bodies and specifications that no requirement names. Examples of such "
-        "sentences are reasons, deviations, steps and answers.",
-        "The check cannot judge whether the texts are right. It does not compare the pages of "
-        "docs/.",
+        "changes/, the numbers and names in the pages of docs/ and in the README, and the bodies "
+        "and specifications that no requirement names. Reasons, deviations, steps and answers are "
+        "examples of sentences in design/. In docs/bring_up.rst and docs/hazards.rst, the whole "
+        "text is unchanged.",
+        "The check cannot judge whether the texts are right. On other pages, it does not find "
+        "changes that leave the numbers and names as they are.",
         "compare the text with the code, then run ./wr review --baseline design.",
     ),
     Check(
@@ -993,9 +1004,9 @@ _FIXED = [
     Check(
         "paper-statement",
         "Each statement of the paper has an answer",
-        "Each entry of design/statements.toml names a place of the paper. The answer of each entry "
-        "exists. Each requirement whose source is a place of the paper answers a statement of the "
-        "paper.",
+        "Each entry of design/statements.toml names a place of the paper. The entry names an "
+        "answer that exists, or states a deviation. Each requirement whose source is a place of "
+        "the paper answers a statement of the paper.",
         "The check does not detect that a statement of the paper is missing in the list, or that "
         "an answer is wrong. A person compares the list with the paper.",
         "correct the entry, or add the statement to design/statements.toml.",
@@ -1053,7 +1064,7 @@ _FIXED = [
         "Every reference in docs/ has a target. Every path of a file in a page of docs/, in the "
         "README or in a text of design/ exists. Each command of ./wr that a page or the README "
         "names exists with its options. The products, test programs, folders of the build, used "
-        "pins and keys that these texts name exist too.",
+        "pins and keys that a page or the README names exist too.",
         "The check cannot judge whether the link has the right target.",
         "correct the target.",
     ),

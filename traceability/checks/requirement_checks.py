@@ -283,7 +283,7 @@ def _old_image(model: Model, facts: Facts) -> list[Finding]:
     of the image and of its stack do not run."""
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
-    text = "the image is older than the sources, so no check compares its size and its stack"
+    text = "the firmware image is older than the sources, so no check compares its size and stack"
     place = _first_place(model, lambda one: bool(one.evidence))
     return [Finding(place, "req-stale", text, "run ./wr firmware")]
 
@@ -407,8 +407,8 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 
 def _tags(model: Model) -> Iterator[Finding]:
-    """Finds tests whose name contains the id of a requirement, although the tests have no @verifies
-    for this requirement."""
+    """Finds tests whose name begins with the id of a requirement, although the tests have no
+    @verifies for this requirement."""
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
         if match is None:

@@ -1,5 +1,5 @@
-"""hazard-*: the safety case is complete. If two entries must name each other, such as a hazard and
-a goal, both entries do."""
+"""hazard-*: the safety case is complete. If two parts must name each other, such as a safety goal
+and a requirement, both parts do."""
 
 from __future__ import annotations
 

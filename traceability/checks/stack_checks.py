@@ -23,9 +23,9 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _self_calls(facts: Facts) -> Iterator[Finding]:
-    """Finds functions that call themselves through functions of the same source file. This check
-    needs no firmware image. It replaces the other checks of the stack while the image is older than
-    the sources."""
+    """Finds functions that call themselves, directly or through functions of the same source file.
+    This function needs no firmware image. It replaces the other checks of the stack if no firmware
+    image was built from the present sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())

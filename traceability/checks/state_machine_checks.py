@@ -139,8 +139,8 @@ def _asked_for(
     family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
     problems += [
         (
-            f"no method of {' or '.join(sorted(ends))} serves {requirement.id}, which must demand "
-            f"{words(step)}",
+            f"the transition {words(step)} names {requirement.id}, but no method of "
+            f"{' or '.join(sorted(ends))} serves this requirement",
             "name the requirement that demands the transition, or tag the method",
             requirement.id,
         )
@@ -249,8 +249,8 @@ def _differs(row: Transition, change: Change) -> bool:
     has none, or the other way round.
 
     An event with a time, such as "after 2 s", counts as a condition of the transition. A guard
-    about the state of another machine ("in ...") is not compared, because the caller checks this
-    guard.
+    about the state of another machine ("in ...") is not compared, because the code that calls the
+    operation checks this guard.
     """
     if row.guard.startswith("in "):
         return False
@@ -276,8 +276,8 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     conditions of the change itself, and of the changes above it in the same operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    # One call can have several possible new states. The code then has several changes at the same
-    # place.
+    # One call can have several possible new states. ``code.changes`` then contains several changes
+    # at the same place.
     before += [other for other in changes if other.place == change.place]
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
@@ -381,7 +381,10 @@ def _seen(machine: StateMachine) -> Iterator[Finding]:
             )
     for change, tests in machine.undeclared.items():
         source, operation, target = change.split(" ")
-        text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
+        text = (
+            f"{tests[0]} changes the state from {source} to {target} in {operation}, but the "
+            "machine does not declare this transition"
+        )
         yield Finding(machine.place, "fsm-seen", text)
 
 

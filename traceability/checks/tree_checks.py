@@ -43,7 +43,9 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
     for child in node.children:
         if child.reachable is False and child.otherwise:
             kind, mark = (
-                ("a post", "with 'post '") if child.kind == "call" else ("a call", "as one")
+                ("a post", "with 'post '")
+                if child.kind == "call"
+                else ("a call", "without 'post '")
             )
             text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
             yield Finding(child.place, "tree-static", text, f"write it {mark}")

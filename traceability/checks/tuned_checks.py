@@ -69,8 +69,8 @@ def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
 
 
 def _read_by(constant: Written) -> set[str]:
-    """Returns the names of the constants that the line of a constant contains. Only constants of
-    the same file are meant."""
+    """Returns the constants of the same file that the source line of a constant names. The constant
+    itself is included."""
     file = constant.name.split("::", maxsplit=1)[0]
     return {f"{file}::{name}" for name in re.findall(r"\bk[A-Z]\w*", constant.code)}
 

@@ -74,7 +74,7 @@ def _extensions(model: Model) -> Iterator[Finding]:
     """Finds files in src that use an extension. Also finds extensions that use another extension
     although design/uses.toml states no reason for this use."""
     # An extension may use another extension if design/uses.toml states the reason. The files in src
-    # never use an extension.
+    # must never use an extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     for use in model.uses:
         if (

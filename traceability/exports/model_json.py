@@ -101,8 +101,8 @@ def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):
         name = kind.__name__
         if name not in definitions:
-            # The name is entered before the description is made, because a class may contain
-            # objects of the same class.
+            # ``definitions`` receives the name before the description is ready, because a class may
+            # contain objects of the same class.
             definitions[name] = {}
             definitions[name] = _class(kind, definitions)
         return {"$ref": f"#/$defs/{name}"}

@@ -17,7 +17,9 @@ from traceability.reading.results import read_record
 from traceability.reading.traces import nodes_of
 
 FOLDER = Path("build/revisions")
-WORDS = 8  # number of unchanged words that are shown before and after a change in a text
+# If more than twice this number of words in a row is unchanged, only this number of words is shown
+# at the beginning and at the end of the unchanged words.
+WORDS = 8
 
 
 @dataclass(frozen=True)
@@ -149,7 +151,7 @@ def _of_requirements(first: Revision, second: Revision) -> Iterator[Difference]:
 
 def changed_words(old: str, new: str) -> str:
     """Returns the difference between two texts: removed words as [-removed-] and added words as
-    {+added+}, with some unchanged words before and after them."""
+    {+added+}, with the unchanged words around them. Many unchanged words are shortened."""
     before, after = old.split(), new.split()
     parts: list[str] = []
     for tag, i, j, k, m in difflib.SequenceMatcher(

@@ -22,7 +22,8 @@ class ToolFile:
     name: str
     text: str  # description on the page Exports
     make: Callable[[Path, Model, Report], str]
-    # file of the project from which the exported file is made; empty if it is made from the model
+    # file of the project that must exist so that the exported file can be made; empty if no such
+    # file is necessary
     source: Path = Path()
 
 

@@ -1,8 +1,8 @@
 """The model. All checks, pages, charts and exports read it.
 
-Each run of a command builds the model once (``traceability.model.build``). It contains facts from
-the comments, the syntax tree, the declarations in ``design/``, the test results, the recorded
-calls, the coverage and the sizes of the modules.
+The model contains facts from the comments, the syntax tree, the declarations in ``design/``, the
+test results, the recorded calls, the coverage and the sizes of the modules. Each run of a command
+builds the model once (``traceability.model.build``).
 """
 
 from __future__ import annotations
@@ -121,7 +121,7 @@ class Model:
     line_gaps: Sequence[LineGap] = field(default_factory=list)
     # suspicions about texts that belong to no requirement
     suspicions: Sequence[Suspicion] = field(default_factory=list)
-    # ids for which a review exists, but no requirement
+    # ids that have a baseline or a review, although no requirement has this id
     reviews_of_nothing: Sequence[str] = field(default_factory=list)
     # The modules and pattern applications that the design demands. The code may lack some of them.
     designed_modules: Sequence[str] = field(default_factory=list)

@@ -1,5 +1,6 @@
-"""Finds the texts that no check can compare with the code: sentences in the design files, and facts
-in the pages. After a change of such a text, a person must review it.
+"""Finds the texts that no check can compare with the code: sentences in the design files, facts in
+the pages, and the whole text of pages about safety. After a change of such a text, a person must
+review it.
 """
 
 from __future__ import annotations
@@ -101,7 +102,7 @@ def _is_prose(text: str) -> bool:
 
 
 def _line_of(text: str, source: str) -> int:
-    """Returns the number of the line of the file on which the text begins."""
+    """Returns the number of the line on which a text begins in the source of its file."""
     first = text.split("\n", maxsplit=1)[0].replace('"', '\\"')
     return source.count("\n", 0, max(source.find(first), 0)) + 1
 

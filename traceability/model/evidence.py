@@ -1,5 +1,5 @@
 """Evidence for requirements that calls of methods cannot fulfil, for example a limit of the flash
-memory. An evidence compares a metric with a bound.
+memory. The tag @evidence of a requirement compares a metric with a bound.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ CHECKS = "checks."
 
 
 def read_evidence(text: str, place: Place) -> Evidence:
-    """Reads an evidence such as ``coverage.line at least 98 %``. Its parts are the metric, the
+    """Reads an @evidence such as ``coverage.line at least 98 %``. Its parts are the metric, the
     relation, the bound and the unit. The relation is empty if the text cannot be read.
     """
     match = WRITTEN.fullmatch(text)
@@ -30,7 +30,7 @@ def read_evidence(text: str, place: Place) -> Evidence:
 def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
 ) -> dict[str, float | None]:
-    """Returns the values of all metrics that an evidence names. A value is ``None`` if this run did
+    """Returns the values of all metrics that an @evidence names. A value is ``None`` if the run did
     not measure the metric.
     """
     counts = Counter(finding.check for finding in findings)
@@ -63,8 +63,8 @@ def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
 
 
 def reasons(evidence: Evidence, value: float | None) -> list[str]:
-    """Returns a list with the reason why the evidence does not verify its requirement. The list is
-    empty if the evidence verifies its requirement.
+    """Returns a list with the reason why an @evidence does not verify its requirement. The list is
+    empty if the metric meets its bound.
     """
     if not evidence.relation:
         return [f"its evidence cannot be read: {evidence.figure}"]

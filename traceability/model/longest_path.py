@@ -3,7 +3,7 @@
 A block is a sequence of instructions of which either all or none are executed. The linear program
 has a variable for each transition from a block to another block. The variable is the number of
 times that a path uses the transition. This method is the implicit path enumeration of Li and Malik.
-The solver also permits fractions for these numbers. The computed maximum can then only be too high.
+The solver also permits fractions for these numbers. The computed maximum is then never too low.
 """
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
-"""Computes the metrics of a run. A metric that this run did not measure is null in its file."""
+"""Computes the metrics of a run. A metric that this run did not measure is null in
+``build/metrics.json``."""
 
 from __future__ import annotations
 
@@ -131,7 +132,7 @@ def forbidden(model: Model) -> dict[str, Any]:
 
 
 def metrics(model: Model, report: Report) -> dict[str, Any]:
-    """Returns all metrics: the metrics of the model, and the verdicts of this run."""
+    """Returns all metrics: the metrics of the model, and the numbers of verdicts of this run."""
     fresh = not model.results_stale
     states = Counter(verdict.state for verdict in report.requirements.values())
     return {

@@ -64,7 +64,8 @@ def _stale(model: Model) -> Iterator[tuple[str, str]]:
     targets = [target for target in model.results_hashes if model.stale_on(target)]
     if targets:
         yield (
-            f"The results of {' and '.join(targets)} are missing or older than the sources.",
+            "The test results of these targets are missing or older than the sources: "
+            f"{', '.join(targets)}.",
             "tests",
         )
     if model.build and model.build.changed:
@@ -164,7 +165,11 @@ def _last(name: str, last: LastRecord | None) -> str:
         missed = last.tried - last.found - last.justified
         return f"{NAMES[name]} missed {missed} of {_count(last.tried, 'fault')}." if missed else ""
     commit = f"commit {last.commit[:7]}" if last.commit else "an unknown commit"
-    justified = f"; {last.justified} others are justified" if last.justified else ""
+    justified = (
+        f"; for {last.justified} others, a justification states that no test can find them"
+        if last.justified
+        else ""
+    )
     return (
         f"{NAMES[name]} was not run in this build. Its last run, at {commit} on {last.date}, "
         f"found {last.found} of {_count(last.tried, 'fault')}{justified}."

@@ -145,7 +145,7 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 
 def proofs_of(root: Path, declared: Declared) -> Proofs:
     """Returns the declared properties, the results of their proofs, the text of the proved model,
-    and the counterexamples in a form for readers."""
+    and the counterexamples as lists of cycles with their events."""
     path = root / COMPOSITION
     if not path.exists():
         return Proofs()

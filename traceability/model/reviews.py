@@ -145,8 +145,9 @@ class LinkTexts:
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
         """Returns the texts that belong to no requirement. These are the sentences in the design
-        files, the facts in the pages, and all functions, constants and specifications that are not
-        in ``covered``."""
+        files, the facts in the pages, the whole text of pages about safety, the code in
+        ``EVIDENCE``, and all functions, constants and specifications that are not in
+        ``covered``."""
         texts: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"
@@ -377,7 +378,7 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
         yield f"a review needs a remark of at least {LEAST_REMARK} characters"
     for question in QUESTIONS:
         if review.answers.get(question) not in ANSWERS:
-            yield f"the question {question} needs an answer: {', '.join(ANSWERS)}"
+            yield f"the question '{question}' needs an answer: {', '.join(ANSWERS)}"
     who = {review.reviewer.casefold(), review.email.casefold()}
     for text in texts:
         if who & authors(root, text.place):

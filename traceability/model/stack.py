@@ -1,9 +1,9 @@
 """The largest stack use of the firmware image. It is computed from all calls that an execution
 context may make.
 
-The reports of the compiler contain the stack frames and the calls. For an indirect call, the model
-shows the objects that the builders passed to the caller. The call can execute the methods of these
-objects.
+The reports of the compiler contain the stack frames and the calls. For an indirect call, the syntax
+tree shows the objects that the builders passed to the caller. The call can execute the methods of
+these objects.
 
 A chain of calls through decorators contains each Concrete Decorator of the pattern at most once. No
 other method occurs twice in a chain of calls.

@@ -77,7 +77,7 @@ class Times:
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
-        # methods that are on the present path of calls and are the ``within`` of a ``Spread``
+        # the methods ``Spread.within`` that are on the present path of calls
         self.inside: frozenset[str] = frozenset()
         self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
@@ -108,7 +108,7 @@ class Times:
         self.inside |= {within for within, _ in self.spread if within == method}
         key = (symbol, tuple(sorted(entered.items())), self.inside)
         if key not in self.known:
-            # This value is used if the function calls itself. The proof of the stack reports the
+            # The value 0 is used if the function calls itself. The proof of the stack reports the
             # cycle of calls.
             self.known[key] = 0
             code = self.codes[symbol]

@@ -207,8 +207,8 @@ class Reader:
         del self.asked[len(self.asked) - decides :]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Visits a declaration. A call outside functions is recorded for the constant or data
-        member that was declared last, because the call is in its initialiser."""
+        """Records which constant or data member was declared last. A call outside functions belongs
+        to this constant or data member, because the call is in its initialiser."""
         if body is not None:
             return
         if cursor.kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):

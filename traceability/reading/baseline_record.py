@@ -56,7 +56,7 @@ ROWS = (
 
 @dataclass
 class Touched:
-    """The numbers of files and lines that a patch adds or edits."""
+    """The files that a patch adds or edits, and the numbers of the added and edited lines."""
 
     files_changed: list[str] = field(default_factory=list)
     files_added: list[str] = field(default_factory=list)

@@ -162,7 +162,9 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
     """Computes the numbers of a run from the measurements of the board program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
-        raise ValueError(f"{sum(raw['reported'])} cycles have a report, but {CYCLES} must have one")
+        raise ValueError(
+            f"{sum(raw['reported'])} cycles have a report, but {CYCLES} cycles must have a report"
+        )
     per_ms = raw["clock_hz"] / 1000
     times = [cycles / per_ms for cycles in raw["report_cycles"]]
     starts = raw["start_cycles"]

@@ -249,8 +249,9 @@ def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
 
 
 def packed(recording: Recording) -> dict[str, Any]:
-    """Returns a recording as columns that need little memory in JSON. The begin of a call is stored
-    as the difference to the previous begin, and the method as a number."""
+    """Returns a recording as columns that need little memory in JSON. The start time of a call is
+    stored as the difference to the start time of the previous call. The method is stored as a
+    number."""
     names = list(dict.fromkeys(span.method for span in recording.spans))
     numbers = {name: number for number, name in enumerate(names)}
     begins = [0, *(span.begin for span in recording.spans)]

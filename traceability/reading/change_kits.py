@@ -18,7 +18,7 @@ from traceability.schema import HOST, VIRTUAL_K64, Place
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
-# A change without an extension is compared with this firmware image.
+# A change is compared with this firmware image if its declaration does not name another image.
 UNCHANGED = "weeding_robot_paper"
 # Folders of the composition, whose files create the objects and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
@@ -39,7 +39,9 @@ class Kit:
     application: str
     event: str
     place: Place
-    hard: str = ""  # name of the event in the list of hard changes
+    # short name of the event in the list of hard changes on the page of the likely changes; "" if
+    # the list does not contain the change
+    hard: str = ""
     why: str = ""  # reason why the change must edit existing files
     # added classes that have the role ``adds`` of the recipe
     classes: list[str] = field(default_factory=list)

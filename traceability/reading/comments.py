@@ -237,6 +237,7 @@ def _paragraphs(text: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """Returns a text as one line. Only each item of a list begins on a new line."""
+    """Returns a text without its line breaks. Only the line breaks before the items of a list
+    remain."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

@@ -1,6 +1,9 @@
-"""The texts on which the links of a requirement depend, without comments and layout. Each text is
-looked up in its file by its name and not by a line number. The same name therefore also finds the
-earlier text in an earlier version of the file."""
+"""Finds the texts on which the verdict of a requirement depends. Layout and comments inside code
+are left out.
+
+Each text is looked up in its file by its name and not by a line number. The same name therefore
+also finds the earlier text in an earlier version of the file.
+"""
 
 from __future__ import annotations
 
@@ -91,7 +94,7 @@ def support(text: str) -> str:
     """Returns the text of a test file outside its tests: fixtures, computed expected values,
     helpers and lists of parameters.
 
-    If the file is a scenario or contains no tests, returns the whole text without comments.
+    If the file contains no tests, returns the whole text without comments.
     """
     rest = text
     for case in read_tests(text):

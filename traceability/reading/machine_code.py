@@ -168,7 +168,8 @@ def _cycles(address: int, name: str, operands: str) -> int:
         cycles += FP_DIVIDE
     elif name.startswith(("vmla", "vmls", "vfma", "vfms", "vnm", "vfnm")):
         cycles += FP_ACCUMULATE
-    # In the worst case, the instruction is in a new phrase of the flash, and reads another word.
+    # In the worst case, the processor waits for two phrases (8 bytes each) of the flash: for the
+    # phrase with the instruction, and for the phrase with a constant that the instruction reads.
     if address < FLASH_END:
         cycles += 2 * PHRASE
     return cycles

@@ -67,8 +67,8 @@ def read_proofs(root: Path) -> dict[str, ProofResult] | None:
 def readable(
     events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> list[tuple[str, list[str]]]:
-    """Returns the cycles of a counterexample in a form for readers. Each cycle has a title, and a
-    list of its events and transitions."""
+    """Returns the cycles of a counterexample for the pages. Each cycle has a title, and a list of
+    its events and transitions."""
     rounds: list[tuple[str, list[str]]] = []
     for line in events:
         kind, _, rest = line.partition(" ")

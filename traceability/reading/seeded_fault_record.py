@@ -61,7 +61,7 @@ def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str
 
 
 def last_seeded(root: Path) -> LastRecord | None:
-    """Returns the number of found faults in the last run, even if files have changed since."""
+    """Returns the result of the last run, even if files have changed since."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict):
         return last_score(root, "drift")

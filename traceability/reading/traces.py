@@ -86,8 +86,8 @@ class Traces:
         """Yields each entry and exit of the named functions in the order of time. Yields (name,
         True) for an entry, and (name, False) for an exit.
 
-        Repeated calls that contain no function of ``turning`` are yielded only once. After a call
-        of a function of ``turning``, they are yielded once more.
+        ``turning`` contains addresses of functions. Repeated calls without a call of these
+        functions are yielded only once, until the next call of one of these functions.
         """
         events = self.events(test)
         calls = {address: [(name, True)] for address, name in names.items()}

@@ -291,7 +291,7 @@ def test_a_record_that_is_no_review_is_found(tree: Path) -> None:
     )
     assert len(found) == 2
     assert found[0].startswith("Ida Author wrote lines of")
-    assert found[1].startswith("the question tests needs an answer")
+    assert found[1].startswith("the question 'tests' needs an answer")
     assert not build(tree).model.requirements["FR-15"].reviewed
 
 

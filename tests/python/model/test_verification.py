@@ -193,5 +193,5 @@ def test_an_image_that_is_older_than_the_sources_is_a_finding(tree: Path) -> Non
     source = next((tree / STATES).glob("*.cpp"))
     source.write_text(source.read_text() + "\n// Changed.\n")
     assert says() == [
-        "the image is older than the sources, so no check compares its size and its stack"
+        "the firmware image is older than the sources, so no check compares its size and stack"
     ]
