@@ -35,7 +35,7 @@ def _open(model: Model, facts: Facts) -> Iterator[Finding]:
             if field.access == "public" and not field.constant:
                 text = f"{module.name}::{field.name} is public data"
                 fix = "make it private, and add an operation"
-                yield Finding(field.place, "secret-open", text)
+                yield Finding(field.place, "secret-open", text, fix)
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:

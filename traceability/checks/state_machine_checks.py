@@ -252,9 +252,14 @@ def _differs(row: Transition, change: Change) -> bool:
     about the state of another machine ("in ...") is not compared, because the code that calls the
     operation checks this guard.
     """
-    if row.guard.startswith("in "):
+    if _is_state_of_other(row.guard):
         return False
     return change.sometimes != bool(row.guard or _WITH_UNIT.search(row.event))
+
+
+def _is_state_of_other(guard: str) -> bool:
+    """Returns whether a guard names a state of another machine, such as "in Reconnecting"."""
+    return guard.startswith("in ") and guard[3:4].isupper()
 
 
 def _rows(machine: StateMachine, state: str, operation: str) -> list[Transition]:
@@ -291,7 +296,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
     """Compares the conditions that the code checks before a state change with the conditions of the
     declared guards."""
     for row in [row for row in machine.transitions if not is_stay(row)]:
-        if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
+        if row.guard and row.guard not in machine.guards and not _is_state_of_other(row.guard):
             text = f"the table [guards] lists no condition for the guard '{row.guard}'"
             yield Finding(row.place, "fsm-code", text, "add a condition, or correct the guard")
         for change in matching(machine, row, code):
