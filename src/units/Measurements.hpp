@@ -50,7 +50,7 @@ enum class SteeringState : std::uint8_t {
 /// @datatype
 enum class Inhibit : std::uint8_t {
   None = 0,           ///< the robot follows its set-points
-  NoOrder = 1,        ///< no source sends orders
+  NoOrder = 1,        ///< no order was read since the start, or the state is Reconnecting
   Stop = 2,           ///< a source has ordered a stop
   NotArmed = 3,       ///< the source has not yet sent neutral set-points for long enough
   ProtectiveStop = 4  ///< a protective stop is latched
