@@ -117,7 +117,7 @@ using Levers = testing::Types<RcVelocity, RcDirection>;
 TYPED_TEST_SUITE(LeverFunction, Levers);
 
 /// @brief The value of a pulse is proportional to the difference between the width of the pulse and
-/// the width at the middle of the lever.
+/// the width at the centre of the stick.
 /// @verifies FR-52
 TYPED_TEST(LeverFunction, FR52_InProportion) {
   for (std::int32_t width = 1000; width <= 2000; ++width) {
@@ -128,7 +128,7 @@ TYPED_TEST(LeverFunction, FR52_InProportion) {
 }
 
 /// @brief The value of a pulse is 0 if its width differs by at most 20 us from the width at the
-/// middle of the lever.
+/// centre of the stick.
 /// @verifies FR-53
 TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
   for (std::int32_t width = 1480; width <= 1520; ++width) {
@@ -251,7 +251,7 @@ TEST(Scaling, FR120_LargeDivisor) {
 }
 
 /// @brief If the range in which the value is 0 has the width 0, even the smallest deflection of a
-/// lever gives a value other than 0.
+/// stick gives a value other than 0.
 /// @verifies FR-52
 TEST(Scaling, FR52_LeastDeflection) {
   for (const std::int32_t side : {-1, 0, 1}) {

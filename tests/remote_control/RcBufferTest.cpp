@@ -104,7 +104,7 @@ TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   EXPECT_EQ(instants.last, Instant(1700));
 }
 
-/// @brief A lever near its middle sets the value 0.
+/// @brief A stick near its centre sets the value 0.
 /// @verifies FR-53
 TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   direction.pulse(1800);
@@ -116,7 +116,7 @@ TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   }
 }
 
-/// @brief Pulses slightly beyond the ends of the lever count as full deflection. Pulses far beyond
+/// @brief Pulses slightly beyond the ends of the stick count as full deflection. Pulses far beyond
 /// the ends set no value.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_WidthOutOfRange) {

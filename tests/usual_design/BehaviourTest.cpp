@@ -153,7 +153,7 @@ TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
 }
 
 /// @brief While there are pulses of the remote control, the robot follows the remote control.
-/// Velocity and steering follow its levers.
+/// Velocity and steering follow its sticks.
 TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.5, .steering = -1});
   this->robot.connect();
@@ -167,7 +167,7 @@ TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   EXPECT_EQ(report.orderId, 0);
 }
 
-/// @brief Levers in the middle order a velocity of 0. Without pulses, there is no order.
+/// @brief Sticks in the centre order a velocity of 0. Without pulses, there is no order.
 TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.03, .steering = 0});
   this->robot.connect();

@@ -21,8 +21,8 @@ struct Devices {
   EdgeInput& hallA;            ///< first Hall sensor
   EdgeInput& hallB;            ///< second Hall sensor
   AnalogInput& current;        ///< current of the motor
-  EdgeInput& rcVelocity;       ///< pulses of the velocity lever
-  EdgeInput& rcDirection;      ///< pulses of the direction lever
+  EdgeInput& rcVelocity;       ///< pulses of the velocity stick
+  EdgeInput& rcDirection;      ///< pulses of the direction stick
   SerialPort& pcPort;          ///< serial line to the PC
   PeriodicTimer& cycleTimer;   ///< generates the clock pulses
   PeriodicTimer& tickTimer;    ///< generates the ticks

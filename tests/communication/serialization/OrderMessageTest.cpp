@@ -92,7 +92,7 @@ TEST(OrderMessage, FR46_TheFieldsOfAStopOrderCount) {
   EXPECT_FALSE(reader.offer(test::orderBytes(1, 0, 0, 3001, 1), Instant()));
 }
 
-/// @brief An order is neutral when the four wheel values are 0.
+/// @brief An order is neutral when the set-points of all four wheels are 0.
 /// @verifies FR-241
 TEST(OrderMessage, FR241_NeutralMeansThatEachWheelValueIsZero) {
   EXPECT_TRUE(OrderMessage().neutral());

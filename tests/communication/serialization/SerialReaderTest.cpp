@@ -139,8 +139,8 @@ TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief An order releases a stop only if it contains no stop and its four wheel values are 0.
-/// This is true for all quantities of the wheels and all steering angles.
+/// @brief An order releases a stop only if it contains no stop and the set-points of all four
+/// wheels are 0. This is true for all quantities of the wheels and all steering angles.
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR241_OnlyANeutralOrderReleasesAStop) {
   offer(orderBytes(1, 0, 0, 0, 1));
