@@ -114,7 +114,7 @@ def review_one(
     files = sorted({text.place.file for text in texts})
     if git(root, "status", "--porcelain", "--", *files):
         raise FailureError(
-            "some of these texts are not committed; commit them, and then review them"
+            f"some texts of {requirement.id} are not committed; commit them, and then review them"
         )
     print("\n".join(shown(root, read_baseline(root), requirement, texts)))
     answers, remark = asked()
@@ -156,7 +156,9 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
         if accepted(answer):
             return answer
         print(advice)
-    raise FailureError("nothing was recorded, because a question has no answer")
+    raise FailureError(
+        "nothing was recorded, because a question has no answer; run the command again"
+    )
 
 
 def shown(
