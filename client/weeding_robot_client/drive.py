@@ -86,7 +86,7 @@ def _script(options: argparse.Namespace) -> Script | None:
 def by_script(link: Link, script: Script, recording: Recording) -> int:
     """Arms the robot and drives according to the script. Returns the exit code.
 
-    If the program ends before the end of the script, it orders the robot to stop.
+    If a signal or an exception ends the program, it orders the robot to stop.
     """
 
     def observe(report: Report) -> None:
