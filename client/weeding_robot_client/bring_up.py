@@ -789,7 +789,8 @@ def run(options: argparse.Namespace) -> int:
         link_path = options.link or DEFAULT_LINK
         if link_path.exists() and Path("/dev/pts") not in link_path.resolve().parents:
             print(
-                f"{link_path} is not the link of a simulator: start ./wr sim, or leave out --simulated",
+                f"{link_path} is not the link of a simulator: start ./wr sim, or leave out "
+                "--simulated",
                 file=sys.stderr,
             )
             return USAGE

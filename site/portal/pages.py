@@ -64,8 +64,8 @@ EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """Yields one part of the pages: part number ``part`` of ``parts`` parts. Several processes build
-    the parts.
+    """Yields one part of the pages: part number ``part`` of ``parts`` parts. Several processes
+    build the parts.
     """
     for make in islice(_makers(portal), part, None, parts):
         yield make()
