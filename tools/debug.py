@@ -218,7 +218,7 @@ def start(root: Path, target: Target, shows: bool) -> int:
     if shows:
         return 0
     if not shutil.which(target.gdb[0]):
-        raise MissingError(f"there is no {target.gdb[0]}")
+        raise MissingError(f"{target.gdb[0]} is not installed; install it, and try again")
     if not target.server:
         return subprocess.run(target.gdb, check=False, cwd=root).returncode
     environment = {**os.environ, **target.variables}

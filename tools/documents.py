@@ -65,7 +65,7 @@ def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bo
             log.write(line)
             print(line, end="", file=out, flush=True)
     if made.returncode == INCOMPLETE:
-        raise FailureError("a step failed")
+        raise FailureError("a step failed; see its message above")
     if made.returncode != 0:
         (root / FINDINGS).unlink(missing_ok=True)  # This file belongs to earlier documents.
         raise FailureError(f"the process of the documents ended early, with code {made.returncode}")

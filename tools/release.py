@@ -188,7 +188,7 @@ def notes(root: Path, made: Release) -> str:
     text = (root / CHANGELOG).read_text(encoding="utf-8")
     found = re.search(rf"^## {re.escape(made.version)}\b.*?(?=^## |\Z)", text, re.M | re.S)
     if not found:
-        raise FailureError(f"{CHANGELOG} has no section '## {made.version}'")
+        raise FailureError(f"{CHANGELOG} has no section '## {made.version}'; write it")
     return f"{found[0].rstrip()}\n\nCommit {made.commit}\n"
 
 

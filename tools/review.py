@@ -61,7 +61,9 @@ def review(root: Path, options: argparse.Namespace) -> int:
     names = {*built.model.requirements, *([DESIGN] if options.baseline else [])}
     unknown = [name for name in options.ids if name not in names]
     if unknown:
-        raise UsageError(f"there is no requirement {', '.join(unknown)}")
+        raise UsageError(
+            f"there is no requirement {', '.join(unknown)}; the portal lists the requirements"
+        )
     texts = LinkTexts(built.model, built.facts)
     if options.baseline:
         return record_baseline(root, built.model, texts, options.ids)

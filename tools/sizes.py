@@ -156,7 +156,7 @@ def output(*words: str | Path) -> str:
     try:
         return subprocess.run(words, capture_output=True, text=True, check=True).stdout
     except FileNotFoundError as error:
-        raise FailureError(f"{words[0]} is not installed") from error
+        raise FailureError(f"{words[0]} is not installed; install it with ./wr setup") from error
     except subprocess.CalledProcessError as error:
         raise FailureError(error.stderr.strip()) from error
 

@@ -116,7 +116,7 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
             print("interrupted: the robot was ordered to stop", file=sys.stderr)
             return FAILED
         if not orders.link.connected:
-            print("the connection was lost", file=sys.stderr)
+            print("the connection was lost: check cable and power", file=sys.stderr)
             return FAILED
     orders.end(script.at(script.end_s) or Wish())
     report = orders.report
