@@ -112,8 +112,8 @@ def arm(
         if not orders.link.connected:
             return "The connection was lost. Check cable and power."
     return reason or (
-        "The robot reads no order of the PC: the remote control drives it. Set the enable switch to "
-        "'PC'."
+        "The robot reads no order of the PC: the remote control drives it. Set the enable switch "
+        "to 'PC'."
     )
 
 
