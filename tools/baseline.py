@@ -150,7 +150,8 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 
 
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
-    """Returns the sources of a design, and the headers that the other design does not include."""
+    """Returns the sources of the parts that only this design has, and the headers that only these
+    sources include."""
     closures = {name: closure(root, sources_in(root, sizes, name)) for name in sizes}
     others = set().union(*(closures[name] for name in sizes if name != design))
     return sorted(closures[design] - others)

@@ -162,7 +162,7 @@ def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
             while (left := due - time.monotonic()) > 0:
                 reports += link.service(left)
             if not link.connected:
-                raise FailureError("the connection was lost")
+                raise FailureError("the connection was lost: check cable and power")
         sender.end(wish)
     return reports
 

@@ -39,7 +39,7 @@ def record_all(root: Path, log: TextIO) -> str:
         lines.unlink()
         if not recordings[window.name].spans:
             raise FailureError(
-                f"{window.name} has no call: {window.place.file}:{window.place.line}"
+                f"{window.place.file}:{window.place.line}: the recording {window.name} has no call"
             )
     for chain in declared_chains(root):
         recording = recordings[chain.recording]

@@ -79,11 +79,11 @@ def check(root: Path, *, drift: bool = False) -> int:
 def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     """Prints the findings and the failed tasks. Returns the exit code.
 
-    If the documents do not exist, the findings are not known.
+    ``findings`` is None if the process of the documents ended early.
     """
     from traceability.checks import message, sort
 
-    # These findings are printed first, because they cause many other findings.
+    # The findings of these checks come first, because their faults cause many other findings.
     first = (
         "syntax-error",
         "design-entry",
@@ -93,5 +93,6 @@ def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     names = list(failed)
     if names:
         print(f"failed: {', '.join(names)}")
-    print("the findings are not known" if findings is None else counted(findings))
+    unknown = "the findings are not known, because the documents were not built"
+    print(unknown if findings is None else counted(findings))
     return 0 if findings == [] and not names else 1

@@ -1,5 +1,5 @@
-"""Builds and runs the firmware and its tests with CMake. Each stage rebuilds only the parts that
-changed."""
+"""Builds the firmware and its tests with CMake, and runs the tests. A build compiles only the files
+that changed."""
 
 from __future__ import annotations
 
@@ -260,8 +260,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
 
 def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = None) -> None:
-    """Makes the target folder equal to the sources, except for the files in ``texts``. A file that
-    is already equal keeps its modification time."""
+    """Makes the target folder equal to the sources. ``texts`` replaces the contents of some files.
+    A file that is already equal keeps its modification time."""
     python = root / "tests/python"
     paths = [path for path in files_below(root, COPIED) if python not in path.parents]
     contents = {str(path.relative_to(root)): path.read_bytes() for path in paths}

@@ -37,7 +37,9 @@ def count_coverage(root: Path, log: TextIO) -> str:
     run(log, [*words, build])
     totals = count_totals(root)
     if totals is None:
-        raise FailureError("gcovr found no line of the design")
+        raise FailureError(
+            "gcovr found no line of the design; run the tests again with ./wr test host"
+        )
     return f"{totals['line_percent']} % of the lines, {totals['branch_percent']} % of the branches"
 
 

@@ -116,7 +116,7 @@ def runs_on_board(file: str, *, chosen: bool) -> bool:
     if file.startswith(OF_EMULATOR):
         return False
     if chosen and not file.startswith((*BOARD_ONLY, "tests/system/")):
-        raise UsageError(f"{file} does not run on the virtual board")
+        raise UsageError(f"{file} does not run on the virtual board; leave out --board")
     return file.startswith(BOARD_ONLY) or (chosen and not file.startswith(HOST_ONLY))
 
 
@@ -155,7 +155,7 @@ def images(root: Path, *, shows: bool) -> None:
         return
     with only_one(root, "debug"):
         if graph(root).run((RECORDED_IMAGES, VIRTUAL_BOARD)).failed:
-            raise FailureError("the build failed")
+            raise FailureError("the build failed; see its messages above")
 
 
 def board_target(root: Path, product: str, scenario: str | None, shows: bool) -> Target:
@@ -202,7 +202,7 @@ def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
         if wanted in Path("/proc/net/tcp").read_text(encoding="ascii"):
             return
         time.sleep(0.05)
-    raise FailureError("the board did not open its port for GDB")
+    raise FailureError("the board did not open its port for GDB; see its messages above")
 
 
 # ---- running -----------------------------------------------------------------
@@ -218,7 +218,7 @@ def start(root: Path, target: Target, shows: bool) -> int:
     if shows:
         return 0
     if not shutil.which(target.gdb[0]):
-        raise MissingError(f"there is no {target.gdb[0]}")
+        raise MissingError(f"{target.gdb[0]} is not installed; install it, and try again")
     if not target.server:
         return subprocess.run(target.gdb, check=False, cwd=root).returncode
     environment = {**os.environ, **target.variables}

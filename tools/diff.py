@@ -76,7 +76,7 @@ def diff(root: Path, options: argparse.Namespace) -> int:
 def commit_of(root: Path, name: str) -> str:
     commit = git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}").strip()
     if not commit:
-        raise UsageError(f"git has no commit {name}")
+        raise UsageError(f"git has no commit {name}; name a commit, a branch or a tag")
     return commit
 
 

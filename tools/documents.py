@@ -65,7 +65,7 @@ def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bo
             log.write(line)
             print(line, end="", file=out, flush=True)
     if made.returncode == INCOMPLETE:
-        raise FailureError("a step failed")
+        raise FailureError("a step failed; see its message above")
     if made.returncode != 0:
         (root / FINDINGS).unlink(missing_ok=True)  # This file belongs to earlier documents.
         raise FailureError(f"the process of the documents ended early, with code {made.returncode}")
@@ -100,8 +100,8 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path, texts: str, *, keep: bool) -> int:
-    """Runs the process. Returns the exit code 0 if all four steps were completed, even with
-    findings. Otherwise, returns INCOMPLETE.
+    """Runs the process. Returns the exit code 0 if no step failed, even with findings. Otherwise,
+    returns INCOMPLETE.
     """
     steps = Steps(root, len(PARTS))
     with no_collection():
@@ -124,7 +124,7 @@ def no_collection() -> Iterator[None]:
 
 
 def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
-    """Returns the findings, and whether all steps succeeded."""
+    """Returns the findings, and false if a step failed."""
     from portal.site_build import build_site, write_tool_files
     from traceability.checks import run_checks, run_link_checks
     from traceability.exports.metrics_file import site_figures, write_metrics

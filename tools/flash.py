@@ -45,8 +45,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "flash",
         description="Builds the firmware image for the K64, checks that it would not lock the "
         "chip, and writes it into a FRDM-K64F. The command uses pyOCD or OpenOCD, or copies the "
-        "image to the drive of the board. The exit code 3 means that no board was "
-        "found.",
+        "image to the drive of the board. The exit code 3 means that no board, "
+        "or no file of the given name, was found.",
     )
     parser.add_argument(
         "--with",
@@ -131,8 +131,8 @@ def checked(image: Path) -> str:
 
 
 def add_key(image: Path, key_file: Path, keyed: Path) -> str:
-    """Writes a copy of the firmware image with the key. Raises FailureError if there is no key, or
-    if the image has no place for a key.
+    """Writes a copy of the firmware image with the key. Raises FailureError if the key cannot
+    be used, or if the image has no place for a key.
     """
     try:
         keyed.parent.mkdir(parents=True, exist_ok=True)

@@ -64,8 +64,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "lint",
         description="Checks the format of all sources. Compiles all sources with clang, which must "
         "report no warnings and no forbidden includes. Compiles each header alone. "
-        "Runs clang-tidy on the design and on sim. Checks the Python sources with ruff "
-        "and mypy, and checks the directions of their imports.",
+        "Runs clang-tidy on the design, the ports and sim. Checks the Python sources with "
+        "ruff and mypy, and checks the directions of their imports. Finds words that the "
+        "glossary replaces.",
     )
     parser.add_argument(
         "--quick",
@@ -206,7 +207,7 @@ def is_first(root: Path, target: str) -> bool:
 
 
 def check_tidy(root: Path, log: TextIO) -> str:
-    """Runs clang-tidy on the design and on sim.
+    """Runs clang-tidy on the design, the ports and sim.
 
     Most of the time is spent on headers that the sources share. Several sources are therefore
     checked as one file.
@@ -310,7 +311,7 @@ def check_changed(
     write_whole(store, json.dumps(good, indent=1))
     count = sum(map(len, units))
     if failed:
-        raise FailureError(f"{len(failed)} of {count} files")
+        raise FailureError(f"clang-tidy rejects {len(failed)} of {count} files")
     return f"{count} files, {sum(map(len, changed))} of them changed"
 
 

@@ -18,7 +18,7 @@ from pathlib import Path
 LOCK = Path("build/lock")
 HOLDER = "WR_LOCK"  # environment variable of the programs that the owner of the lock starts
 GRACE = 2.0  # time that a program gets to end itself, before it is killed [s]
-MOST_WAIT = 10.0  # longest time to wait until the program has ended [s]
+MOST_WAIT = 10.0  # longest time to wait until the programs have ended [s]
 
 
 class BusyError(Exception):

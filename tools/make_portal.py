@@ -43,7 +43,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--docs-only",
         action="store_true",
-        help="rebuild the documents, but build and run no test",
+        help="rebuild only the documents: build no firmware, and run no test",
     )
     parser.set_defaults(run=portal)
 

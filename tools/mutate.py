@@ -34,8 +34,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "mutate",
         description="Builds a copy of the firmware that contains small faults in the functions of "
         "the firmware and its extensions. Each fault has a number. For each fault, the "
-        "command runs the tests of the requirements that the function serves. Then it "
-        "runs the other tests that execute the function. The portal shows the score, "
+        "command runs the tests of the requirements that the function serves. If none of "
+        "them finds the fault, the command runs the other tests that execute the "
+        "function. The portal shows the score, "
         "which is not a pass criterion. design/mutants.toml justifies faults that no "
         "test can find. The other faults that no test finds are listed as file:line, "
         "with the change.",
@@ -93,7 +94,7 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
         if ready:
             ready = steps.run(title, action)
         else:
-            steps.skip(title, "the inputs of the mutation test are missing")
+            steps.skip(title, "an earlier step failed")
     if not ready:
         return 1
     assert run.model is not None
@@ -213,7 +214,7 @@ class _Run:
         write_whole(self.root / RESULT, json.dumps(result, indent=1))
 
     def survivors(self) -> list[Mutant]:
-        """Returns the mutants that no test found and no entry justifies."""
+        """Returns the mutants that no test found and no entry of design/mutants.toml justifies."""
         assert self.justifications is not None
         missed = [one.mutant for one in self.tried if not one.killed_by]
         reasons = self.justifications.reasons_of(missed)

@@ -48,7 +48,7 @@ def missing_program() -> str:
 
 
 def prove_all(root: Path, log: TextIO) -> Outcome:
-    """Proves all properties, and records the results."""
+    """Proves the properties without a recorded result, and writes the results of all properties."""
     if missing := missing_program():
         return Outcome(f"not run in this build, because {missing} is not installed")
     declared = read_declared(root)
@@ -77,8 +77,8 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
 def prove(
     root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
-    """Proves properties, several of them in parallel. Prints a line for each property as soon as
-    its proof ends.
+    """Proves properties, several of them in parallel. Prints a line for each property, in the given
+    order.
     """
     listed = list(properties)
     results: dict[str, ProofResult] = {}

@@ -1,5 +1,5 @@
-"""The linter of prose. It finds words that the glossary replaces, in all texts that a person
-reads."""
+"""The linter of prose. It finds words that the glossary replaces, in pages and templates, and in
+the comments and messages of code. Scripts of the pages are not checked."""
 
 from __future__ import annotations
 

@@ -111,7 +111,8 @@ def run_long(root: Path, log: TextIO) -> Outcome:
 
 def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str]) -> Outcome:
     """Runs only the test files that a change of the files in ``changed`` can affect, and the test
-    files with failed tests. The results of the other test files remain.
+    files with failed tests. The results of the other test files remain. If a changed file is not a
+    Python file of the project, runs all tests of the folder.
     """
     results = root / RESULTS / f"pytest_{folder}.xml"
     before = ET.parse(results).getroot()
@@ -175,8 +176,8 @@ def counted(
     words += ["-m", marks, *workers(folder)]
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}", *tests]
     attempt_tests(log, words, results)
-    # The tests that wait for a robot may fail because the computer is busy. Those that failed
-    # therefore run again, one after the other.
+    # The tests that wait for a robot may fail because the computer is busy. The failed tests
+    # of this folder therefore run again, one after the other.
     if folder == WAITING and failed_tests(results):
         first = ET.parse(results).getroot()
         attempt_tests(log, [*words, "--lf", "-n", "0"], results)

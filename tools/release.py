@@ -69,8 +69,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "release",
         description="Makes the files of a release in build/release from a commit. No file may "
         "differ from the commit. The release contains the firmware images with their "
-        "hashes, a list of the parts (CycloneDX), the portal for reading without a network, the "
-        "exports, and the notes. All times in the archives are the time of the commit.",
+        "hashes, a list of the parts (CycloneDX), the sources, the portal for reading without a "
+        "network, the exports, and the notes. It also contains the book, if Chromium is installed. "
+        "All times in the archives are the time of the commit.",
     )
     parser.add_argument(
         "--verify",
@@ -136,7 +137,7 @@ def build(root: Path) -> None:
     run = graph(root).run((K64_FIRMWARE, IMAGES))
     pages = pages_graph(root).run([DOCUMENTS])
     if run.failed or pages.failed:
-        raise FailureError("the build failed")
+        raise FailureError("the build failed; see its messages above")
     write_svd(root, root / SVD)
     print(f"the documents have {len(read_findings(root) or [])} findings")
 
@@ -187,7 +188,7 @@ def notes(root: Path, made: Release) -> str:
     text = (root / CHANGELOG).read_text(encoding="utf-8")
     found = re.search(rf"^## {re.escape(made.version)}\b.*?(?=^## |\Z)", text, re.M | re.S)
     if not found:
-        raise FailureError(f"{CHANGELOG} has no section '## {made.version}'")
+        raise FailureError(f"{CHANGELOG} has no section '## {made.version}'; write it")
     return f"{found[0].rstrip()}\n\nCommit {made.commit}\n"
 
 

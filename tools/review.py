@@ -61,7 +61,9 @@ def review(root: Path, options: argparse.Namespace) -> int:
     names = {*built.model.requirements, *([DESIGN] if options.baseline else [])}
     unknown = [name for name in options.ids if name not in names]
     if unknown:
-        raise UsageError(f"there is no requirement {', '.join(unknown)}")
+        raise UsageError(
+            f"there is no requirement {', '.join(unknown)}; the portal lists the requirements"
+        )
     texts = LinkTexts(built.model, built.facts)
     if options.baseline:
         return record_baseline(root, built.model, texts, options.ids)
@@ -114,7 +116,7 @@ def review_one(
     files = sorted({text.place.file for text in texts})
     if git(root, "status", "--porcelain", "--", *files):
         raise FailureError(
-            "some of these texts are not committed; commit them, and then review them"
+            f"some texts of {requirement.id} are not committed; commit them, and then review them"
         )
     print("\n".join(shown(root, read_baseline(root), requirement, texts)))
     answers, remark = asked()
@@ -156,7 +158,9 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
         if accepted(answer):
             return answer
         print(advice)
-    raise FailureError("nothing was recorded, because a question has no answer")
+    raise FailureError(
+        "nothing was recorded, because a question has no answer; run the command again"
+    )
 
 
 def shown(

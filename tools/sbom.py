@@ -63,7 +63,7 @@ def _images(images: Mapping[str, str], version: str) -> Iterable[Component]:
 
 
 def _linked() -> Iterable[Component]:
-    """Returns the libraries of C, of C++ and of the compiler that are installed on this
+    """Returns the libraries of C, of C++ and of the compiler, with their versions on this
     computer."""
     for name in LINKED:
         version = debian_version(name)

@@ -88,7 +88,7 @@ def changed_files(root: Path, commits: str) -> list[str]:
     """Returns the files that differ between two commits."""
     for name in commits.split(RANGE):
         if name and not git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"):
-            raise UsageError(f"git has no commit {name}")
+            raise UsageError(f"git has no commit {name}; name a commit, a branch or a tag")
     return git(root, "diff", "--no-renames", "--name-only", commits).splitlines()
 
 

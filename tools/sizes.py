@@ -156,7 +156,7 @@ def output(*words: str | Path) -> str:
     try:
         return subprocess.run(words, capture_output=True, text=True, check=True).stdout
     except FileNotFoundError as error:
-        raise FailureError(f"{words[0]} is not installed") from error
+        raise FailureError(f"{words[0]} is not installed; install it with ./wr setup") from error
     except subprocess.CalledProcessError as error:
         raise FailureError(error.stderr.strip()) from error
 
@@ -181,7 +181,8 @@ def sizes_of(root: Path, product: str) -> dict[str, Size]:
 
 
 def write_products(root: Path) -> dict[str, Size]:
-    """Measures the firmware images of all products, and writes the parts of each image."""
+    """Measures the firmware images of all products. Writes for each image its flash, RAM and stack,
+    its forbidden parts and its modules."""
     wholes, records = {}, {}
     modules = module_names(root)
     for product in PRODUCTS:

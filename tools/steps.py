@@ -31,7 +31,7 @@ class FailureError(Exception):
 
 
 class MissingError(FailureError):
-    """An input of the command is missing."""
+    """A program, a file, a device or a setting is missing."""
 
     code = MISSING
 
@@ -82,7 +82,7 @@ def run(
             process_group=0,
         )
     except FileNotFoundError as error:
-        raise MissingError(f"{words[0]} is not installed") from error
+        raise MissingError(f"{words[0]} is not installed; install it with ./wr setup") from error
     with stoppable(program):
         _, status, used = os.wait4(program.pid, 0)
         program.returncode = os.waitstatus_to_exitcode(status)
@@ -132,7 +132,8 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
 
 
 def stop_programs() -> None:
-    """Ends the programs that still run after an interrupt, and the programs that they started."""
+    """Ends the programs that this process started and that still run, and the programs that they
+    started."""
     for program in list(_started):
         stop(program)
 
@@ -237,7 +238,7 @@ class Steps:
         return True
 
     def skip(self, title: str, reason: str) -> None:
-        """Records a step that cannot run."""
+        """Prints that a step does not run, with the reason."""
         self.number += 1
         self._say(f"[{self.number}/{self.total}] {title} ... not run: {reason}")
 

@@ -1,8 +1,9 @@
 """Runs tasks with doit. A task runs only if its inputs changed. Independent tasks run at the same
 time.
 
-doit stores the hash of the content of each input in ``build/tasks.json``. If an input changes while
-the task runs, its hash is not stored. The task then runs again the next time.
+doit stores the hash of the content of each input in a JSON file such as ``build/tasks.json``. If an
+input changes after the start of the run, its hash is not stored. The task then runs again the next
+time.
 """
 
 from __future__ import annotations
@@ -122,7 +123,7 @@ class Database(JsonDB):  # type: ignore[misc]  # doit has no types
 
 class Record(Dependency):  # type: ignore[misc]  # doit has no types
     """Records the inputs of a task. Inputs that changed after the start of the run are not
-    recorded."""
+    recorded, except for files below ``build``, which earlier tasks write."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(Database, str(path))

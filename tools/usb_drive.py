@@ -92,7 +92,7 @@ def copy(image: Path, folder: Path, log: TextIO) -> str:
         )
     raise FailureError(
         "the image was copied, but the board did not react, and the content of its "
-        "drive is unchanged"
+        "drive is unchanged; disconnect the board, connect it again, and repeat the command"
     )
 
 

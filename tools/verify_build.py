@@ -86,7 +86,7 @@ def check_origin(root: Path, *, images: bool) -> None:
 def clone(root: Path, copy: Path) -> None:
     command = ["git", "clone", "--quiet", "--no-hardlinks", str(root), str(copy)]
     if subprocess.run(command, check=False).returncode:
-        raise FailureError("git could not clone this folder")
+        raise FailureError("git could not clone this folder; see its message above")
     (copy / ".venv").symlink_to(root / ".venv")
 
 

@@ -674,7 +674,8 @@ class Motion:
 
 
 def perform(bring_up: BringUp, record: Record) -> None:
-    """Executes the steps. Then sends a neutral order. After an error, sends stop orders instead."""
+    """Executes the steps. Then sends a neutral order. After an exception, sends stop orders
+    instead."""
     steps = bring_up.steps()
     outcomes = [Outcome(step.name, step.expected) for step in steps]
     record.steps = outcomes
@@ -715,7 +716,8 @@ def now() -> str:
 
 
 def find_port() -> list[Path]:
-    """Returns the permanent names of the serial ports of all boards with this debug probe."""
+    """Returns the permanent names of the serial ports of all boards whose debug probe has the
+    vendor PROBE_VENDOR."""
     ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
     names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
     return [names.get(port.resolve(), port) for port in ports]
@@ -787,7 +789,9 @@ def run(options: argparse.Namespace) -> int:
         link_path = options.link or DEFAULT_LINK
         if link_path.exists() and Path("/dev/pts") not in link_path.resolve().parents:
             print(
-                f"--simulated needs a simulator, but {link_path} is no simulator", file=sys.stderr
+                f"{link_path} is not the link of a simulator: start ./wr sim, or leave out "
+                "--simulated",
+                file=sys.stderr,
             )
             return USAGE
         try:
@@ -796,7 +800,7 @@ def run(options: argparse.Namespace) -> int:
             print(error, file=sys.stderr)
             return MISSING
     elif not os.isatty(sys.stdin.fileno()):
-        print("bring-up asks a person: it needs a terminal", file=sys.stderr)
+        print("bring-up asks a person: run it in a terminal, or use --simulated", file=sys.stderr)
         return USAGE
     else:
         link_path = choose_link(options.link)

@@ -86,7 +86,7 @@ def _script(options: argparse.Namespace) -> Script | None:
 def by_script(link: Link, script: Script, recording: Recording) -> int:
     """Arms the robot and drives according to the script. Returns the exit code.
 
-    If the program ends before the end of the script, it orders the robot to stop.
+    If a signal or an exception ends the program, it orders the robot to stop.
     """
 
     def observe(report: Report) -> None:
@@ -116,7 +116,7 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
             print("interrupted: the robot was ordered to stop", file=sys.stderr)
             return FAILED
         if not orders.link.connected:
-            print("the connection was lost", file=sys.stderr)
+            print("the connection was lost: check cable and power", file=sys.stderr)
             return FAILED
     orders.end(script.at(script.end_s) or Wish())
     report = orders.report

@@ -202,7 +202,7 @@ class Link:
     def _write(self, data: bytes) -> bool:
         """Sends bytes. Stores those bytes that the serial port does not accept yet.
 
-        Returns false when too many bytes are stored.
+        Returns false if no port is open, or if too many bytes are stored.
         """
         if self._line is None or len(self._unsent) > READ_BYTES:
             return False

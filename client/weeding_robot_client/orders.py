@@ -110,8 +110,11 @@ def arm(
                 reason = words
                 progress(words or "The robot has not read an order of the PC yet.")
         if not orders.link.connected:
-            return "The connection was lost."
-    return reason or "The robot reads no order of the PC: the remote control drives it."
+            return "The connection was lost. Check cable and power."
+    return reason or (
+        "The robot reads no order of the PC: the remote control drives it. Set the enable switch "
+        "to 'PC'."
+    )
 
 
 def acknowledge(orders: Orders, wish: Wish | None = None) -> None:

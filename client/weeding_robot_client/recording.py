@@ -1,4 +1,5 @@
-"""Records reports in a CSV file or in an MCAP file. In the CSV file, a missing value is empty."""
+"""Records reports in a CSV file, in an MCAP file, or in both. In the CSV file, a missing value is
+empty."""
 
 from __future__ import annotations
 

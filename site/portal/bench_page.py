@@ -29,7 +29,7 @@ Runs = Mapping[str, BenchRun]  # key: name of the timing model of the virtual K6
 
 BIN_US = 20
 GROUP = 4  # number of cycles that are combined into a single point of a band
-TOP = 12  # number of modules and of functions that the page lists for each scenario
+TOP = 12  # number of modules that the page lists for each scenario
 CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host"}
 WORDS = {**TIMINGS, "board": "a board"}
 

@@ -159,7 +159,8 @@ def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
 
 
 def _pin(place: str, number: int, x: int, row: Row, used: Used | None) -> Markup:
-    """Returns the drawing of the pin with its number and its label. A free pin has no label."""
+    """Returns the drawing of the pin with its number and its label. A free pin has no label,
+    unless it is a supply pin."""
     middle = x + SIZE // 2
     y = row.top - 6 if row.above else row.top + SIZE + 6
     label = used.label if used else SUPPLY.get(place, "")

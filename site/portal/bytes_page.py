@@ -1,5 +1,5 @@
-"""The page "Follow a byte". It shows the recorded steps from a byte of the PC to a motor, and from
-a Hall edge to the report.
+"""The page "Follow a byte". It shows chains of recorded steps, for example from a byte of the PC to
+a motor.
 """
 
 from __future__ import annotations

@@ -14,8 +14,8 @@ GROUP_GAP = 12
 LEFT, RIGHT = 296, 560
 BOX_LEFT, BOX_RIGHT = 340, 516
 TOP = 74
-# Number of calls that the diagram shows next to a method. The list below the diagram shows all
-# calls.
+# Greatest number of callers, and greatest number of callees, that the diagram shows next to a
+# method. The list below the diagram shows all calls.
 MOST = 12
 
 
@@ -145,8 +145,8 @@ def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
 
 
 def draw(rows: list[Row]) -> Drawing:
-    """Returns the drawing with three columns: callers, methods of the module, callees. A method is
-    at half the height of its callers and callees.
+    """Returns the drawing with three columns: callers, methods of the module, callees. The callers
+    and the callees of a method are vertically centred at the method.
     """
     drawing = Drawing(0, 0, [], [], [], 0)
     y = float(TOP)

@@ -30,7 +30,7 @@ RECORDING = "drive"
 WIDTH = 1000  # sizes in units of the drawing
 LANE, ROW = 26, 12
 LEAST = 0.6  # minimum width of a bar of a lane
-SHOWN = 2.0  # minimum width of a call in the drawing of the main thread; shorter calls are left out
+SHOWN = 2.0  # minimum width of a call in the static drawing; shorter calls are left out
 MAIN_THREAD = "mainThreadInterrupt"
 
 
@@ -53,7 +53,7 @@ class Lane:
 
 @dataclass
 class Bar:
-    """A call in the static drawing of the main thread."""
+    """A call in the static drawing, which ends at the end of the main thread."""
 
     x: float
     y: int

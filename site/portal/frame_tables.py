@@ -19,7 +19,7 @@ from weeding_robot_client.layout import (
 )
 
 TABLE = Path("design/frames.toml")
-# The key is the number of columns of a table of values.
+# Number of columns of a table of values -> widths of these columns [per cent].
 VALUES_WIDTHS = {4: (12, 22, 24, 42), 5: (8, 16, 16, 28, 32), 6: (8, 14, 14, 22, 16, 26)}
 LIVE_FRAMES = """\
 <link rel="stylesheet" href="../_static/live/live.css">

@@ -64,8 +64,8 @@ EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """Yields one part of the pages: part number ``part`` of ``parts`` parts. Each process builds
-    only one part.
+    """Yields one part of the pages: part number ``part`` of ``parts`` parts. Several processes
+    build the parts.
     """
     for make in islice(_makers(portal), part, None, parts):
         yield make()
@@ -326,8 +326,8 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
-    """Returns the name of each logic module. If two logic modules have the same name, the name of
-    the folder is added to both.
+    """Returns the name of each logic module. If several logic modules have the same name, the name
+    of its parent is added to each of them.
     """
     logic_modules = portal.model.logic_modules
     count = Counter(logic_modules[identifier].name for identifier in identifiers)

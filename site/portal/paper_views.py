@@ -47,9 +47,7 @@ def change_page(portal: Portal, change: LikelyChange) -> Page:
 
 @dataclass(frozen=True)
 class Compared:
-    """Two variants of the robot, without and with an extension, and a scenario that shows the
-    difference.
-    """
+    """Two products, without and with an extension, and a scenario that shows the difference."""
 
     extension: str
     before: str
@@ -65,8 +63,8 @@ COMPARED = (
 
 
 def compared(portal: Portal, change: LikelyChange) -> Compared | None:
-    """Returns the variants of the robot without and with the extension that makes the change, or
-    None if no extension makes the change.
+    """Returns the products without and with the extension that makes the change, or None if no
+    extension makes the change.
     """
     by_extension = {f"extensions/{pair.extension}": pair for pair in COMPARED}
     examples = (portal.model.modules[name].logic for name in change.examples)

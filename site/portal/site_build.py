@@ -24,8 +24,8 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.schema import Finding, Place
 
-# Number of parts into which the pages are divided. There are more parts than cores, because then
-# all cores finish at nearly the same time.
+# Number of parts into which the pages are divided. If there are more parts than cores, all cores
+# finish at nearly the same time.
 PARTS = 8
 
 

@@ -31,7 +31,7 @@ def package_table(root: Path) -> str:
 
 
 def product_table(root: Path) -> str:
-    """Returns the table of the variants of the robot, each with its composition and its parts."""
+    """Returns the table of the products, each with its composition and its parts."""
     rows = (
         (f"``{product.name}``", f":source:`{product.composition}`", product.text)
         for product in listed(root)

@@ -72,7 +72,9 @@ def campaign(root: Path, options: argparse.Namespace) -> int:
     else:
         chunks = whole_part(store.finished())
     if not chunks:
-        raise FailureError("no chunk of this program and this seed is finished")
+        raise FailureError(
+            "no chunk of this program and this seed is finished; run the campaign without --publish"
+        )
     result = merged(root, kind, store, chunks)
     print(json.dumps(result["outcomes"]))
     if options.publish:

@@ -128,8 +128,9 @@ def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
 
 
 def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried | None:
-    """Runs the tests of the requirements. If no test finds the mutant, runs all tests that execute
-    its method. Returns None if no test found the mutant and some tests did not end."""
+    """Runs the tests of the requirements that the changed method serves. If no test finds the
+    mutant, runs all tests that execute this method. Returns None if no test found the mutant and
+    some tests did not end."""
     own = {name: plan.own(mutant.method, name) for name in plan.methods[mutant.method]}
     outcome = run_until_found(program, number, plan, list(own.values()))
     if not outcome.failed:

@@ -495,7 +495,7 @@
       })
       .join("")}</details>`;
     one(".shell").append(list);
-    const beside = !one(".main.wide, .pa, .embed"); // beside these elements there is no space for the table of contents
+    const beside = !one(".main.wide, .pa, .embed"); // next to these elements, there is no space for the table of contents
     one(".shell").classList.toggle("beside", beside);
     one("details", list).open = beside && matchMedia("(min-width: 1241px)").matches;
   }

@@ -11,7 +11,7 @@ from traceability.exports.svd import svd_of, write_svd
 from traceability.reading.register_table import TABLE, read_registers
 
 ROOT = Path(__file__).parents[3]
-# This table was written from the manual, independently of the firmware.
+# The table in this file was written from the manual, independently of the firmware.
 BLOCKS = ROOT / "sim/emulator/Blocks.hpp"
 BLOCK = re.compile(r'\{"(\w+)", (0x[0-9A-F]{8}), \d')
 REGISTER = re.compile(r"Register<std::uint(\d+)_t, (0x[0-9A-F]+).*> \w+;")

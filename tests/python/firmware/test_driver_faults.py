@@ -98,7 +98,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
             ),
         ),
     ),
-    "received byte of the UART not taken": (
+    "received byte of the UART not read": (
         "uart-overrun",  # The overrun is found before the repeated interrupt counts as a storm.
         (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
@@ -156,7 +156,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "unmodelled-register",
         (Change("K64Adc.cpp", "write(adc::CFG2_MUXSEL_B)", "write({0})"),),
     ),
-    "result of a converter not taken": (
+    "result of a converter not read": (
         "interrupt-storm",
         (Change("K64Adc.cpp", "adc::RA.at(offset()).read()", "adc::PG.at(offset()).read()"),),
     ),

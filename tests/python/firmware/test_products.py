@@ -30,7 +30,7 @@ from traceability.reading.products import (
 
 ROOT = Path(__file__).parents[3]
 # Class templates. If only code for the remote control calls a method of one of these templates,
-# this method may be missing in the firmware images of variants without a remote control.
+# this method may be missing in the firmware images of products without a remote control.
 INLINED = {"Pipe"}
 
 
@@ -69,7 +69,7 @@ def test_all_else_is_the_same_in_all_products(product: str) -> None:
 
 @pytest.mark.parametrize("product", PRODUCTS)
 def test_an_intruder_is_found(product: str) -> None:
-    """If the firmware image of a variant contained a part that it must not have, the check would
+    """If the firmware image of a product contained a part that it must not have, the check would
     find this part."""
     for module in HAS[product]:
         assert intruders(held(product), HAS[product] - {module}) == {module}

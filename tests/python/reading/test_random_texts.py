@@ -89,9 +89,9 @@ def test_each_line_of_a_damaged_tree_is_a_node_or_an_error(copy: Path, data: st.
 
 
 def below_doubled(text: str, name: str, declared: Declared) -> int:
-    """Returns how many lines of ``text`` may be missing in the trees. If a requirement has two
-    trees, the reader keeps only one of them, so any number of lines may be missing. Otherwise, no
-    line may be missing."""
+    """Returns the greatest number of lines of ``text`` that may be missing in the trees. If a
+    requirement has two trees, the reader keeps only one of them. Any number of lines may then be
+    missing. Otherwise, no line may be missing."""
     doubled = any(
         "already" in said for place, said, _ in declared.tree_errors if place.file == name
     )

@@ -196,8 +196,8 @@ def test_a_parameter_has_a_kind_up_to_the_first_that_may_not_be_in_a_register(
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
-    """Both variants of the robot play the same scenario. Only the variant with the warning light
-    enters the state WaitingK."""
+    """Both products play the same scenario. Only the product with the warning light enters the
+    state WaitingK."""
     products = ["weeding_robot_paper", "weeding_robot_warning"]
     order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, order], 0)
@@ -209,7 +209,7 @@ def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
     assert states(after) - states(before) == {"WaitingK"}
     assert states(before) <= states(after)
     assert "WaitingK" in set(after["modules"]) - set(before["modules"])
-    # Each variant has its own module that composes the robot.
+    # Each product has its own module that composes the robot.
     assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}
 
 

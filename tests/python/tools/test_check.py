@@ -103,7 +103,9 @@ def test_findings_of_earlier_documents_are_not_shown_when_the_process_ends_early
     assert check.check(tmp_path) == 1
     printed = capsys.readouterr().out
     assert "the process of the documents ended early" in printed
-    assert printed.splitlines()[-1] == "the findings are not known"
+    assert printed.splitlines()[-1] == (
+        "the findings are not known, because the documents were not built"
+    )
 
 
 def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:

@@ -103,7 +103,7 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         before, errors = program.communicate(timeout=60)
         print(f"WR_SEED={SEED}, {number.name}, turn {turn}: exit code {program.returncode}")
         if program.returncode == 0:
-            whole /= 2  # The computer was slower when the whole run was measured.
+            whole /= 2  # The run ended before the signal: the computer is faster now.
         else:
             ended += 1
         assert program.returncode in (0, INTERRUPTED, -number), before + errors
@@ -111,7 +111,7 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         if program.returncode == INTERRUPTED:
             assert programs_of(tmp_path) == []
         if chosen.random() < 0.5:
-            # These are the sources of the last run that was not interrupted.
+            # Restores the sources of the previous turn, whose last run was complete.
             write_sources(tmp_path, f"text {turn - 1}")
             run(tmp_path)
         else:

@@ -1,5 +1,5 @@
-/* Plays the same scenario with two variants of the robot. Then shows the states of both variants over time, and the
-   modules that run in only one variant. */
+/* Plays the same scenario with two products. Then shows the states of both products over time, and the modules that
+   run in only one product. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-compare]");
@@ -48,7 +48,7 @@
     worker.postMessage({ do: "load", folder });
   });
 
-  /* Returns one row for each cycle in which at least one of the two variants changes its state. */
+  /* Returns one row for each cycle in which at least one of the two products changes its state. */
   function rowsOf([one, other]) {
     const now = ({ at, states, speed }) => ({ at, text: states.map((each) => each.state).join(", "), speed });
     const size = Math.min(one.cycles.length, other.cycles.length);
@@ -88,9 +88,9 @@
     const gone = [...before].filter((name) => !after.has(name));
     const common = [...after].filter((name) => before.has(name)).length;
     result.replaceChildren(
-      element("p", {}, `Both variants played the scenario “${title}”, with the same orders and the same simulated robot.`),
+      element("p", {}, `Both products played the scenario “${title}”, with the same orders and the same simulated robot.`),
       element("div", { class: "scroll" }, table),
-      element("p", {}, `${common} modules run in both variants. Modules that run only in ${products[1]}: `, ...(added.length ? list(added) : ["none"]), "."),
+      element("p", {}, `${common} modules run in both products. Modules that run only in ${products[1]}: `, ...(added.length ? list(added) : ["none"]), "."),
       ...(gone.length ? [element("p", {}, `Modules that run only in ${products[0]}: `, ...list(gone), ".")] : []),
       ...(rows.length > MOST ? [element("p", { class: "mut2" }, `${rows.length - MOST} later changes of state are not shown.`)] : []),
     );

@@ -139,7 +139,7 @@
     const found = facts.scenarios.find((each) => each.name === name);
     scenario = found || { name: "", title: "free drive", says: "", text: FREE, product: "" };
     clearRun();
-    note(found ? found.says : "Move the set-point. A product with safety functions follows it only after neutral orders for 1.5 s.");
+    note(found ? found.says : "Keep the set-point at 0 for 1.5 s after the start: a product with safety functions is then armed. Then move the set-point.");
     const option = productField.selectedOptions[0];
     one("[data-image]").textContent =
       `firmware image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} bytes, ` +
