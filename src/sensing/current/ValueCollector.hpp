@@ -20,7 +20,7 @@ struct CurrentRecord {
   Instant at{};              ///< time of the newest sample
 };
 
-/// @brief A collector of the samples of the current of a wheel.
+/// @brief A collector of the samples of a wheel's current.
 /// @function Measures the zero of the sensor at start. Adds up the samples for the thread of the
 /// wheel. Executes a command as soon as the current is too high.
 /// @secret The zero of the sensor, which is subtracted from each sample, and the limit beyond which
