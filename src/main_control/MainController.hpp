@@ -20,7 +20,7 @@ namespace wr {
 /// @brief Main controller, which runs the control cycle: read, control, write.
 ///
 /// @function Runs one cycle for each clock pulse. In each cycle, serves every source of orders, and
-/// lets the present operation state read one order, control the robot and send the report.
+/// lets the present operation state read at most one order, control the robot and send the report.
 /// Refreshes the watchdog after each completed cycle. Stores the present operation state and the
 /// present reading mode. Carries out the orders of the states: apply control, hold, send a report.
 ///

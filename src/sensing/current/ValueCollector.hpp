@@ -71,7 +71,7 @@ class ValueCollector final {
   void learnZero(std::int32_t raw);
 
   /// @brief Counts the successive samples that are too high, and executes the command from the
-  /// fifth of them on.
+  /// fifth such sample on.
   void guard(std::int32_t raw);
 
   /// @brief Writes the record of all samples up to now for the thread of the wheel.
