@@ -22,8 +22,8 @@
 
 namespace wr {
 
-/// @brief One memory for the stop command of each source of orders. A reset does not clear these
-/// memories.
+/// @brief Memories of the stop commands, one memory for each source of orders. A reset does not
+/// clear these memories.
 /// @datatype
 struct BluetoothStops {
   StopMemory& pc;      ///< stop command of the PC
