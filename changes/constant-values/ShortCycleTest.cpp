@@ -12,8 +12,8 @@
 namespace wr_of_short_cycle {
 namespace {
 
-/// @brief A cycle lasts 50 ms. This file compiles only if all static assertions of the changed
-/// header about values that depend on the cycle pass.
+/// @brief A cycle lasts 50 ms. The changed header contains static assertions about values that
+/// depend on the cycle period. This file compiles only if these assertions are true.
 TEST(ShortCycle, HasFiftyMilliseconds) {
   EXPECT_EQ(SystemConstants::instance().cyclePeriod(), milliseconds(50));
 }

@@ -51,8 +51,9 @@ class WaypointReader final : public Reader {
     }
   }
 
-  /// @brief Returns whether there is a new position, and a way-point ahead of this position.
-  /// @return true when both exist
+  /// @brief Returns whether an order can be read: no order was read from the last position, this
+  /// position is not older than the lifetime of an order, and a way-point is ahead of it.
+  /// @return true when an order can be read
   /// @isr{no}
   [[nodiscard]] bool available() const override {
     return at_ && next_ < way_.size() &&

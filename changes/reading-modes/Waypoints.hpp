@@ -6,7 +6,7 @@
 
 namespace wr {
 
-/// @brief The reading mode in which the orders come from way-points of the field.
+/// @brief The reading mode in which the orders are computed from way-points of the field.
 class Waypoints final : public ModeDecorator {
  public:
   /// @brief Number of this mode in reports.

@@ -29,7 +29,7 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .watchdog = platform::watchdog,
                                          .start = platform::startRecord});
 
-// The two reading modes. Each of the two modes changes to the other.
+// The two reading modes. Each of the two modes changes to the other mode.
 struct FieldModes {
   FieldModes(Reader& pcReader, PcConnection& connection)
       : reader(gpsPort, platform::timebase, kWay),

@@ -12,7 +12,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The most significant byte of a number comes first.
+/// @brief The most significant byte of a number is its first byte.
 TEST(BigEndianWriter, GreatestByteComesFirst) {
   SerialWriter bytes;
   BigEndianWriter writer(bytes);

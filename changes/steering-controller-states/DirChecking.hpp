@@ -25,8 +25,8 @@ class DirChecking final : public DirState {
   DirChecking(DirState& holding, DirState& off, DirState& fault)
       : DirState(kId), holding_(holding), off_(off), fault_(fault) {}
 
-  /// @brief Counts the ticks of the wait. Leaves the state when the wait ends, when there are no
-  /// orders, or when there is no position.
+  /// @brief Counts the ticks of the wait. Leaves the state when the wait ends, when orders no
+  /// longer arrive, or when the steering cannot be controlled.
   /// @param controller controller whose state changes
   /// @isr{yes}
   void tick(DirController& controller) override {

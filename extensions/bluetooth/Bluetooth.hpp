@@ -51,7 +51,7 @@ class Bluetooth final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Makes the main controller read orders from the other mode.
+  /// @brief Sets the reading mode of the main controller to the other mode.
   /// @param mCtrl main controller whose reading mode changes
   /// @satisfies FR-150
   /// @isr{no}

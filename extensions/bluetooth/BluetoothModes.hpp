@@ -22,8 +22,8 @@
 
 namespace wr {
 
-/// @brief One memory for the stop command of each source of orders. A reset does not clear these
-/// memories.
+/// @brief Memories of the stop commands, one memory for each source of orders. A reset does not
+/// clear these memories.
 /// @datatype
 struct BluetoothStops {
   StopMemory& pc;      ///< stop command of the PC
@@ -42,7 +42,7 @@ struct BluetoothDevices {
 };
 
 /// @brief The two reading modes of a robot that receives orders from the PC and a Bluetooth device.
-/// Each of the two modes changes to the other.
+/// Each of the two modes changes to the other mode.
 /// @datatype
 struct BluetoothModes {
   /// @brief Constructs the modes, and binds them to the sources of their orders.
@@ -64,7 +64,7 @@ struct BluetoothModes {
         all{&pc, &bluetooth} {}
 
   SerialReader reader;        ///< contains the newest order of the device
-  SignedPort port;            ///< serial port to the device, which authenticates frames
+  SignedPort port;            ///< serial port to the device; the port authenticates frames
   Handshaking handshaking;    ///< state of the connection: a Welcome was sent to the device
   Disconnected disconnected;  ///< state of the connection: no device is connected
   Connected connected;        ///< state of the connection: the device is connected

@@ -14,7 +14,7 @@ class RandomSource {
   RandomSource& operator=(const RandomSource&) = delete;
 
   /// @brief Returns a random number. The function waits for the hardware only for a limited time.
-  /// @return random number of 64 bits; no value if the hardware does not work
+  /// @return random number of 64 bits; no value if the hardware returns no number in this time
   /// @isr{no}
   [[nodiscard]] virtual std::optional<std::uint64_t> draw() = 0;
 

@@ -153,8 +153,9 @@ bool SignedPort::accept() {
   return true;
 }
 
-// Sends a challenge only if there is space for two more frames. Otherwise the challenges after many
-// wrong frames would fill the buffer, and the robot could not send other frames.
+// Sends a challenge only if there is space for two frames of the greatest size. Otherwise the
+// challenges after many wrong frames would fill the buffer, and the robot could not send other
+// frames.
 void SignedPort::challenge() {
   if (port_.free() < 2 * FrameEncoder::kMaxBytes) {
     return;

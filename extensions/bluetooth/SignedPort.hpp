@@ -63,9 +63,9 @@ class SignedPort final : public SerialPort {
   /// @brief Sends one coded frame with a counter and a tag. A single zero byte is sent without
   /// counter and tag: it only ends a frame that a reset interrupted.
   /// @param bytes bytes of a coded frame, including its final zero byte
-  /// @return true if the whole frame is sent. If it is false, nothing is sent, for one of these
-  /// reasons: there is not enough space, there is no key, there is no random number, the frame is
-  /// too long, or `bytes` is empty
+  /// @return true if the whole frame is sent; false if nothing is sent, for one of these reasons:
+  /// there is not enough space, there is no key, there is no random number, the frame is too long,
+  /// or `bytes` is empty
   /// @isr{no}
   /// @satisfies FR-263
   bool write(std::span<const std::uint8_t> bytes) override;

@@ -12,8 +12,8 @@ namespace wr {
 /// overcurrent trip.
 ///
 /// @function Gets the next voltage from the wrapped algorithm. Limits the difference between this
-/// voltage and the present voltage of the wheel. Because of this limit, the measured current does
-/// not exceed 12 A.
+/// voltage and the present voltage of the wheel. With this limit, no voltage raises the measured
+/// current above 12 A.
 ///
 /// @secret The greatest current that the control permits, and the change of the voltage that causes
 /// this current.

@@ -31,7 +31,7 @@ struct EnableChannel {
   }
 
   Pipe<Microseconds> width;  ///< width of each pulse
-  Pipe<Microseconds> stop;   ///< width of each pulse that confirms a stop
+  Pipe<Microseconds> stop;   ///< width of a pulse that orders a stop after another such pulse
   BasicCollector instants;   ///< stores the time of the last edge
   PeriodCollector period;    ///< measures the period of the pulses
   WidthCollector collector;  ///< measures the width of a pulse

@@ -33,7 +33,7 @@ class EnableSwitch final : public ModeDecorator {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick
     Pipe<Angle>& direction;      ///< position of the direction stick
     Pipe<Microseconds>& enable;  ///< width of the pulses of the enable switch
-    Pipe<Microseconds>& stop;    ///< width of each pulse that confirms a stop
+    Pipe<Microseconds>& stop;    ///< width of a pulse that orders a stop after another such pulse
     const Timebase& timebase;    ///< returns the present time
   };
 

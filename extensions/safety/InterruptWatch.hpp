@@ -27,7 +27,7 @@ class InterruptWatch final {
   /// @param now time of the tick
   /// @param edgeWaits true if a Hall edge is not acknowledged yet, although its interrupt has a
   /// higher priority than the tick
-  /// @errors The program ends with the assertion InterruptLate in two cases: this tick comes more
+  /// @errors The program ends with the assertion InterruptLate in two cases: this tick occurs more
   /// than 20 ms after the previous tick, or a Hall edge has waited at 5 successive ticks.
   /// @satisfies FR-308
   /// @isr{yes}

@@ -27,7 +27,7 @@ class RcVigilance final {
   RcVigilance(const RcVigilance&) = delete;
   RcVigilance& operator=(const RcVigilance&) = delete;
 
-  /// @brief Checks whether the pulses still change while the remote control moves the robot.
+  /// @brief Checks whether the pulses no longer change while the remote control moves the robot.
   /// @param deflections newest deflections of all channels
   /// @param moving true while the remote control orders a motion
   /// @param now present time

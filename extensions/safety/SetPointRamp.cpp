@@ -14,8 +14,8 @@ namespace {
 // the robot drives 0.85 m/s.
 constexpr std::int32_t kMaxChangePerCycle = 176;  // [0.1 rpm] in a cycle
 
-// The greatest change towards 0 is equal to the change for a wheel that is stopped: 2.4 V per
-// cycle.
+// Towards 0 a voltage falls by at most 2.4 V per cycle. The class Stop uses the same limit when it
+// stops a wheel.
 constexpr Tension kMaxRisePerCycle(1000);  // [mV] away from 0
 constexpr Tension kMaxFallPerCycle(2400);  // [mV] towards 0
 
@@ -60,7 +60,7 @@ std::int32_t unloadedVelocity(Tension tension) {
   return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }
 
-// Returns the voltage for this cycle: the ordered voltage, within the permitted change from the
+// Returns the voltage for this cycle: the ordered voltage, limited to the permitted change of the
 // present voltage.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
@@ -113,7 +113,8 @@ void SetPointRamp::recover(std::uint32_t cycle) {
 
 // Sets the velocity at which the ramp begins after an order of voltage or current. The ramp begins
 // at the lower of two velocities: the measured velocity, and the velocity that the present voltage
-// causes without load. Otherwise the voltage would jump.
+// causes without load. At a greater velocity the voltage would jump. If the two velocities have
+// opposite directions, the ramp begins at 0.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

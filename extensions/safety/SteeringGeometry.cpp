@@ -22,8 +22,8 @@ constexpr std::int32_t kDegree = 100;       // [0.01 degree] one degree
 constexpr std::int32_t kFullShare = 10000;  // factor of the wheel with the greatest circle
 constexpr double kRadians = std::numbers::pi / 180;
 
-// Velocity factors of three wheels at a steering angle. The outer front wheel is not here: it rolls
-// on the greatest circle, and its factor is always kFullShare.
+// Velocity factors of three wheels at a steering angle. The outer front wheel has no member: it
+// rolls on the greatest circle, and its factor is always kFullShare.
 struct Shares {
   std::int32_t innerFront = kFullShare;
   std::int32_t innerRear = kFullShare;

@@ -14,8 +14,8 @@ namespace wr {
 ///
 /// @function Counts the Hall edges of each wheel until the robot has driven 0.057 m, then compares
 /// the counts. The mean distance is the mean of the two middle distances of the four wheels. Finds
-/// a wheel that, in each of two successive comparisons, has moved least, and at most half of the
-/// mean distance. Finds a wheel whose current is too high for too long.
+/// a wheel that has moved least, and at most half of the mean distance, in two successive
+/// comparisons. Finds a wheel whose current is too high for too long.
 ///
 /// @secret How much the wheels of one robot may differ, and the distance and the time of a
 /// comparison.

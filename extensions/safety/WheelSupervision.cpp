@@ -44,18 +44,18 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-// In the third cycle the value has been missing for more than 0.2 s.
+// In the third cycle without a measured value, the value has been missing for more than 0.2 s.
 constexpr std::uint8_t kMissingCycles = 3;
 
 // It is a fault if the measured current (in mA) does not change in this number of successive
 // cycles, while the voltage exceeds kDriving.
 constexpr std::uint8_t kEqualCycles = 7;
 
-// Limits for the fault: too many Hall edges are implausible. The first two numbers count half
+// Limits for the fault: too many Hall edges are implausible. The next two constants count half
 // edges, because each cycle reduces the count by half an edge.
 constexpr std::int32_t kRejectedEdges = 18;
 constexpr std::int32_t kRejectedOfCycle = 10;
-// A slower wheel may come to rest on an edge, and then has some implausible edges.
+// A wheel below this velocity may come to rest on an edge, and then has implausible edges.
 constexpr Velocity kTurning(100);
 
 constexpr std::int32_t kThousand = 1000;

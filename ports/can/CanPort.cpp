@@ -39,8 +39,8 @@ constexpr auto CS_CODE_EMPTY = CS.field(0x4, kCodeAt);
 constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
 constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
 
-// Buffer 0 is not used, because erratum 5829 of the controller concerns the first buffer that
-// sends.
+// Buffer 0 is not used: the workaround for erratum 5829 of the controller reserves the first
+// buffer.
 constexpr unsigned kReceiver = 1;
 constexpr unsigned kSender = 2;
 constexpr std::uint32_t kBuffers = 3;
@@ -58,7 +58,7 @@ constexpr auto kTiming = CTRL1.field(kDivider - 1, 24) | CTRL1.field(2, 22) | CT
 
 // Greatest number of reads while the port waits for the controller. The controller confirms a
 // change of its mode within a few bit times. If it does not confirm the change, the port sends
-// nothing, and the connection of the PC ends.
+// nothing, and no PC can connect.
 constexpr int kMostReads = 10'000;
 
 void await(decltype(MCR)::Bits flag, bool wanted) {

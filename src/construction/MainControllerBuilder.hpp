@@ -49,8 +49,8 @@ namespace wr {
 /// @brief Builder of the main controller and all its parts.
 ///
 /// @function Builds and connects the link to the PC, the remote control, the reading modes, the
-/// operation states, the controller and the timer of its cycles. Each of these parts has one build
-/// step. The steps are declared in the sequence in which they are called. A product
+/// operation states, the controller and the timer of its cycles. A product calls one build step for
+/// each of these parts. The steps are declared in the sequence in which they are called. A product
 /// that does not need a part omits the step of this part. An extension can build the reading modes
 /// and the operation states itself.
 ///

@@ -12,7 +12,7 @@ class PeriodicTimer {
   PeriodicTimer(const PeriodicTimer&) = delete;
   PeriodicTimer& operator=(const PeriodicTimer&) = delete;
 
-  /// @brief Starts the timer. The first interrupt comes one period later.
+  /// @brief Starts the timer. The first interrupt occurs one period later.
   /// @param period time between two interrupts [us], greater than 0
   /// @isr{no}
   virtual void start(Microseconds period) = 0;

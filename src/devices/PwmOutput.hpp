@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief Output with pulse-width modulation: it is on during a part of each period.
 /// @function Sets the mean level of an output to a value between off and on.
-/// @secret The timer that generates the periods, their length, and the moment when a new share
+/// @secret The timer that generates the periods, their length, and the moment when a new duty cycle
 /// takes effect.
 class PwmOutput {
  public:

@@ -26,8 +26,8 @@ class Function {
 
   /// @brief Calculates the value.
   /// @param arguments inputs of the calculation
-  /// @return the value, in the unit that the subclass states; nothing when an argument is missing
-  /// or out of range, or when the value would be out of range
+  /// @return the value, in the unit that the subclass states; nothing when a necessary argument is
+  /// missing or out of range, or when the value would be out of range
   /// @isr{yes}
   [[nodiscard]] virtual std::optional<std::int32_t> calculate(const Arguments& arguments) const = 0;
 

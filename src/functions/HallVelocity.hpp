@@ -21,8 +21,8 @@ class HallVelocity final : public Function {
   /// @param arguments Raw [edges], Elapsed [us, greater than 0], Scale [0.1 rpm * us * edges per
   /// turn / edge] and Divisor [edges per turn]; Lowest and Highest are the limits of the velocity
   /// [0.1 rpm]
-  /// @return velocity [0.1 rpm]; nothing when an argument is missing or the velocity is outside its
-  /// limits
+  /// @return velocity [0.1 rpm]; nothing when Raw, Elapsed, Scale or Divisor is missing, or when
+  /// the velocity is outside its limits
   /// @isr{yes}
   /// @satisfies FR-120
   /// @satisfies FR-124

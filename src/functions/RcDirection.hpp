@@ -24,9 +24,9 @@ class RcDirection final : public Function {
   /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
   /// Divisor: difference from Offset at full deflection [us]; Scale: steering angle at full
   /// deflection [0.01 degree]; Lowest and Highest: limits of the width [us]
-  /// @return steering angle [0.01 degree], positive to the left; nothing when an argument is
-  /// missing or the width is outside its limits. Beyond full deflection, the result is the angle of
-  /// full deflection.
+  /// @return steering angle [0.01 degree], positive to the left; nothing when Raw, Offset, Divisor
+  /// or Scale is missing, or when the width is outside its limits. Beyond full deflection, the
+  /// result is the angle of full deflection.
   /// @isr{yes}
   /// @satisfies FR-52
   /// @satisfies FR-53

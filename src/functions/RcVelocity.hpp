@@ -24,9 +24,9 @@ class RcVelocity final : public Function {
   /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
   /// Divisor: difference from Offset at full deflection [us]; Scale: velocity at full deflection
   /// [0.1 rpm]; Lowest and Highest: limits of the width [us]
-  /// @return velocity [0.1 rpm], positive forwards; nothing when an argument is missing or the
-  /// width is outside its limits. Beyond full deflection, the result is the velocity of full
-  /// deflection.
+  /// @return velocity [0.1 rpm], positive forwards; nothing when Raw, Offset, Divisor or Scale is
+  /// missing, or when the width is outside its limits. Beyond full deflection, the result is the
+  /// velocity of full deflection.
   /// @isr{yes}
   /// @satisfies FR-52
   /// @satisfies FR-53

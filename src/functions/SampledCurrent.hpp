@@ -19,7 +19,8 @@ class SampledCurrent final : public Function {
   /// @brief Calculates the current, rounded to the nearest integer.
   /// @param arguments Raw: sum of the samples; Scale, Divisor and Offset: parameters of the sensor;
   /// Lowest and Highest: limits of the current [mA]
-  /// @return current [mA]; nothing when an argument is missing or the current is outside its limits
+  /// @return current [mA]; nothing when Raw, Scale, Divisor or Offset is missing, or when the
+  /// current is outside its limits
   /// @isr{yes}
   /// @satisfies FR-125
   [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;

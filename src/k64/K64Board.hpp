@@ -21,7 +21,7 @@ class K64Board {
   /// @brief Frequency of the bus clock, which is also the clock of the timers [Hz].
   static constexpr std::uint32_t kBusClock = 60'000'000;
   /// @brief Lowest frequency of core clock and bus clock between the reset and startClock() [Hz].
-  /// In this time the clock comes from the internal oscillator, which was trimmed in production.
+  /// In this time the clock source is the internal oscillator, which was trimmed in production.
   static constexpr std::uint32_t kSlowestClockAfterReset = 20'000'000;
   /// @brief Highest frequency of core clock and bus clock between the reset and startClock() [Hz].
   static constexpr std::uint32_t kFastestClockAfterReset = 25'000'000;

@@ -20,8 +20,8 @@ class K64Gpio final : public DigitalOutput {
   /// @param on level of the pin when the output is on
   constexpr K64Gpio(const Pin& pin, Level on) : port_(pin.port), number_(pin.number), on_(on) {}
 
-  /// @brief Sets an output pin to its safe level and makes it an output. Uses no variable in RAM,
-  /// and therefore works before RAM is initialised.
+  /// @brief Sets an output pin to its safe level and configures it as an output. Uses no variable
+  /// in RAM, and therefore works before RAM is initialised.
   /// @param pin an output of the pin table
   /// @pre The clock gate of the port is open.
   /// @isr{yes}

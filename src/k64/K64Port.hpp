@@ -15,9 +15,9 @@ namespace wr {
 class K64Port final : public EdgeInput {
  public:
   /// @brief Greatest number of interrupts of one input in one tick. Without noise an input has at
-  /// most one edge in a tick, even when a wheel turns at 600 rpm. The limit also permits some false
-  /// edges. If all inputs have noise, the handlers of the edges use about a quarter of the time of
-  /// the core.
+  /// most one edge in a tick, even when a wheel turns at 600 rpm. The limit also permits three
+  /// false edges. If all inputs have noise, the handlers of the edges use about a quarter of the
+  /// time of the core.
   static constexpr std::uint8_t kMaxEdges = 4;
 
   /// @brief Binds an input to a pin.

@@ -33,7 +33,7 @@ void K64Watchdog::configure() {
 }
 
 void K64Watchdog::refresh() {
-  const InterruptLock lock;  // the second key must follow the first within 20 bus clocks
+  const InterruptLock lock;  // the second key must follow the first key within 20 bus clocks
   wdog::REFRESH.write({0xA602});
   wdog::REFRESH.write({0xB480});
 }

@@ -83,7 +83,7 @@ class Register {
     *place() = bits.value;  // NOLINT(clang-analyzer-core.FixedAddressDereference): a register
   }
 
-  /// @brief Sets some bits to 1. The other bits do not change.
+  /// @brief Sets bits of the register to 1. The other bits do not change.
   /// @param bits bits to set
   void set(Bits bits) const
     requires(kAccess == Access::ReadWrite)
@@ -91,7 +91,7 @@ class Register {
     write(read() | bits);
   }
 
-  /// @brief Sets some bits to 0. The other bits do not change.
+  /// @brief Sets bits of the register to 0. The other bits do not change.
   /// @param bits bits to clear
   void clear(Bits bits) const
     requires(kAccess == Access::ReadWrite)

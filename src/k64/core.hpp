@@ -13,7 +13,7 @@ using Priority = std::uint8_t;
 inline constexpr Priority kPulsePriority = 1;
 
 /// @brief Priority of the interrupt that records the times of the Hall edges. This priority is
-/// higher than kInterruptPriority. Thus the interrupts of the other devices do not delay this
+/// higher than kInterruptPriority. Thus interrupts with kInterruptPriority do not delay this
 /// interrupt.
 inline constexpr Priority kEdgePriority = 2;
 

@@ -1,9 +1,9 @@
 #pragma once
 
 // The registers of the microcontroller MK64FN1M0VLL12 that the firmware uses. Each peripheral has
-// its own namespace. The names of its registers and bits come from the reference manual
-// (K64P144M120SF5RM). The names of the core's registers come from the ARMv7-M architecture manual.
-// Bits that the firmware does not use have no name.
+// its own namespace. The names of its registers and bits are the names in the reference manual
+// (K64P144M120SF5RM). The names of the core's registers are the names in the ARMv7-M architecture
+// manual. Bits that the firmware does not use have no name.
 
 #include <cstdint>
 

@@ -20,7 +20,7 @@ namespace wr {
 /// @brief Main controller, which runs the control cycle: read, control, write.
 ///
 /// @function Runs one cycle for each clock pulse. In each cycle, serves every source of orders, and
-/// lets the present operation state read one order, control the robot and send the report.
+/// lets the present operation state read at most one order, control the robot and send the report.
 /// Refreshes the watchdog after each completed cycle. Stores the present operation state and the
 /// present reading mode. Carries out the orders of the states: apply control, hold, send a report.
 ///
@@ -63,9 +63,9 @@ class MainController {
   void start();
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
-  /// @errors Before start() the pulse has no effect. A pulse that comes before the previous cycle
+  /// @errors Before start() the pulse has no effect. A pulse that occurs before the previous cycle
   /// has ended counts as an overrun. When the late cycle has ended, only one more cycle runs, even
-  /// if several pulses came during the late cycle.
+  /// if several pulses occurred during the late cycle.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
@@ -168,8 +168,8 @@ class MainController {
   /// @brief Records the sources that order a stop.
   /// @satisfies FR-21
   void noteStop();
-  /// @brief Records an overrun if a clock pulse came before the previous cycle had ended, or if a
-  /// control system has not completed its work.
+  /// @brief Records an overrun if a clock pulse occurred before the previous cycle had ended, or if
+  /// a control system has not completed its work.
   /// @satisfies FR-4
   /// @satisfies FR-5
   void noteOverrun();

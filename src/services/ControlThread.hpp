@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Thread that executes its command each time it is posted. Each execution runs to its end.
 /// @function Moves work out of interrupt handlers: a handler posts the thread, and the platform
-/// then executes the command at the priority of the thread. Counts the posts that come before the
+/// then executes the command at the priority of the thread. Counts the posts that occur before the
 /// previous activation has ended.
 /// @secret How an activation is stored until it has run, and how overlapping activations are
 /// counted.
@@ -37,7 +37,7 @@ class ControlThread {
   /// @satisfies FR-172
   bool post();
 
-  /// @brief Returns the number of posts that came before the previous activation had ended.
+  /// @brief Returns the number of posts that occurred before the previous activation had ended.
   /// @return number of overruns since start, at most 65535
   /// @isr{yes}
   [[nodiscard]] std::uint16_t overruns() const;

@@ -14,7 +14,7 @@ namespace wr {
 template <class T>
 struct Stamped {
   T value{};     ///< the value
-  Instant at{};  ///< time stamp that the writer has given to the value
+  Instant at{};  ///< time stamp that the writer has set for the value
 };
 
 /// @brief Transfers the newest value from one writer to one reader.

@@ -11,9 +11,9 @@ class SteeringDevice;
 /// @brief Command that the second timer executes at each tick to measure, control and move the
 /// steering.
 ///
-/// @function At each tick, lets the sensor take a sample. If this sample ends a measurement, lets
-/// the controller run with the state of the motor. After that, at each tick, lets the motor run.
-/// The timer, the controller and the sensor do not depend on each other.
+/// @function At each tick, lets the sensor read a sample. If this sample ends a measurement, calls
+/// the controller with the state of the motor. Then executes one tick of the motor. The timer, the
+/// controller and the sensor do not depend on each other.
 ///
 /// @secret The sequence of sensor, controller and motor in a tick, and the rule that the controller
 /// runs only when a measurement has ended.

@@ -21,7 +21,7 @@ constexpr std::int32_t kRateChange =
     SystemConstants::instance().steeringAcceleration() / kTicksPerSecond;
 static_assert(kRateChange > 0, "the rate must change by at least 1 step/s in each tick");
 
-// The motor has its current at most 50 ms after its driver was switched on.
+// At most 50 ms after its driver was switched on, the motor has its full current.
 constexpr std::int32_t kSettlingTicks = kTicksPerSecond / 20;
 
 }  // namespace

@@ -63,7 +63,7 @@ enum class StopCause : std::uint8_t {
   EmergencyStop = 1,       ///< the contact of the emergency-stop circuit is open
   SteeringFault = 2,       ///< the steering device is in its fault state
   Overcurrent = 3,         ///< an overcurrent trip acted, or a current was too high for too long
-  NoMotion = 4,            ///< a wheel has voltage but no motion, or moves much less than others
+  NoMotion = 4,            ///< a wheel has voltage but no motion, or is far behind other wheels
   WrongDirection = 5,      ///< a motor turns its wheel in the direction opposite to its voltage
   Overspeed = 6,           ///< a wheel is faster than allowed
   Tracking = 7,            ///< velocity and current of a wheel do not match its voltage

@@ -64,7 +64,7 @@ struct WheelSetPoint {
 /// @brief Set-points of one order.
 /// @datatype
 struct SetPoints {
-  std::uint16_t orderId = 0;  ///< number that the sender has given to the order
+  std::uint16_t orderId = 0;  ///< number that the sender has assigned to the order
   Angle steering{};           ///< angle of the steering device
   std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
   bool acknowledge = false;  ///< true: the order moves nothing; if the order is neutral, it

@@ -76,7 +76,7 @@ class Instant {
     return Microseconds(static_cast<std::int64_t>(later.sinceStart_ - earlier.sinceStart_));
   }
 
-  /// @brief Returns the instant that comes a given duration after another instant.
+  /// @brief Returns the instant that is later than another instant by a given duration.
   friend constexpr Instant operator+(Instant instant, Microseconds duration) {
     return Instant(instant.sinceStart_ + static_cast<std::uint64_t>(duration.count()));
   }

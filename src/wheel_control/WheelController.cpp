@@ -133,9 +133,9 @@ bool WheelController::isHeld(Current current) const {
   return applied > Tension() ? winding * 2 > applied : winding * 2 < applied;
 }
 
-// Counts the cycles in which a reversal waits for a slow wheel. In such a cycle no voltage is
-// applied, although demand and set-point have the same sign. A wheel that is dragged faster than
-// its set-point has a demand with the other sign. Therefore the cycles of such a wheel do not
+// Counts the cycles in which a reversal waits until the wheel is slow. In such a cycle no voltage
+// is applied, although demand and set-point have the same sign. A wheel that is dragged faster than
+// its set-point has a demand with the opposite sign. Therefore the cycles of such a wheel do not
 // count.
 void WheelController::watchReversal(const WheelSetPoint& setPoint, Tension demand) {
   const bool ordered =

@@ -13,7 +13,7 @@ constexpr std::uint16_t kFromRobot = 0x102;
 constexpr std::size_t kMost = 8;  // greatest number of bytes in a frame
 constexpr std::chrono::milliseconds kPeriod{100};
 
-// A frame with 8 bytes has 111 bits. Each bit takes 2 us.
+// A frame with 8 bytes has 111 bits. The virtual K64 sends no stuff bits. Each bit takes 2 us.
 constexpr std::chrono::microseconds kLongestFrame{222};
 
 }  // namespace

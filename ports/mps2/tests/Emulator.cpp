@@ -43,7 +43,7 @@ std::unique_ptr<UnixLine> connectTo(const std::filesystem::path& socket) {
 std::filesystem::path newFolder() {
   std::string path = (std::filesystem::temp_directory_path() / "mps2-XXXXXX").string();
   if (::mkdtemp(path.data()) == nullptr) {
-    throw std::runtime_error(path + " cannot be created");
+    throw std::runtime_error("the temporary folder " + path + " cannot be created");
   }
   return path;
 }
@@ -90,7 +90,8 @@ Emulator::Emulator(const std::filesystem::path& elf) : folder_(newFolder()) {
     return "socket,id=" + name + ",server=on,wait=off,path=" + (folder_ / name).string();
   };
   // Each instruction takes 128 ns of emulated time. This is about three clock cycles of the board
-  // (40 ns each). Therefore QEMU executes fewer instructions in the same emulated time.
+  // (40 ns each). With a shorter time, QEMU would execute more instructions in a control cycle, and
+  // the tests would last longer.
   process_ = start({kProgram,      "-M",           "mps2-an386",  "-display",     "none",
                     "-monitor",    "none",         "-icount",     "shift=7",      "-S",
                     "-chardev",    socket("line"), "-serial",     "chardev:line", "-chardev",

@@ -14,7 +14,7 @@ constexpr scenario::RobotSession::Time kPeriod{SystemConstants::instance().cycle
 
 // QEMU stops the program for each byte. If the host computer is busy, the emulated time can
 // continue during such a stop. Therefore the bytes are sent early: then the clock pulse does not
-// come before the last byte of a frame.
+// occur before the last byte of a frame.
 constexpr scenario::RobotSession::Time kEarlier{80'000};
 
 }  // namespace
@@ -58,7 +58,9 @@ void QemuSession::sendBeforePulse(std::span<const std::uint8_t> bytes, Time befo
     send(bytes);
     run({rest_, cycle_, end_});
     if (now_ >= lastPulse_ + kPeriod) {
-      throw std::runtime_error("QEMU waited too long: the clock pulse came before the bytes");
+      throw std::runtime_error(
+          "the clock pulse occurred before the robot received all bytes: run the test again "
+          "when the host computer is less busy");
     }
   }
 }
@@ -98,7 +100,8 @@ std::optional<scenario::SessionFinding> QemuSession::finding() const {
   if (place_ != end_) {
     return std::nullopt;
   }
-  return scenario::SessionFinding{.id = "ended", .text = "the firmware has ended"};
+  return scenario::SessionFinding{
+      .id = "ended", .text = "the firmware has ended after a fault: it has called unexpected()"};
 }
 
 }  // namespace wr::mps2

@@ -23,7 +23,7 @@ class UnixLine final : public programs::SerialLine {
 
   /// @brief Waits until bytes can be read.
   /// @param milliseconds longest time to wait [ms]
-  /// @return false if no bytes came
+  /// @return false if no bytes arrived in this time
   [[nodiscard]] bool wait(int milliseconds) const;
 
  private:

@@ -53,7 +53,7 @@ class ConnectionState {
   virtual bool order(PcConnection& connection, const Frame& frame);
 
   /// @brief Checks the time limits of the state. PcConnection calls this function before it handles
-  /// a frame, and once in each cycle at the clock pulse. The default does nothing.
+  /// a frame, and once in each cycle after the last frame. The default does nothing.
   /// @param connection the connection whose time limits are checked
   /// @isr{no}
   virtual void checkTime(PcConnection& connection);

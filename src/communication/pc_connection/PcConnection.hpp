@@ -45,9 +45,9 @@ class PcConnection final {
   /// @satisfies FR-33
   void beginCycle(Instant clockPulse);
 
-  /// @brief Serves the link: reads at most 1216 received bytes, lets the state of the connection
-  /// handle each frame, and checks the time limits at the clock pulse. Then sends a Welcome if a
-  /// Hello requested it. The caller calls this function once in each cycle.
+  /// @brief Serves the link: reads at most 1216 received bytes, and lets the state of the
+  /// connection handle each frame. Then checks the time limits, measured up to the clock pulse, and
+  /// sends a Welcome if a Hello requested it. The caller calls this function once in each cycle.
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37

@@ -52,9 +52,9 @@ struct ReportData {
 
   std::uint32_t cycle = 0;          ///< number of the cycle since start, the first is 1
   Instant time{};                   ///< time of the clock pulse, sent in ms
-  std::uint8_t operationState = 0;  ///< 0 Working, 1 Waiting, 2 WaitingN, 3 Reconnecting
-  std::uint8_t readingMode = 0;     ///< 0 RC, 1 PC
-  std::uint8_t source = kNoSource;  ///< source of the set-points: 0 RC, 1 PC, 255 none
+  std::uint8_t operationState = 0;  ///< number of the operation state: OperationStateId
+  std::uint8_t readingMode = 0;     ///< number of the reading mode: ModeId
+  std::uint8_t source = kNoSource;  ///< mode id of the source of the set-points; 255: none
   std::uint8_t stopSources = 0;     ///< bit n: the source with mode id n orders a stop
   bool orderRead = false;           ///< an order was read in this cycle
   bool held = false;                ///< the wheels are halted and the steering is held

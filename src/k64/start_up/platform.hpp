@@ -17,8 +17,8 @@
 
 namespace wr::platform {
 
-// The devices of the board, which are the same for all products. The composition of
-// each variant uses them.
+// The devices of the board, which are the same for all products. The composition of each product
+// uses them.
 
 /// @brief Devices of one wheel.
 /// @datatype

@@ -21,7 +21,7 @@ namespace wr {
 /// @role{pool-construction, Product}
 class ControlSystemPool {
  public:
-  /// @brief Largest number of control systems: four wheels, the steering, and some spare entries.
+  /// @brief Largest number of control systems: four wheels, the steering, and three spare entries.
   static constexpr std::size_t kCapacity = 8;
 
   /// @brief Constructs an empty pool.

@@ -42,7 +42,7 @@ class Mode {
   virtual void serve() = 0;
 
   /// @brief Returns whether an order can be read now.
-  /// @return true if the source has a fresh and complete order that was not read before.
+  /// @return true if the source has a complete order that is not too old and was not read before.
   /// @isr{no}
   [[nodiscard]] virtual bool newMessage() const = 0;
 

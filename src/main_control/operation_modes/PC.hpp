@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief The reading mode in which the PC on the robot gives the orders.
+/// @brief The reading mode in which the PC on the robot sends the orders.
 ///
 /// @function Extends the basic mode: an order is valid only while the PC is connected, and the PC
 /// is recorded as the source of the set-points. Changes to the other mode when the operation state

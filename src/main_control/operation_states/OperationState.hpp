@@ -7,7 +7,8 @@ namespace wr {
 class MainController;
 class Mode;
 
-/// @brief The operation states. Their values are the numbers of the states in reports.
+/// @brief The operation states. Their values are the numbers of the states in reports. N is
+/// SystemConstants::waitingCycles().
 /// @datatype
 enum class OperationStateId : std::uint8_t {
   Working = 0,      ///< an order was read in this cycle

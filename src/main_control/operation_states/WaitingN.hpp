@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief The last waiting state: N reads in a row failed.
+/// @brief The last waiting state: N reads in a row failed. N is SystemConstants::waitingCycles().
 ///
 /// @function Waits one more cycle for an order of the present source. When a message arrives, sets
 /// the state Working. If no message arrives in this cycle, starts the search for another source.

@@ -11,7 +11,7 @@ namespace wr {
 
 namespace {
 
-// The 4096 steps of the converter are 3300 mV. The sensor outputs 0.1 mV per mA. Therefore the
+// The 4096 steps of the converter cover 3300 mV. The sensor outputs 0.1 mV per mA. Therefore the
 // range of the converter is 33000 mA.
 constexpr std::int32_t kMilliamperes = 33000;
 constexpr std::int32_t kRange = 4096;

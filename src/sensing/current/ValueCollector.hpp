@@ -20,7 +20,7 @@ struct CurrentRecord {
   Instant at{};              ///< time of the newest sample
 };
 
-/// @brief A collector of the samples of the current of a wheel.
+/// @brief A collector of the samples of a wheel's current.
 /// @function Measures the zero of the sensor at start. Adds up the samples for the thread of the
 /// wheel. Executes a command as soon as the current is too high.
 /// @secret The zero of the sensor, which is subtracted from each sample, and the limit beyond which
@@ -71,7 +71,7 @@ class ValueCollector final {
   void learnZero(std::int32_t raw);
 
   /// @brief Counts the successive samples that are too high, and executes the command from the
-  /// fifth of them on.
+  /// fifth such sample on.
   void guard(std::int32_t raw);
 
   /// @brief Writes the record of all samples up to now for the thread of the wheel.

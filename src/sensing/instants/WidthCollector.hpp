@@ -17,8 +17,8 @@ class WidthCollector final : public CollectorDecorator {
   explicit WidthCollector(InstantCollector& wrapped);
 
   /// @brief Forwards the edge. A rising edge begins a pulse, and the next falling edge ends this
-  /// pulse. If no rising edge came before a falling edge, the falling edge ends no pulse, and the
-  /// width becomes empty.
+  /// pulse. If no rising edge occurred since the previous falling edge, a falling edge ends no
+  /// pulse, and the width becomes empty.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-52

@@ -36,11 +36,11 @@ class SensorCollector final {
   SensorCollector& operator=(const SensorCollector&) = delete;
 
   /// @brief Records the levels after an edge, and counts the edge. The first call only records the
-  /// levels. If exactly one level changed, the edge is a step. It is counted as a step, however
-  /// short the time since the previous edge is. If no level or both levels changed, the edge is
-  /// counted as unclear. If a step reverses the direction less than 25 ms after the previous step,
-  /// it is also counted as a reversal. A turning wheel cannot cause a reversal, but a wheel that
-  /// rests on an edge can.
+  /// levels. If exactly one level changed, the edge is counted as a step. The time since the
+  /// previous edge does not matter. If no level or both levels changed, the edge is counted as
+  /// unclear. If a step reverses the direction less than 25 ms after the previous step, it is also
+  /// counted as a reversal. A turning wheel cannot cause a reversal, but a wheel that rests on an
+  /// edge can.
   /// @param phase levels of the sensors [0 to 3]; bit 0 is the level of the first sensor, and bit 1
   /// is the level of the second sensor. While a wheel turns forwards, the sequence is 0, 1, 3, 2.
   /// @param at time of the edge

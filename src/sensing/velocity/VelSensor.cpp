@@ -103,7 +103,7 @@ Velocity VelSensor::withoutEdges(Instant now) {
 
 Velocity VelSensor::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
   const std::int32_t most = std::abs(edges) + 1;
-  // This comparison shows without a division that the value is not above the bound.
+  // This comparison checks without a division whether the value is above the bound.
   if (std::abs(value.count()) * elapsed.count() <= std::int64_t{most} * kEdgePerMicrosecond) {
     return value;
   }

@@ -32,14 +32,14 @@ class VelSensor final {
   VelSensor& operator=(const VelSensor&) = delete;
 
   /// @brief Reads the record of the edges, measures the velocity and writes the velocity to the
-  /// pipe. If edges came since the previous measurement, the velocity is a number of edges divided
-  /// by a time. The number is the new forward edges minus the new backward edges. The time is the
-  /// time from the last edge of the previous measurement to the newest edge. If the wheel was at
-  /// rest at the previous measurement, half an edge is subtracted from the number, and the time is
-  /// the time since the previous measurement. If no new edge came, the velocity is the previous
-  /// velocity. The velocity is limited to the velocity at which the next edge would come exactly
-  /// now. Because of this limit, a falling velocity does not jump when an edge comes at the moment
-  /// of the measurement. The velocity is 0 when no edge came for 500 ms.
+  /// pipe. If edges occurred since the previous measurement, the velocity is a number of edges
+  /// divided by a time. The number is the new forward edges minus the new backward edges. The time
+  /// is the time from the last edge of the previous measurement to the newest edge. If the wheel
+  /// was at rest at the previous measurement, half an edge is subtracted from the number, and the
+  /// time is the time since the previous measurement. If no new edge occurred, the velocity is the
+  /// previous velocity. The velocity is limited to the velocity at which the next edge would occur
+  /// exactly now. Because of this limit, a falling velocity does not jump when an edge occurs at
+  /// the moment of the measurement. The velocity is 0 when no edge occurred for 500 ms.
   /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases:
   /// (1) The function rejects the velocity. (2) More than 3 edges of the cycle were unclear. (3)
   /// The wheel turned at 30 rpm or more, and unclear edges and reversals together were more than 3.
@@ -72,7 +72,7 @@ class VelSensor final {
   /// empty if it calculates no velocity.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
-  /// @brief Returns the velocity when edges came since the previous measurement.
+  /// @brief Returns the velocity when edges occurred since the previous measurement.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
   /// @brief Returns the velocity when the wheel was at rest at the previous measurement. The wheel
@@ -81,11 +81,11 @@ class VelSensor final {
   [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
                                                        Microseconds elapsed) const;
 
-  /// @brief Returns the velocity when no edge came since the previous measurement.
+  /// @brief Returns the velocity when no edge occurred since the previous measurement.
   [[nodiscard]] Velocity withoutEdges(Instant now);
 
   /// @brief Computes a limited velocity. The limit is the velocity at which one more edge would
-  /// have come in the same time. A faster wheel would have caused this additional edge.
+  /// have occurred in the same time. A faster wheel would have caused this additional edge.
   [[nodiscard]] Velocity bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const;
 
   SensorCollector& collector_;

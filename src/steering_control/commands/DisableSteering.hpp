@@ -7,7 +7,7 @@ namespace wr {
 class SteeringDevice;
 
 /// @brief The order to switch the steering off.
-/// @function Passes the order to switch off to the steering device.
+/// @function Orders the steering device to switch its motor off.
 /// @secret The steps that switch the steering device off.
 /// @role{steering-commands, Concrete Command}
 class DisableSteering final : public SteeringCommand {

@@ -7,7 +7,7 @@ namespace wr {
 class SteeringDevice;
 
 /// @brief The order to switch the steering on.
-/// @function Passes the order to switch on to the steering device.
+/// @function Orders the steering device to switch its motor on.
 /// @secret The steps that switch the steering device on.
 /// @role{steering-commands, Concrete Command}
 class EnableSteering final : public SteeringCommand {

@@ -13,8 +13,8 @@ namespace wr {
 /// @why Switching the steering on or off, and setting its turn, need actions on several elements.
 /// The controller executes command objects. Therefore the controller does not depend on these
 /// elements.
-/// @changes The elements on which a command acts may change, and so may its actions. A new command
-/// may be needed.
+/// @changes The actions of a command may change, and so may the elements on which it acts. A new
+/// command may be needed.
 class SteeringCommand {
  public:
   SteeringCommand(const SteeringCommand&) = delete;

@@ -5,7 +5,8 @@
 namespace wr {
 
 /// @brief The fault state: the steering cannot be controlled, and its motor stays off.
-/// @function Keeps the motor off, whatever is ordered, until an order releases the fault.
+/// @function Keeps the motor off until an order releases the fault. All other orders have no
+/// effect.
 /// @secret The event that ends a fault.
 /// @role{steering-controller-states, Concrete State}
 class DirFault final : public DirState {

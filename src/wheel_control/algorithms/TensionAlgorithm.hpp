@@ -8,7 +8,7 @@ namespace wr {
 ///
 /// @function Returns the set-point as the voltage.
 ///
-/// @secret The rule that a tension order needs no measurement.
+/// @secret The rule that an order of voltage needs no measurement.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class TensionAlgorithm final : public WheelAlgorithm {

@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief The behaviour that lets a wheel advance.
+/// @brief The behaviour that drives a wheel in its present orientation.
 ///
 /// @function Applies the demanded voltage at once.
 ///

@@ -21,7 +21,7 @@ class ApplyControl final : public WheelOrder {
   /// @param wheel wheel with the overcurrent trip
   ApplyControl(WheelController& controller, Wheel& wheel);
 
-  /// @brief Controls the wheel.
+  /// @brief Controls the wheel. After an overcurrent trip, stops the wheel instead.
   /// @param work contains the set-point and the measured values; receives the applied voltage and
   /// the faults of the wheel
   /// @satisfies FR-80
