@@ -13,7 +13,7 @@ namespace wr::test {
 std::unique_ptr<scenario::RobotSession> switchOn() {
   std::unique_ptr<board_robot::BoardSession> robot = switchBoardOn();
   if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
-    throw std::runtime_error("the firmware does not start");
+    throw std::runtime_error("the firmware does not sleep within 50 ms after its start");
   }
   return robot;
 }
