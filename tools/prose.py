@@ -1,5 +1,5 @@
 """The linter of prose. It finds words that the glossary replaces, in pages and templates, and in
-the comments and messages of code. Scripts of the pages are not checked."""
+the comments and messages of code."""
 
 from __future__ import annotations
 
@@ -17,18 +17,26 @@ from traceability.sources import files_below
 
 GLOSSARY = Path("docs/glossary.rst")
 PROSE = (".rst", ".md", ".dox", ".html")  # files with prose and markup
-CODE = (".py", ".cpp", ".hpp", ".h", ".toml", ".tree", ".txt", ".cmake", "")
+CODE = (".py", ".js", ".cpp", ".hpp", ".h", ".toml", ".tree", ".txt", ".cmake", "")
 LITERALS = re.compile(
     r"\{%.*?%\}|\{\{.*?\}\}|\{#|#\}|<[^>]*>|``[^`]*``|`[^`\n]*`|:[\w-]+:(?=`)|\{\w[^}]*\}|[^\s<>]*[_/:]{1,2}\w[^\s<>]*",
     re.DOTALL,
 )
+TEMPLATE_CODE = re.compile(r"\{%.*?%\}|\{\{.*?\}\}", re.DOTALL)
+STRING = re.compile(r"\"[^\"]*\"|'[^']*'")
 ENTRY = re.compile(r"^   (\S.*)$")
 NOT = re.compile(r"^      Not: (.*)\.$")
 PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:,\s+)?)+): (.*(?:\n  .*)*)", re.MULTILINE)
 RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!;]*\?)", re.IGNORECASE)
-QUOTED = Path("design/paper.toml")  # The linter skips this file, because it quotes the paper.
+# Files that are not checked: the glossary contains the words, paper.toml quotes the paper,
+# search.js lists words that readers type, and the last three files are vendored.
+SKIPPED = (
+    *("docs/glossary.rst", "design/paper.toml", "site/theme/static/search.js"),
+    *("site/theme/static/minisearch.js", "site/theme/static/fzstd.js"),
+    "tests/python/site/axe.min.js",
+)
 LEAST_WORDS = 2  # A string with fewer words is a name, and is not checked.
 
 
@@ -87,13 +95,25 @@ def prose_of(path: Path) -> str:
     do not change.
     """
     text = path.read_text(encoding="utf-8")
-    if path.suffix not in PROSE:
+    if path.suffix == ".html":
+        text = TEMPLATE_CODE.sub(lambda match: _strings(match[0]), text)
+    elif path.suffix not in PROSE:
         text = _remarks(path, text)
     return _blank(LITERALS, text)
 
 
 def _blank(pattern: re.Pattern[str], text: str) -> str:
     return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
+def _strings(code: str) -> str:
+    """Returns the strings of several words in the code of a template. Null characters replace all
+    other text."""
+    texts = [match for match in STRING.finditer(code) if len(match[0].split()) >= LEAST_WORDS]
+    kept = {place for match in texts for place in range(match.start() + 1, match.end() - 1)}
+    return "".join(
+        letter if letter == "\n" or place in kept else "\0" for place, letter in enumerate(code)
+    )
 
 
 def _remarks(path: Path, text: str) -> str:
@@ -130,7 +150,7 @@ def lint_prose(root: Path) -> list[ProseFinding]:
     findings = []
     for path in files_below(root, FOLDERS):
         file = str(path.relative_to(root))
-        if path.suffix not in (*PROSE, *CODE) or path in (root / GLOSSARY, root / QUOTED):
+        if path.suffix not in (*PROSE, *CODE) or file in SKIPPED:
             continue
         if not pattern.search(path.read_text(encoding="utf-8")):
             continue

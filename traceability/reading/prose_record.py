@@ -23,7 +23,16 @@ FOLDERS = (
         "client",
         "tests",
     ),
-    *("tools", "traceability", "site/portal", "site/templates", "setup", "README.md", "wr"),
+    *(
+        "tools",
+        "traceability",
+        "site/portal",
+        "site/templates",
+        "site/theme",
+        "setup",
+        "README.md",
+        "wr",
+    ),
 )
 
 

@@ -41,7 +41,7 @@ context.self = context;
 vm.runInContext(fs.readFileSync(path.join(scripts, "worker.js"), "utf8"), context);
 (async () => {
   for (const order of JSON.parse(orders)) context.onmessage({ data: order });
-  for (let i = 0; i < Number(cycles); i += 1) context.onmessage({ data: { do: "beat" } });
+  for (let i = 0; i < Number(cycles); i += 1) context.onmessage({ data: { do: "playCycle" } });
   context.onmessage({ data: { do: "end" } });
   const ended = () => sent.some((message) => message.kind === "error");
   while (!ended()) await new Promise((done) => setTimeout(done, 20));
@@ -143,19 +143,22 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
     sent = played([{"do": "load", "folder": "live/"}, play], 60)
     begun = next(message for message in sent if message["kind"] == "plays")
     assert begun["scenario"] == "loss_of_the_pc"
-    beats = [message for message in sent if message["kind"] == "beat"]
-    assert [beat["cycle"] for beat in beats] == sorted({beat["cycle"] for beat in beats})
+    cycles = [message for message in sent if message["kind"] == "playCycle"]
+    assert [shown["cycle"] for shown in cycles] == sorted({shown["cycle"] for shown in cycles})
 
     states = [
-        one["module"] for beat in beats for one in beat["states"] if one["id"] == "operation-states"
+        one["module"]
+        for shown in cycles
+        for one in shown["states"]
+        if one["id"] == "operation-states"
     ]
     assert {"Working", "Waiting", "WaitingN", "Reconnecting"} <= set(states)
     # A module is highlighted only in the cycles in which the number of its calls rises.
-    for before, beat in pairwise(beats):
-        risen = {name for name in STATES if beat["counts"][name] > before["counts"][name]}
-        assert set(beat["active"]) == risen
-        assert all({caller, called} <= set(STATES) for caller, called in beat["calls"])
-    assert any(["MainController", "OperationState"] in beat["calls"] for beat in beats)
+    for before, shown in pairwise(cycles):
+        risen = {name for name in STATES if shown["counts"][name] > before["counts"][name]}
+        assert set(shown["active"]) == risen
+        assert all({caller, called} <= set(STATES) for caller, called in shown["calls"])
+    assert any(["MainController", "OperationState"] in shown["calls"] for shown in cycles)
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
@@ -230,7 +233,7 @@ def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
     drive."""
     play = {"do": "play", "folder": "live/", "modules": [], "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, play], 20)
-    lines = [frame["bytes"] for beat in sent for frame in beat.get("frames", ())]
+    lines = [frame["bytes"] for shown in sent for frame in shown.get("frames", ())]
     layouts = json.loads((SITE / "live" / "live.json").read_text(encoding="utf-8"))["frames"]
     words = ["node", "-e", PARTS, str(SCRIPTS / "frames.js")]
     given = json.dumps({"lines": lines, "layouts": layouts})

@@ -62,6 +62,8 @@ def test_the_terms_are_those_of_the_glossary() -> None:
         ("design/a.toml", 'says = "It has a nabob."\n', 1),
         ("requirements/a.dox", "/**\n@rationale The nabob may differ.\n*/\n", 2),
         ("site/templates/a.html", "<p>\n  A nabob.\n</p>\n", 2),
+        ("site/templates/a.html", '{{ head(\n  "The nabob of") }}', 2),
+        ("site/theme/a.js", "const a = 'no nabob here';\n", 1),
         ("README.md", "# Title\n\nAn\nNABOB.\n", 4),
     ],
 )
@@ -78,7 +80,7 @@ def test_a_word_in_a_text_is_found(root: Path, file: str, text: str, line: int) 
         ("tools/a.py", 'nabob = names["nabob"]\n'),
         (
             "site/templates/a.html",
-            "{% for nabob in nabobs %}{{ nabob }}{% endfor %}",
+            "{% for nabob in nabobs %}{{ nabob }}{{ row('nabob') }}{% endfor %}",
         ),
         ("docs/a.rst", "A nabobish, and src/nabob.cpp.\n"),
     ],

@@ -34,7 +34,7 @@
         layouts = data.facts.frames;
         worker.postMessage({ do: "play", folder, modules: [] });
       } else if (data.kind === "plays") go();
-      else if (data.kind === "beat") take(data);
+      else if (data.kind === "playCycle") take(data);
     };
     worker.postMessage({ do: "load", folder });
     return undefined;
@@ -54,7 +54,7 @@
   function go() {
     button.disabled = false;
     button.textContent = "Pause";
-    timer = setInterval(() => worker.postMessage({ do: "beat" }), PERIOD);
+    timer = setInterval(() => worker.postMessage({ do: "playCycle" }), PERIOD);
   }
 
   function pause() {

@@ -34,7 +34,7 @@
       else if (data.kind === "error") failed(data.text);
       else if (data.kind === "plays") (id ? say(`Playing the scenario “${data.title}”.`) : begin(data));
       else if (data.kind === "found") show(data);
-      else if (data.kind === "beat") showBeat(data);
+      else if (data.kind === "playCycle") showCycle(data);
     };
     worker.postMessage({ do: "load", folder });
     return undefined;
@@ -87,7 +87,7 @@
     options.forEach(([value, word]) => made.append(element("option", { value }, word)));
     return made;
   };
-  const beat = () => worker.postMessage({ do: "beat" });
+  const playCycle = () => worker.postMessage({ do: "playCycle" });
 
   function stop() {
     clearInterval(timer);
@@ -97,7 +97,7 @@
 
   function go() {
     stop();
-    timer = setInterval(beat, 1000 / (still.matches ? 2 : Number(pace.value)));
+    timer = setInterval(playCycle, 1000 / (still.matches ? 2 : Number(pace.value)));
     button.textContent = "Pause";
   }
 
@@ -120,7 +120,7 @@
     pace.addEventListener("change", () => timer && go());
     const step = control("Step", () => {
       stop();
-      beat();
+      playCycle();
     });
     button.after(step, pace, scenario);
     place.querySelector("[data-says]").hidden = true;
@@ -151,7 +151,7 @@
     return [[name], ...bases.flatMap((base) => waysUp(base, most - 1).map((way) => [name, ...way]))];
   }
 
-  function showBeat(data) {
+  function showCycle(data) {
     const active = new Set(data.active);
     const present = new Set(data.states.map((one) => one.module));
     const own = data.states.filter((one) => modules.includes(one.module)).map((one) => one.state);

@@ -311,8 +311,8 @@ const ownerOf = (method) => facts.methods[method].split("::")[0];
 /* The modules that the page shows while a scenario plays, and the number of calls of each until now. */
 let shown = { modules: new Set(), counts: {} };
 
-/* Prepares a scenario for a page that shows modules. Each later message "beat" from the page runs one control cycle of
-   the scenario. */
+/* Prepares a scenario for a page that shows modules. Each later message "playCycle" from the page runs one control
+   cycle of the scenario. */
 async function play({ folder, modules, scenario: wanted, image }) {
   pause();
   await choose(folder, image || imageWith(modules));
@@ -370,7 +370,7 @@ function presentStates() {
   });
 }
 
-function beat() {
+function playCycle() {
   if (!robot) return;
   const { modules, counts: before } = shown;
   robot.clear();
@@ -378,7 +378,7 @@ function beat() {
   const counts = countsOf(modules);
   shown.counts = counts;
   post({
-    kind: "beat",
+    kind: "playCycle",
     goesOn,
     at: robot.numbers.time_ms,
     cycle: robot.numbers.pulses,
@@ -422,7 +422,7 @@ async function compare({ folder, products, scenario: name }) {
 const ORDERS = {
   compare,
   play,
-  beat,
+  playCycle,
   async load({ folder }) {
     const ms = await load(folder);
     post({ kind: "loaded", ms, facts });
