@@ -142,8 +142,8 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
   EXPECT_EQ(report().overruns, 65'535);
 }
 
-/// @brief The costs are differences between counts of processor cycles. The counter may overflow
-/// between two counts.
+/// @brief The report contains three times of a control cycle, in processor cycles. Each time is the
+/// difference between two values of the cycle counter. The counter may overflow between them.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303

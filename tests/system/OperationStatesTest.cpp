@@ -125,7 +125,7 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief The state that is current after the read of a cycle controls and reports in this cycle.
+/// @brief The state after the read of a cycle controls and reports in this cycle.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   robot.silentCycles(kWaitingCycles);

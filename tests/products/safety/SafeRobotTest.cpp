@@ -170,6 +170,33 @@ TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   EXPECT_FALSE(voltage());
 }
 
+/// @brief At 300 rpm, the steering is stuck when the PC orders a new angle. The robot brakes within
+/// 0.5 s of this order, and drives at most 0.43 m in this time.
+/// @verifies FR-111
+/// @verifies FR-272
+TEST_F(SafeRobot, FR272_AStuckSteeringStopsTheRobotAtFullSpeed) {
+  armByPc();
+  order(60, 3000);
+  EXPECT_NEAR(rpm(), 300, 6);
+  line.robot().setFault(plant::Fault::Stall, 0, true);
+  scenario::PcOrder turn{.id = 1, .steering = 200};
+  turn.wheels.fill({0, 3000});
+  line.send(pc.order(turn));
+  cycle();  // reads the order
+  const double before = line.robot().distance();
+  int tenths = 0;
+  while (protection().cause == StopCause::None && tenths < 10) {
+    line.send(pc.order(turn));
+    cycle();
+    ++tenths;
+  }
+  EXPECT_EQ(protection().cause, StopCause::SteeringFault);
+  EXPECT_LE(tenths, 5);
+  EXPECT_LE(line.robot().distance() - before, 0.43);
+  order(40, 3000);
+  EXPECT_NEAR(rpm(), 0, 1);
+}
+
 /// @brief When the Hall sensors of one wheel are dead, the whole robot stops before it has driven
 /// 1.5 m.
 /// @verifies FR-273

@@ -71,8 +71,8 @@ TEST_F(OrdersOfRobotOnHost, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
   EXPECT_EQ(robot.report().state, kWaiting);
 }
 
-/// @brief The source of the set-points remains the source of the last order, even while the mode
-/// alternates.
+/// @brief While no source sends orders, the reading mode alternates between RC and PC. The report
+/// still shows the source of the last order as the source of the set-points.
 /// @verifies FR-19
 TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
   commandByRc();
