@@ -154,8 +154,8 @@ bool SignedPort::accept() {
 }
 
 // Sends a challenge only if there is space for two frames of the greatest size. Otherwise the
-// challenges after many wrong frames would fill the buffer, and the robot could not send other
-// frames.
+// challenges after many wrong frames would fill the transmit buffer, and the robot could not send
+// other frames.
 void SignedPort::challenge() {
   if (port_.free() < 2 * FrameEncoder::kMaxBytes) {
     return;

@@ -14,8 +14,8 @@ namespace wr {
 
 /// @brief A stage that stops the whole robot when one device of the robot fails.
 ///
-/// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after
-/// each order. When a check finds a fault, latches a protective stop: the wheels halt and the
+/// @function Checks the contact of the emergency-stop circuit, the steering and every wheel in each
+/// cycle, until a check finds a fault. Then latches a protective stop: the wheels halt and the
 /// steering keeps its angle, from this cycle until an acknowledgement.
 ///
 /// @secret Which devices are checked, and how long a protective stop lasts.

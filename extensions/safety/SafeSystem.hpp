@@ -11,8 +11,7 @@ namespace wr {
 /// @brief The robot and its safety functions, together as a single control system.
 ///
 /// @function Receives the order of a cycle in several calls, and passes it to the first stage in
-/// one call. This call is one of three orders: follow set-points, stand still, or acknowledge
-/// faults.
+/// one call. There are three orders: follow set-points, stand still, or acknowledge faults.
 ///
 /// @secret How the calls that form one order are combined into one call.
 ///

@@ -113,8 +113,8 @@ void SetPointRamp::recover(std::uint32_t cycle) {
 
 // Sets the velocity at which the ramp begins after an order of voltage or current. The ramp begins
 // at the lower of two velocities: the measured velocity, and the velocity that the present voltage
-// causes without load. At a greater velocity the voltage would jump. If the two velocities have
-// opposite directions, the ramp begins at 0.
+// causes without load. If the ramp began at a greater velocity, the voltage would jump. If the two
+// velocities have opposite directions, the ramp begins at 0.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -142,8 +142,8 @@ void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t 
   share_ = std::clamp(share_ + (fast ? -kScaleFall : kScaleRise), kMinScale, kFullScale);
 }
 
-// Multiplies all velocities by the same two factors, and other set-points only by share_. Therefore
-// the ratio of the velocities does not change, and the robot stays on its circle.
+// Multiplies all velocities by most / greatest and by share_, and other set-points only by share_.
+// Therefore the ratio of the velocities does not change, and the robot stays on its circle.
 void SetPointRamp::limit(SetPoints& setPoints, std::int32_t most) const {
   std::int32_t greatest = most;
   for (const WheelSetPoint& setPoint : setPoints.wheels) {

@@ -14,9 +14,9 @@ namespace wr {
 ///
 /// @function Changes the set-points step by step towards the ordered set-points: velocities by at
 /// most 0.5 m/s^2, and voltages by at most 1.0 V per cycle away from 0 and 2.4 V per cycle towards
-/// 0. At a greater steering angle the greatest permitted velocity is lower. The same factor limits
-/// all wheels. Therefore the ratio of their velocities stays as ordered. While a wheel is too fast,
-/// another factor lowers the set-points of all wheels.
+/// 0. At a greater steering angle the greatest permitted velocity is lower. When an order exceeds
+/// it, one factor lowers the velocities of all wheels. Therefore the ratio of these velocities
+/// stays as ordered. While a wheel is too fast, another factor lowers the set-points of all wheels.
 ///
 /// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot
 /// that is too fast slows down.

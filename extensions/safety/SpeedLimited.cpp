@@ -27,7 +27,7 @@ Tension assumed(Velocity velocity) {
 SpeedLimited::SpeedLimited(WheelAlgorithm& wrapped) : wrapped_(wrapped) {}
 
 // The permitted voltages are computed from the present voltage of the wheel. Therefore the wheel
-// does not exceed the speed limit, even if the supply is high or the robot drives downhill.
+// exceeds the speed limit only a little, even if the supply is high or the robot drives downhill.
 Tension SpeedLimited::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
   constexpr std::int32_t kLimit = 2900;  // [0.1 rpm] speed limit
   const std::int32_t velocity = feedback.velocity.count();

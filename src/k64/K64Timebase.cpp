@@ -42,8 +42,8 @@ std::uint32_t K64Timebase::awakeCycles() const {
 }
 
 // The interrupts are blocked during the sleep and until the counter has been read. Thus the
-// handler of the interrupt that ends the sleep runs later, and the cycles of this handler do not
-// count as sleep.
+// handler of the interrupt that ends the sleep runs later, and the processor cycles of this handler
+// do not count as sleep.
 void K64Timebase::sleep() {
   closeInterrupts();
   const std::uint32_t before = dwt::CYCCNT.read().value;

@@ -8,12 +8,12 @@
 namespace wr {
 
 /// @brief Time base of the K64. Channel 2 of the periodic interrupt timer measures the time since
-/// start. The cycle counter of the core counts the cycles.
+/// start. The cycle counter of the core counts the processor cycles.
 /// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
-/// returns the number of cycles in which the core did not sleep.
+/// returns the number of processor cycles in which the core did not sleep.
 /// @secret How the time is computed from a 32-bit down counter, without overflow and without a
-/// 64-bit division. How the cycles are counted, even if the cycle counter stops while the core
-/// sleeps.
+/// 64-bit division. How the processor cycles are counted, even if the cycle counter stops while the
+/// core sleeps.
 class K64Timebase final : public Timebase {
  public:
   /// @brief Time at which the handler of an interrupt was entered. The handler uses this time for
@@ -94,7 +94,7 @@ class K64Timebase final : public Timebase {
   static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from this value down to 0
 
   mutable Time begin_;             // time at which the counter started its present period
-  std::uint32_t sleptCycles_ = 0;  // cycles of sleep; written only while interrupts are blocked
+  std::uint32_t sleptCycles_ = 0;  // processor cycles; written only while interrupts are blocked
 };
 
 }  // namespace wr

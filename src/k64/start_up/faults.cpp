@@ -46,8 +46,8 @@ extern const std::uint32_t stackTop[];
       "b endOfProgram");
 }
 
-// Only some products use these interrupts. These products define their own handlers,
-// which replace the weak handlers here.
+// Only some products use the interrupts of the remote control and of the second serial port. These
+// products define their own handlers, which replace the weak handlers here.
 [[gnu::weak, gnu::naked]] void remoteControlInterrupt() {
   asm volatile("b unexpected");
 }
