@@ -48,7 +48,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "cycles. Measures the number of instructions, the time from the clock pulse to the report, "
         "the processor load, the latencies, and the speed of the simulator. Compares the patterns "
         "with the baseline design, and measures the cost of recording the calls. With --port, "
-        "sends the same orders to a connected board and reads the cycle counts in its reports. "
+        "sends the same orders to a connected board, and reads the counts of processor cycles in "
+        "its reports. "
         "Lift the robot first, because its motors will turn at up to 300 rpm. The remote control "
         "may be off, because the PC sends all orders.",
     )

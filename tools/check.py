@@ -83,7 +83,8 @@ def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     """
     from traceability.checks import message, sort
 
-    # The findings of these checks come first, because their faults cause many other findings.
+    # The findings of these checks come first, because the faults that these checks find cause
+    # many other findings.
     first = (
         "syntax-error",
         "design-entry",

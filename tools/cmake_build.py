@@ -138,8 +138,8 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     results.parent.mkdir(parents=True, exist_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
-    # The files with the counts of the last run are removed. Otherwise, gcc would add the new counts
-    # to these counts.
+    # The files with the coverage counters of the last run are removed. Otherwise, the program would
+    # add its counts to these counters.
     for counters in binaries.rglob("*.gcda"):
         counters.unlink()
     program = program_of(root, run_name)

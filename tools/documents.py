@@ -91,8 +91,8 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 
 
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
-    """Adds numbers that were measured after the documents were built to the metrics of the
-    documents."""
+    """Adds numbers to the metrics of the documents. The numbers were measured after the documents
+    were built."""
     for path in (root / name for name in files or (METRICS,)):
         metrics = read_json(path)
         text = json.dumps((metrics or {}) | value, indent=1, sort_keys=True)

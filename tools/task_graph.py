@@ -34,7 +34,7 @@ from traceability.whole_file import write_whole
 
 SECONDS = "seconds of tasks"  # key of the duration of each task
 WAKE = 0.2  # period at which a waiting main thread wakes up, so that it receives Ctrl-C [s]
-LONG = 10  # The start of a task that is expected to take longer is printed [s].
+LONG = 10  # If a task is expected to take at least this time, its start is printed [s].
 
 
 @dataclass(frozen=True)

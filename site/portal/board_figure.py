@@ -149,7 +149,8 @@ def _legend(used: dict[str, Used]) -> Markup:
 def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
     left = MARGIN + row.left * PITCH
     wide = len(row.pins) * PITCH
-    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # only one row shows the name
+    # Only one row of a header shows the name of the header.
+    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):
         yield Markup('<text x="{}" y="{}" class="b">{}</text>').format(
             left + wide + 2, row.top + SIZE + 4, row.header
         )

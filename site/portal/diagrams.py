@@ -252,8 +252,8 @@ def uses(module: Module) -> set[str]:
 
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
-    """Returns the diagram of a state machine. A transition that occurred in no test is dashed,
-    unless the test results are stale.
+    """Returns the diagram of a state machine. An arrow is dashed if one of its transitions occurred
+    in no test, unless the test results are stale.
     """
     lines = preamble()
     for name, module in machine.states.items():

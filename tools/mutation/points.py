@@ -167,8 +167,10 @@ class _Finder:
         return any(token.spelling == "constexpr" for token in cursor.get_tokens())
 
     def early_return(self, function: Cursor, body: Cursor) -> None:
+        # A body with one statement gets no early return. If this statement is a call, the mutant
+        # without the call has the same effect.
         if len(list(body.get_children())) < 2:
-            return  # A mutant of the only statement already has the same effect.
+            return
         void = function.result_type.kind == TypeKind.VOID
         if function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR):
             void = True

@@ -58,8 +58,8 @@ class Tried:
 
 
 def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
-    """Returns the tests for the functions that have mutants. A function outside the
-    invocation trees serves no requirement.
+    """Returns the tests for the functions that have mutants. Only the invocation trees count here:
+    a function outside them has no requirement, even if its comment has the tag @satisfies.
     """
     plan = Plan({name: [] for name in functions}, {}, {})
     for requirement in model.requirements.values():
@@ -97,8 +97,8 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
 
 
 def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
-    """Returns the numbers of the mutants in random order. In each round, every requirement adds one
-    of its mutants."""
+    """Returns the numbers of the mutants in random order. The order consists of rounds: each round
+    adds one mutant for each requirement."""
     numbers = list(range(1, len(mutants) + 1))
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}

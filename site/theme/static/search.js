@@ -60,7 +60,7 @@
   const NAMED = 6; // added to the score of an entry if its name or number is in the query
   const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weight of a word of an entry, by the field that contains the word
   const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields in the score of MiniSearch
-  const COMMON = 60; // words that are in far fewer entries than this count as almost equally rare
+  const COMMON = 60; // words that are in far fewer entries than this number have almost the same weight
   const QUOTED = 4; // least number of words of a message that the query contains in the same order
   const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // groups whose entries are not found by name, because entries of other groups have the same names
   const WRITTEN = new Set(["Data types", "Source"]); // groups whose entries are found by name only if the query has no space

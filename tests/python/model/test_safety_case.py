@@ -123,7 +123,8 @@ def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
 def test_an_instance_of_a_test_decides_about_its_scenario(
     tmp_path: Path, own: str, state: str
 ) -> None:
-    """A failed instance for another scenario does not affect this scenario."""
+    """The test has an instance for each scenario. A failed instance for another scenario does not
+    change the verdict of the scenario ``lost``."""
     write_case(tmp_path)
     model = settled(tmp_path, "failed")
     runs = model.tests["Safety.FR1_Stops"].results

@@ -230,7 +230,7 @@ def test_a_loop_that_nothing_bounds_has_no_longest_path(tmp_path: Path) -> None:
 
 def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
     """The fact limits a sum to 7. Each iteration of the loop adds 1 to the sum, and the exit from
-    the loop adds 2."""
+    the loop adds 2. The longest path therefore has five iterations."""
     code = code_of(tmp_path, LOOP)
     cost = {start: block.cycles for start, block in code.blocks.items()}
     (loop,) = code.loops
