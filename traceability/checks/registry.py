@@ -633,8 +633,9 @@ _FIXED = [
         "Every file below src and extensions belongs to a module, contains data types, belongs to "
         "a composition, or is listed as shared in design/modules.toml. The file of a module can "
         "contain functions and classes outside the class of the module. Other files cannot use "
-        "these functions and classes. Operators are an exception: other files can use them. The "
-        "file of a module has no global or static variable, except constants.",
+        "these functions and classes. Operators are an exception: other files can use them. If a "
+        "variable in the file of a module exists as long as the program, it is a member, a "
+        "constant or a reference, or it has its own section of the memory.",
         "The check does not limit the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
