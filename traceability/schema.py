@@ -1221,7 +1221,7 @@ class MadeChange:
 
     application: str
     event: str
-    # short name of the event in the list of hard changes on the page of the likely changes; "" if
+    # description of the change in the list of hard changes on the page of the likely changes; "" if
     # the list does not contain the change
     hard: str
     why: str  # reason why the change must edit existing files

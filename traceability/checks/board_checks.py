@@ -25,7 +25,7 @@ def _findings(model: Model) -> list[Finding]:
         Finding(
             finding.place,
             "board-finding",
-            f"no test in tests/sim/emulator causes the finding {finding.id}",
+            f"no test in tests/sim/emulator names the finding {finding.id}",
         )
         for finding in model.board_findings.values()
         if not finding.tests
@@ -54,8 +54,7 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds registers for which design/board_beliefs.toml has no entry. The registers are in the
-    table of the drivers."""
+    """Finds registers of src/k64/registers.hpp for which design/board_beliefs.toml has no entry."""
     believed, block = {belief.register for belief in model.beliefs}, ""
     for number, line in enumerate(_text(facts, REGISTERS).splitlines(), 1):
         if begin := re.match(r"namespace (\w+) \{", line):

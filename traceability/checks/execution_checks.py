@@ -141,8 +141,9 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
-                # The finding points to the call if the constant is right for another context.
-                # Otherwise, it points to the definition of the constant.
+                # If the constant is right for another context, the finding points to the call that
+                # enables the interrupt line. Otherwise, it points to the definition of the
+                # constant.
                 shared = name in right
                 place = _enabled_at(name, context, facts) if shared else _place_of(name, facts)
                 key = (name, context.id if name in right else "")

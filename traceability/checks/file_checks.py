@@ -92,8 +92,8 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _loose(facts: Facts) -> Iterator[Finding]:
-    """Finds variables in the file of a module that are not members of an object. All objects of the
-    class would share such a variable."""
+    """Finds variables in the file of a module that exist as long as the program and are not members
+    of a class. All objects of the module would share such a variable."""
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)
         if module in facts.modules:

@@ -248,8 +248,8 @@ def _units(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
-    """Returns whether a declaration has a comment. A declared object needs no comment of its own if
-    its class has a comment."""
+    """Returns whether a declaration has a comment. An object that is declared as ``extern`` needs
+    no comment."""
     if facts.comments.at(place.file, place.end or 0).tags:
         return True
     above, line = facts.lines_of(place.file)[max(0, place.line - 2) : place.line]

@@ -1,4 +1,4 @@
-"""doc-name: if a text contains a name of the code, this name exists in the code.
+"""doc-name: each name of the code in a text exists in the code or in the paper.
 
 A text is a comment of the code, a literal of a page of docs/, or a text of design/.
 """

@@ -192,7 +192,7 @@ def state_unmarked(shape: Shape) -> Broken:
     for context in shape.playing("Context"):
         for name in shape.facts.names_of.get(context, []):
             state = own.get((name.target, name.member))
-            # True if a data type in the same header, and not the Context, uses the name.
+            # True if another class in the same file uses the enumerator.
             beside = owner_of(name.by) not in (
                 "",
                 context,
@@ -307,8 +307,8 @@ def decorator_holds(shape: Shape) -> Broken:
 
 
 def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
-    """Returns whether a decorator makes this call on the component that it decorates. The component
-    is the only member of this type in the decorator."""
+    """Returns whether a decorator makes this call on the component that it decorates. No other
+    member of the decorator has the type of the component."""
     return all(
         place.startswith("this ") or owner_of(place.split()[1]) in decorators for place in call.on
     )
@@ -638,7 +638,7 @@ def singleton_copy(shape: Shape) -> Broken:
 
 
 def serializer_used(shape: Shape) -> Broken:
-    """Finds operations of a serialised element that call neither a Reader nor a Writer."""
+    """Finds operations of a Concrete Element that call neither a Reader nor a Writer."""
     abstractions = shape.playing("Reader") + shape.playing("Writer")
     for element in shape.playing("Concrete Element"):
         operations = [body for body in shape.bodies(element) if body.overrides]

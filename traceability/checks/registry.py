@@ -83,8 +83,8 @@ WHY = {
         "A cycle that is too long disturbs the control. It is possible that no test contains the "
         "longest cycle."
     ),
-    "req": "A requirement is fulfilled only when the code, the tests and the test results show "
-    "this.",
+    "req": "A requirement counts as fulfilled only if the code, the tests and the test results "
+    "show that it is fulfilled.",
     "suspect": (
         "A verdict is valid only for the texts that were judged. The checks compare the present "
         "texts with the baseline, and find the texts that have changed."
@@ -172,8 +172,8 @@ _FIXED = [
         "Each design module has exactly one secret",
         "The comment above every design module has exactly one @secret, which differs from the "
         "@function. No two modules have the same @secret.",
-        "The check cannot judge whether the code really hides the change, which @secret states, "
-        "from the other modules.",
+        "The check cannot judge whether the code really hides the stated change from the other "
+        "modules.",
         "write @secret above the class, and state the one likely change that only this module "
         "hides.",
     ),
@@ -439,16 +439,17 @@ _FIXED = [
         "The handler of an interrupt never reaches a method with @isr{no}. A method with "
         "@isr{yes} never calls a method with @isr{no}. If the code calls a method of an abstract "
         "class, the check follows the call to the objects that the builders passed.",
-        "The check does not follow calls through pointers to functions. It does not find methods "
-        "without @isr, and it cannot judge whether @isr{yes} is true.",
+        "The check does not follow calls through pointers to functions, or calls inside methods of "
+        "extensions. It does not find methods without @isr, and it cannot judge whether @isr{yes} "
+        "is true.",
         "let a thread call the method, or make the method safe for interrupts and write @isr{yes}.",
     ),
     Check(
         "exec-float",
         "No floating point in an interrupt",
         "A function that the handler of an interrupt reaches has no floating-point number.",
-        "The check does not read functions of the toolchain, and does not follow calls through "
-        "pointers to functions.",
+        "The check does not read functions of the toolchain. It does not follow calls through "
+        "pointers to functions, or calls inside methods of extensions.",
         "compute with integers.",
     ),
     Check(
@@ -475,11 +476,12 @@ _FIXED = [
         "Shared data of contexts is protected",
         "A member that one context changes and another context uses is a Pipe, or "
         "design/execution.toml declares its protection. A member that is declared as atomic is "
-        "atomic. While code uses a member that is declared as masked, an InterruptLock exists. "
-        "Only one context writes each pipe, and only one context reads it.",
+        "atomic. Each function that uses a member that is declared as masked creates an "
+        "InterruptLock. Only one context writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
-        "the standard library. It cannot judge whether the protection is sufficient. It does not "
-        "compare two threads of the same kind, such as the threads of two wheels.",
+        "the standard library. It does not read methods of extensions. It cannot judge whether the "
+        "protection is sufficient. It does not compare two threads of the same kind, such as the "
+        "threads of two wheels.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -505,9 +507,9 @@ _FIXED = [
     Check(
         "stack-bound",
         "The stack is large enough for the worst case",
-        "For each interrupt priority, the deepest chain of calls is computed. The sum of the "
-        "stack that these chains need is not larger than the stack. Each stack frame has a known "
-        "size. No closed-loop run used more stack than this sum.",
+        "For each interrupt priority, the deepest chain of calls is computed. The stack has at "
+        "least as many bytes as these chains need together. Each stack frame has a known size. No "
+        "closed-loop run used more bytes of the stack than computed.",
         "The check does not count the stack that is needed if a second fault occurs in a fault "
         "handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
@@ -566,8 +568,8 @@ _FIXED = [
         "another machine, such as 'in Reconnecting', is not compared. The table [guards] of the "
         "file lists the conditions of each guard. Before each change, the code checks the "
         "conditions of the guard. The table [actions] of the file lists the methods of each "
-        "action. Before each change, the code calls the methods of the action, and it calls no "
-        "other method of this table.",
+        "action. Before each change, the code calls the methods of the action. If an operation "
+        "calls a method of this table, a transition of the operation has this action.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -631,8 +633,9 @@ _FIXED = [
         "Every file below src and extensions belongs to a module, contains data types, belongs to "
         "a composition, or is listed as shared in design/modules.toml. The file of a module can "
         "contain functions and classes outside the class of the module. Other files cannot use "
-        "these functions and classes. Operators are an exception: other files can use them. Every "
-        "variable is a member of an object.",
+        "these functions and classes. Operators are an exception: other files can use them. If a "
+        "variable in the file of a module exists as long as the program, it is a member, a "
+        "constant or a reference, or it has its own section of the memory.",
         "The check does not limit the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
@@ -668,8 +671,8 @@ _FIXED = [
     ),
     Check(
         "tree-missing",
-        "Each requirement has a tree",
-        "Every requirement has a tree of invocations in design/trees.",
+        "Each functional requirement has a tree",
+        "Every requirement FR-n has a tree of invocations in design/trees.",
         "The check cannot judge whether the tree shows the intended calls.",
         "write the tree of the requirement in design/trees.",
     ),
@@ -708,8 +711,9 @@ _FIXED = [
         "A test that verifies the requirement passed, and its recorded calls contain all calls of "
         "the tree. Each child is called during the call of its parent, and the children are "
         "called in the order of the tree.",
-        "Operations that only the target implements, such as reading a pin, are not recorded. The "
-        "check compares nothing while the test results are older than the sources.",
+        "Operations that only the drivers of the K64 implement, such as reading a pin, do not "
+        "exist on the host. In a test on the host, the check ignores them. It compares nothing "
+        "while the test results are older than the sources.",
         "correct the tree, or make the calls in a test of the requirement.",
     ),
     Check(
@@ -747,11 +751,11 @@ _FIXED = [
     Check(
         "req-source",
         "Sources are references",
-        "Every @source has the form 'kind: name'; semicolons separate several sources. The name of "
-        "a paper is a place of design/paper.toml. The name of a goal is in design/safety_case.toml "
-        "and in a @goal of the requirement. The name of a protocol is a heading of "
-        "docs/protocol.rst. The name of a data sheet is in design/safety_case.toml. A source of "
-        "the kind decision states the decision as a text.",
+        "Every @source has the form 'kind: name'; semicolons separate several sources. After "
+        "'paper', the name is a place of design/paper.toml. After 'goal', the name is a safety "
+        "goal of design/safety_case.toml that a @goal of the requirement names. After 'protocol', "
+        "the name is a heading of docs/protocol.rst. After 'data sheet', the name is a data sheet "
+        "that design/safety_case.toml lists. After 'decision', a text states the decision.",
         "The check cannot judge whether the source supports the requirement. Only a reader can "
         "judge this.",
         "write the source in this form.",
@@ -789,7 +793,7 @@ _FIXED = [
         "Code of the firmware calls every public method of a design module, or the method that it "
         "overrides. Methods without a caller are justified in design/justified.toml.",
         "The check does not detect whether the calling code is ever executed. It also accepts a "
-        "call in dead code.",
+        "call in dead code. It ignores constructors and operators.",
         "call the method, remove the method, or justify it in design/justified.toml.",
     ),
     Check(
@@ -859,7 +863,8 @@ _FIXED = [
         "requirement, and the method serves this requirement. A method serves a requirement in "
         "three cases: the tree of the requirement contains the method, the @satisfies of the "
         "method names the requirement, or no tree contains the method and a caller of the method "
-        "serves the requirement. Other lines are justified in design/justified.toml.",
+        "serves the requirement. If a method serves no requirement, a passing test of any "
+        "requirement is enough. Other lines are justified in design/justified.toml.",
         "The check does not read the drivers of the K64; the page of the virtual K64 lists their "
         "lines. It does not detect whether the test checks the effect of the line.",
         "execute the line in a test of its requirement, remove it, or justify it in "
@@ -877,8 +882,8 @@ _FIXED = [
     Check(
         "hazard-covered",
         "Each hazard is covered",
-        "Every hazard has a safety goal or an assumption of use. Its severity, exposure and "
-        "avoidance have a level in the risk graph.",
+        "Every hazard has a safety goal or an assumption of use. The risk graph has a level for "
+        "its severity, exposure and avoidance.",
         "The check cannot judge whether the estimates are right, or whether the goal is "
         "sufficient.",
         "name a goal or an assumption, or complete the estimates.",
@@ -900,8 +905,8 @@ _FIXED = [
         "fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It cannot judge whether the tests measure the right reaction. It compares only "
-        "the declared number of the reaction, and not the times in the text of the reaction. If a "
-        "goal has a known exception, the check does not compare the times that the scenarios of "
+        "the declared reaction time, and not the times in the text that describes the reaction. If "
+        "a goal has a known exception, the check does not compare the times that the scenarios of "
         "this goal accept.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
     ),
@@ -963,8 +968,8 @@ _FIXED = [
         "suspect-test",
         "Verifying tests are as in the baseline",
         "These texts are unchanged since the baseline: the tests that verify a requirement, their "
-        "fixtures, parameters and helpers, the scenarios that the tests play, and the reasons for "
-        "source lines that no test executes.",
+        "fixtures, parameters and helpers, the scenarios that the tests play, and the "
+        "justifications of source lines.",
         "The check does not compare the simulator, tests in Python, comments and formatting.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
@@ -1016,8 +1021,9 @@ _FIXED = [
         "The concordance names existing parts",
         "The entries of design/concordance.toml and the backticks in their texts name only "
         "existing modules, methods, applications, state machines, requirements, checks and pages. "
-        "A count of modules or of applications equals the count in the code, and the value of a "
-        "constant equals the value in the code.",
+        "A count of modules or of applications equals the number of entries in "
+        "design/modules.toml or design/applications.toml. The value of a constant equals the value "
+        "in the code.",
         "The check cannot judge whether the named part is really the counterpart of the element "
         "in the paper. Only a reader can judge this.",
         "name the part that replaced the missing part.",
@@ -1041,9 +1047,9 @@ _FIXED = [
     Check(
         "doc-frame",
         "Numbers of the protocol agree with the code",
-        "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
-        "the same name in the firmware. Each frame has the type of the enumerator of FrameType "
-        "with the same name.",
+        "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
+        "firmware, both have the same number. If a frame has the name of an enumerator of "
+        "FrameType, the type of the frame is the number of this enumerator.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",

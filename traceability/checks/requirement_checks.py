@@ -469,7 +469,8 @@ def _suspects(model: Model) -> Iterator[Finding]:
 
 def _reviews(model: Model) -> Iterator[Finding]:
     """Finds recorded reviews that are not valid. The reviewer must be a person who wrote none of
-    the reviewed texts, and must have answered all questions."""
+    the reviewed texts. The record must have a remark, and an answer to each question of a
+    review."""
     for requirement in model.requirements.values():
         for review in requirement.reviews:
             for objection in review.objections:

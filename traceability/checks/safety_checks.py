@@ -169,7 +169,7 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"
         if not scenario.goals:
-            fix = "write a comment '# goal SG-1' with its goal near its first line"
+            fix = "write the goal as a comment, such as '# goal SG-1', below the title"
             yield Finding(where, check, f"the scenario {scenario.name} names no goal", fix)
         for name in scenario.goals:
             goal = model.safety.goals.get(name)

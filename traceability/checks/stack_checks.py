@@ -24,7 +24,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _self_calls(facts: Facts) -> Iterator[Finding]:
     """Finds functions that call themselves, directly or through functions of the same source file.
-    This function needs no firmware image. It replaces the other checks of the stack if no firmware
+    This check needs no firmware image. It replaces the other checks of the stack if no firmware
     image was built from the present sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:

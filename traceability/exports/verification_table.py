@@ -84,8 +84,8 @@ class VerifiedRequirement:
 
 @dataclass(frozen=True)
 class Verification:
-    """The verification of all requirements. ``justified`` lists the source lines that no test
-    executes, with the reasons."""
+    """The verification of all requirements. ``justified`` lists the source lines that no test of
+    their requirements executes, with the reasons."""
 
     commit: str
     sources: str

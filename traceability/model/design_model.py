@@ -119,7 +119,7 @@ class Model:
     # file of a driver -> number of a source line -> true if a test on the virtual K64 executed it
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[LineGap] = field(default_factory=list)
-    # suspicions about texts that belong to no requirement
+    # texts that belong to no requirement, and that differ from the baseline
     suspicions: Sequence[Suspicion] = field(default_factory=list)
     # ids that have a baseline or a review, although no requirement has this id
     reviews_of_nothing: Sequence[str] = field(default_factory=list)

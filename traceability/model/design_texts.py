@@ -27,7 +27,7 @@ FACT = re.compile(
     r"|\b(?:two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|twenty|twice|half|third"
     r"|fourth|fifth|sixth|seventh|eighth|ninth|tenth)\b"
 )
-# Instructions on these pages can endanger people. Each change of their words needs a review.
+# A wrong instruction on these pages can endanger people. Each change of their words needs a review.
 SAFETY_PAGES = ("docs/bring_up.rst", "docs/hazards.rst")
 # A text with at most this number of words counts as a name and not as a sentence. It is left out
 # here, because other checks compare names with the code.

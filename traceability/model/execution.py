@@ -103,7 +103,8 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 def silent_lines(facts: Facts) -> dict[int, str]:
     """Returns the interrupt lines that have a handler but are enabled by no call in the firmware:
-    number of the interrupt line -> name of the handler.
+    number of the interrupt line -> name of the handler. Of each list of handlers in the vector
+    table, only the first interrupt line is examined.
     """
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {

@@ -82,7 +82,8 @@ def proven(change: MadeChange | None) -> bool:
 
 def unproven(change: MadeChange) -> str:
     """Returns the reason why the tests do not prove that a change works. The reason is empty if all
-    tests of the change passed with the present sources, and each target ran at least one of them.
+    tests of the change passed with the present sources, and each target has at least one of these
+    tests.
     """
     results = {test.result for test in change.tests}
     missing = sorted({HOST, VIRTUAL_K64} - {test.target for test in change.tests})

@@ -70,7 +70,8 @@ def _stale(model: Model) -> Iterator[tuple[str, str]]:
         )
     if model.build and model.build.changed:
         yield (
-            f"{_count(len(model.build.changed), 'file')} differ from the commit.",
+            "Number of files that differ from the commit of this build: "
+            f"{len(model.build.changed)}.",
             "build_evidence",
         )
 

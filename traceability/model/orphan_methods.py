@@ -58,7 +58,7 @@ def tests_without(model: Model) -> list[Test]:
 
 def justify(model: Model, declared: Iterable[Justified]) -> Model:
     """Records in each justification the names of the methods and tests that need it. For source
-    lines that no test executes, records the reason from the justification."""
+    lines that no test of their requirements executes, records the reason from the justification."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     reasons: dict[str, str] = {}

@@ -240,8 +240,8 @@ class LinkTexts:
                 yield LinkText("constants", file, Place(file, 1), text)
 
     def _justifications(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the justifications for source lines in the methods of a requirement. No test
-        executes these source lines."""
+        """Yields the justifications for source lines in the methods of a requirement. No test of
+        the requirement executes these source lines."""
         for item in self.facts.declared.justified:
             if item.kind == "line" and set(item.names) & self._methods(requirement):
                 yield LinkText("justification", item.names[0], item.place, item.why)

@@ -29,7 +29,7 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
     safety functions.
 
     If the file of a parameterised test names the folder of the scenarios, the test may execute each
-    scenario. The recordings of the test show which scenarios the test executed. A test without
+    scenario. The recordings of the test show which scenarios the test executed. Such a test without
     recordings counts as a test of all scenarios.
     """
     case = facts.declared.safety

@@ -92,7 +92,7 @@ class Times:
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
 
     def use_body(self, body: str, without: Iterable[str] = ()) -> None:
-        """Sets the command that the next thread executes, and the methods that the thread does not
+        """Sets the thread for the next computations: its command, and the methods that it does not
         call."""
         self.prover.body = body
         self.without = frozenset(without)
@@ -108,8 +108,8 @@ class Times:
         self.inside |= {within for within, _ in self.spread if within == method}
         key = (symbol, tuple(sorted(entered.items())), self.inside)
         if key not in self.known:
-            # The value 0 is used if the function calls itself. The proof of the stack reports the
-            # cycle of calls.
+            # The value 0 is used if the function calls itself. The proof of the stack reports such
+            # a recursion.
             self.known[key] = 0
             code = self.codes[symbol]
             single: dict[str, int] = {}  # callee -> cycles, for callees that are called once

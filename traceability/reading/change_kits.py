@@ -39,7 +39,7 @@ class Kit:
     application: str
     event: str
     place: Place
-    # short name of the event in the list of hard changes on the page of the likely changes; "" if
+    # description of the change in the list of hard changes on the page of the likely changes; "" if
     # the list does not contain the change
     hard: str = ""
     why: str = ""  # reason why the change must edit existing files

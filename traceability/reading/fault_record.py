@@ -1,5 +1,5 @@
-"""Reads the published results of the campaigns, which are long test runs with inserted faults or
-random scenarios."""
+"""Reads the published results of the campaigns, which are long test runs with inserted faults,
+random inputs or random drives."""
 
 from __future__ import annotations
 

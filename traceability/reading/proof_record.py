@@ -88,7 +88,7 @@ def scenario(
     proof: ProofProperty, events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> str:
     """Returns a scenario whose execution repeats a counterexample. Returns "" if the counterexample
-    contains an event that no action can cause."""
+    contains an event that neither an action nor waiting can cause."""
     lines, at, number, lasting = [], START_MS, 0, dict[str, str]()
     ending: dict[str, str] = {}
     for line in events:

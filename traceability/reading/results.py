@@ -101,7 +101,7 @@ def cost_of(root: Path, run_name: str) -> Path:
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
     """Returns how many times longer the tests took with recordings than without. Returns None if
-    the two runs did not use these sources."""
+    one of the two runs used other sources than ``sources``."""
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
         return None
@@ -197,7 +197,7 @@ def _result(test: dict[str, Any]) -> Result:
 
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
     """Returns the results of the faults that a test inserted in the drivers. Returns None if the
-    test did not use these sources."""
+    test used other sources than ``sources``."""
     data = read_json(root / RESULTS / "driver_faults.json")
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None

@@ -86,8 +86,9 @@ class Traces:
         """Yields each entry and exit of the named functions in the order of time. Yields (name,
         True) for an entry, and (name, False) for an exit.
 
-        ``turning`` contains addresses of functions. Repeated calls without a call of these
-        functions are yielded only once, until the next call of one of these functions.
+        ``turning`` contains addresses of functions. If a repeated sequence of calls contains no
+        call of these functions, it is yielded only once. It can be yielded again after the next
+        call of one of these functions.
         """
         events = self.events(test)
         calls = {address: [(name, True)] for address, name in names.items()}
