@@ -197,9 +197,7 @@ class _Driver:
         self._first = True  # no report of this connection was received yet
 
     def run(self) -> bool:
-        """Runs the loop. Returns true if the key q ended the loop, and false if the terminal or
-        the program ends.
-        """
+        """Runs the loop. Returns true if the key q ended the loop, otherwise false."""
         while True:
             pressed = read_keys(sys.stdin.fileno())
             if pressed is None or self._ends():

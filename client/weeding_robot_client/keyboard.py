@@ -26,8 +26,8 @@ ESCAPES = {b"\x1b[A": FORWARD, b"\x1b[B": BACKWARD, b"\x1b[C": RIGHT, b"\x1b[D":
 ESCAPES |= {b"\x1bO" + code[-1:]: key for code, key in ESCAPES.items()}
 HELP = f"""\
 Keys (keep a motion key pressed: all wheels go to 0 after {DEAD_MAN_S} s without a motion key):
-  up, w     hold: drive forwards      left, j   1 degree to the left
-  down, s   hold: drive backwards     right, l  1 degree to the right
+  up, w     pressed: drive forwards   left, j   1 degree to the left
+  down, s   pressed: drive backwards  right, l  1 degree to the right
   +         10 rpm faster             -         10 rpm slower
   0         steering to 0             space     stop: halts the wheels and keeps the steering angle
   a         acknowledge and arm       r         release the stop

@@ -1,4 +1,7 @@
-"""Reads the frames of the PC protocol from ``design/frames.toml``. All programs use this table."""
+"""Reads the frames of the PC protocol from ``design/frames.toml``.
+
+The client, the simulator, the portal and the build of the firmware use this module.
+"""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class Quantity(Enum):
 
 @dataclass(frozen=True)
 class WheelSetPoint:
-    """A set-point: a value in the unit of its quantity. The velocity is measured at the motor
+    """A set-point: a value in the unit of its quantity. A velocity is the velocity of the motor
     shaft."""
 
     quantity: Quantity

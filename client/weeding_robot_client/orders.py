@@ -118,6 +118,6 @@ def arm(
 
 
 def acknowledge(orders: Orders, wish: Wish | None = None) -> None:
-    """Orders all control systems to halt and to release latched faults."""
+    """Sends neutral orders with the command to acknowledge, which releases latched faults."""
     still = (wish or Wish()).neutral()
     orders.hold(Wish(still.wheels, still.steering_degrees, acknowledge=True), ACKNOWLEDGE_S)

@@ -7,7 +7,8 @@ from weeding_robot_client.messages import WHEELS, Report
 
 CAUSES = {
     "emergency stop": "the emergency stop is pressed, or its contact is not connected",
-    "steering fault": "the steering did not move as ordered, or its position is missing",
+    "steering fault": "the steering did not move as ordered, its position is missing, or both "
+    "end stops are reached",
     "overcurrent": "the current of a motor was too high",
     "no motion": "a wheel has voltage, and its Hall sensors show no motion",
     "wrong direction": "a wheel turns against its voltage: motor leads or Hall pair are swapped",
@@ -78,7 +79,10 @@ def faults(report: Report) -> list[str]:
         if is_set
     ]
     if report.steering_state == "fault":
-        found.append("steering is in fault: it did not move as ordered, or its position is missing")
+        found.append(
+            "steering is in fault: it did not move as ordered, its position is missing, or both "
+            "end stops are reached"
+        )
     for side, reached in (("left", report.left_end), ("right", report.right_end)):
         if reached:
             found.append(f"steering is at its {side} end stop")

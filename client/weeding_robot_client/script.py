@@ -32,7 +32,7 @@ A script has one line for each change. The times of the lines must not decrease:
 
 The time starts when the robot is armed. `velocity`, `tension` and `current` apply to all four
 wheels. After 'wheel N', they apply only to wheel N: 0 front left, 1 front right, 2 rear left,
-3 rear right. `tension` is the voltage of the motor. The velocity is measured at the motor shaft.
+3 rear right. `tension` is the voltage of the motor. `velocity` is the velocity of the motor shaft.
 Steering is positive to the left. A line changes only the values that it contains. 'stop' orders a
 stop until 'release', also after the end of the script. 'acknowledge' releases a protective stop.
 'release' and 'acknowledge' set all wheels to 0. To arm the robot again, keep all wheels at 0 for

@@ -403,7 +403,10 @@ BLIND = "rear right wheel has no motion feedback: it has voltage but no Hall edg
         ((2, 0b10, 0, 0, 0, 0, 0, 0), ["steering is at its right end stop"]),
         (
             (3, 0, 0, 0, 0, 0, 0, 0),
-            ["steering is in fault: it did not move as ordered, or its position is missing"],
+            [
+                "steering is in fault: it did not move as ordered, its position is missing, or "
+                "both end stops are reached"
+            ],
         ),
     ],
 )
