@@ -362,7 +362,7 @@ class Link {
     }
     port_.sent.clear();
     expect(challenged == (port_.room ? signedOracle_.challenges : 0),
-           "each dropped frame of the signed line is challenged");
+           "each dropped frame of the signed line is answered with a challenge");
     signedOracle_.challenges = 0;
     return session;
   }
