@@ -273,7 +273,8 @@ TEST_F(BuilderDeathTest, FR78_ControllerNeedsItsModes) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
-/// @brief The controller needs the link to the PC, even when its mode was built elsewhere.
+/// @brief The controller needs the link to the PC, even when a mode of the test is passed to the
+/// builder.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ControllerNeedsTheLink) {
   poolBuilder.buildSystems();

@@ -81,10 +81,10 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   }
 }
 
-/// @brief The watch learns motors whose parameters are at the ends of their tolerances, also when
-/// the supply has 21 V or 29 V and the current sensor has an error of 0.3 A. Correct leads do not
-/// stop the robot, even when load and velocity change at the same time. At 20 rpm, swapped leads
-/// are detected within five cycles.
+/// @brief The watch learns motors whose parameters are at the ends of their tolerances. The supply
+/// has 21 V or 29 V, and the current sensor has an error of 0.3 A. Correct leads do not stop the
+/// robot, even when load and velocity change at the same time. At 20 rpm, swapped leads are
+/// detected within five cycles.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   for (const double supply : {21.0, 29.0}) {

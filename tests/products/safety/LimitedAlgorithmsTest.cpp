@@ -48,8 +48,9 @@ TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
 }
 
-/// @brief At 290 rpm, the voltage of a wheel does not rise. Above 290 rpm, it falls. A wheel that
-/// accelerates towards the limit gets less voltage. An order against the motion is not changed.
+/// @brief At the limit of 290 rpm, the voltage of a wheel does not rise. Above this limit, it
+/// falls. A wheel that accelerates towards the limit gets less voltage than a wheel with a constant
+/// velocity. An order against the motion is not changed.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   for (const int sign : {1, -1}) {

@@ -594,9 +594,10 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   EXPECT_EQ(spy.applied.wheels[2].value, -44);
 }
 
-/// @brief Set-points of current are not changed. The ramp of a later set-point of velocity begins
-/// at the lower of two velocities: the measured velocity, and the velocity of an unloaded wheel at
-/// the present voltage. If these velocities have opposite directions, the ramp begins at 0.
+/// @brief While no wheel is too fast, set-points of current are not changed. The ramp of a later
+/// set-point of velocity begins at the lower of two velocities: the measured velocity, and the
+/// velocity of an unloaded wheel at the present voltage. If these velocities have opposite
+/// directions, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   struct Case {

@@ -28,9 +28,9 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief A wheel that follows the model gets only the voltage of a motor without load. Because
-/// velocities are rounded, the error may differ by one unit (0.1 rpm), which changes the voltage by
-/// 7 mV.
+/// @brief A wheel that follows the model of the algorithm gets only the voltage of a motor without
+/// load. Because velocities are rounded, the error may differ by one unit (0.1 rpm), which changes
+/// the voltage by 7 mV.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;
@@ -44,7 +44,7 @@ TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   }
 }
 
-/// @brief A wheel that is slower than the model gets more voltage with each cycle.
+/// @brief A wheel that is slower than the model of the algorithm gets more voltage with each cycle.
 /// @verifies FR-83
 /// @verifies FR-300
 TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
@@ -60,8 +60,8 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
   }
 }
 
-/// @brief If the demanded voltage could not be applied completely, the model continues from the
-/// measured velocity.
+/// @brief If the demanded voltage could not be applied completely, the model of the algorithm
+/// continues from the measured velocity.
 /// @verifies FR-301
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
