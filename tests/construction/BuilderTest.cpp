@@ -153,8 +153,8 @@ TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }
 
-/// @brief The pool of the started robot completes a cycle when all its control systems have
-/// received an order for this cycle.
+/// @brief After hold() was called for a cycle, the pool of the started robot has completed this
+/// cycle.
 /// @verifies FR-78
 TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   startRobot();
@@ -273,7 +273,8 @@ TEST_F(BuilderDeathTest, FR78_ControllerNeedsItsModes) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
-/// @brief The controller needs the link to the PC, even when its mode was built elsewhere.
+/// @brief The controller needs the link to the PC, even when a mode of the test is passed to the
+/// builder.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ControllerNeedsTheLink) {
   poolBuilder.buildSystems();

@@ -20,7 +20,7 @@ class MockCommand : public Command {
   MOCK_METHOD(void, execute, (), (override));
 };
 
-/// @brief The timer ticks once in each cycle period of 100 ms.
+/// @brief start() starts the timer with the cycle period of 100 ms.
 /// @verifies FR-1
 TEST(FirstTimer, FR1_BeatsEvery100Milliseconds) {
   testing::StrictMock<MockTimer> timer;
@@ -30,8 +30,8 @@ TEST(FirstTimer, FR1_BeatsEvery100Milliseconds) {
   firstTimer.start();
 }
 
-/// @brief Each tick first acknowledges the timer, so that a tick during the command is not lost.
-/// Then the tick executes the command once.
+/// @brief At each clock pulse, the timer is first acknowledged, so that a clock pulse during the
+/// command is not lost. Then the command is executed once.
 /// @verifies FR-1
 TEST(FirstTimer, FR1_EachBeatExecutesTheCommandOnce) {
   testing::StrictMock<MockTimer> timer;

@@ -36,15 +36,15 @@ class SecondTimerTest : public testing::Test {
   SecondTimer secondTimer{timer};
 };
 
-/// @brief The timer ticks once in each tick period of 1 ms.
+/// @brief start() starts the timer with the tick period of 1 ms.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_BeatsEveryMillisecond) {
   secondTimer.start();
   EXPECT_EQ(timer.started, milliseconds(1));
 }
 
-/// @brief Each tick first acknowledges the timer, so that a tick during the commands is not lost.
-/// Then the tick executes each command once, in the order in which the commands were added.
+/// @brief At each tick, the timer is first acknowledged, so that a tick during the commands is not
+/// lost. Then each command is executed once, in the order in which the commands were added.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
   LoggingCommand first("first");

@@ -1,7 +1,7 @@
 // Fuzzes the serial line of the PC and the signed serial line of a Bluetooth device, with short
-// inputs at a high rate. Each byte of an input is an operation. An operation is a good frame, a
-// frame with one error, raw bytes, a step of time, or a control cycle. The oracles were written
-// only from docs/protocol.rst and docs/bluetooth.rst.
+// inputs at a high rate. A byte of an input selects an operation, and the next bytes may be its
+// data. An operation is a good frame, a frame with one error, raw bytes, a step of time, or a
+// control cycle. The oracles were written only from docs/protocol.rst and docs/bluetooth.rst.
 
 #include <algorithm>
 #include <array>
@@ -362,7 +362,7 @@ class Link {
     }
     port_.sent.clear();
     expect(challenged == (port_.room ? signedOracle_.challenges : 0),
-           "each dropped frame of the signed line is challenged");
+           "each dropped frame of the signed line is answered with a challenge");
     signedOracle_.challenges = 0;
     return session;
   }

@@ -1,6 +1,7 @@
 // Fuzzes the whole firmware with its safety functions, in the simulated robot. The input selects
 // events and their times. The events are bytes of the PC, changes of the remote control, extra
-// edges of Hall sensors, faults of sensors, the emergency stop, and resets.
+// edges of Hall sensors, faults of sensors and leads, the emergency stop, changes of the slope, and
+// resets.
 
 #include <fuzzer/FuzzedDataProvider.h>
 

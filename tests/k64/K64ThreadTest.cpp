@@ -73,7 +73,7 @@ TEST(K64ThreadOfAWheel, GoesBeforeTheMainThread) {
   drivers.ask('T');
   const std::vector<std::uint16_t> once{3, 2, 1, 0, kMain, 0, 0, 0, 5};
   EXPECT_EQ(drivers.ask('R'), once)
-      << "the answer has the numbers in the order of the posts, then their count";
+      << "the answer has the numbers of the threads in the order of their runs, and their count";
 }
 
 }  // namespace

@@ -142,8 +142,8 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
   EXPECT_EQ(report().overruns, 65'535);
 }
 
-/// @brief The report contains three times of a control cycle, in processor cycles. Each time is the
-/// difference between two values of the cycle counter. The counter may overflow between them.
+/// @brief The report contains three counts of processor cycles. Each count is the difference
+/// between two values of the cycle counter. The counter may overflow between them.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
@@ -159,8 +159,8 @@ TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
   EXPECT_EQ(report().costs, (CycleCosts{.report = 1000, .awake = 5000, .start = 9}));
 }
 
-/// @brief If a cycle has sent no report, the next cycle stores 0 as the cost of the previous
-/// report.
+/// @brief If a cycle has sent no report, the next report contains 0 as the count of processor
+/// cycles up to the previous report.
 /// @verifies FR-160
 TEST_F(ControlDataTest, FR160_NoCostWithoutReport) {
   data.saveReported(50);

@@ -147,9 +147,9 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report contains two counts of processor cycles. The first count is for the time from
-/// one clock pulse to the next clock pulse. The second count is for the time from the clock pulse
-/// to the start of the control cycle.
+/// @brief The report contains two counts of processor cycles. The first count contains the cycles
+/// in which the processor was awake between the last two clock pulses. The second count is for the
+/// time from the clock pulse to the start of the control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
@@ -388,8 +388,8 @@ TEST_F(MainControllerTest, FR74_EachControlSystemMustComplete) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief A cycle with a stop, a cycle with an overrun and a cycle without connection count as
-/// completed.
+/// @brief Three kinds of cycles count as completed and refresh the watchdog: a cycle with a stop, a
+/// cycle during which the next clock pulse occurs, and a cycle without a connection.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_StopAndOverrunCompleteTheirCycle) {
   controller.start();

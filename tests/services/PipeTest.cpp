@@ -40,7 +40,8 @@ TEST(Pipe, TellsTheNewestValue) {
   EXPECT_EQ(pipe.read()->value, 6);
 }
 
-/// @brief The value that was read last keeps its address until the next read, even during a write.
+/// @brief The value that was read last stays unchanged at its address until the next read, even
+/// when new values are written.
 /// @verifies FR-173
 TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   Pipe<int> pipe;

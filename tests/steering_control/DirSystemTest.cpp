@@ -59,7 +59,7 @@ TEST_F(DirSystemTest, FR112_AReleaseIsHandedOverOnce) {
   EXPECT_FALSE(target.read()->value.release);
 }
 
-/// @brief Two targets of the steering are equal only when all their values are equal.
+/// @brief Two objects of the class DirTarget are equal only when all their values are equal.
 TEST_F(DirSystemTest, TargetsAreCompared) {
   EXPECT_EQ(DirTarget{}, DirTarget{});
   EXPECT_NE(DirTarget{}, (DirTarget{.follow = true}));
@@ -93,8 +93,8 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief A cycle collects the values that were present when the cycle gave its order. A later tick
-/// does not change these values.
+/// @brief A cycle collects the values that were present when it sent its order to the steering. A
+/// later tick does not change these values.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

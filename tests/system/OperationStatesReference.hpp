@@ -229,7 +229,8 @@ struct Compared {
 };
 
 /// Runs random sequences. Each robot runs at most a hundred sequences. Checks that each transition
-/// of both state machines has occurred at least the given number of times.
+/// of the operation states and of the reading modes has occurred at least the given number of
+/// times.
 template <class Robot, class ComparisonOfRobot>
 void compareInSequences(int sequences, int enough) {
   const unsigned seedOfRun = seed();

@@ -5,7 +5,8 @@ namespace {
 
 /// @brief The PC sends random sequences of orders, and the remote control is silent. In every
 /// cycle, the robot behaves like a reference that was written from the requirements. On average,
-/// the robot executes each transition of both state machines at least once in a hundred sequences.
+/// the robot executes each transition of the operation states and of the reading modes at least
+/// once in a hundred sequences.
 /// @verifies FR-12
 /// @verifies FR-13
 /// @verifies FR-15

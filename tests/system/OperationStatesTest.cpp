@@ -125,7 +125,8 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief The state after the read of a cycle controls and reports in this cycle.
+/// @brief If the read of a cycle changes the state, the new state controls and reports in the same
+/// cycle.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   robot.silentCycles(kWaitingCycles);

@@ -179,8 +179,8 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   EXPECT_FALSE(this->robot.report().orderRead());
 }
 
-/// @brief A stop order of the PC holds the robot until the PC sends an order without a stop. Orders
-/// of the remote control do not end this stop.
+/// @brief A stop order of the PC holds the robot until the PC sends a neutral order without a stop.
+/// Orders of the remote control do not end this stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();

@@ -265,7 +265,7 @@ struct Variant {
 };
 
 /// Returns all combinations of the extreme values of supply, inertia, winding, motor constant and
-/// rolling resistance.
+/// rolling resistance. For supply and inertia, the nominal value is also included.
 std::vector<Variant> variants() {
   std::vector<Variant> all;
   for (const double supply : {21.0, 24.0, 29.0}) {

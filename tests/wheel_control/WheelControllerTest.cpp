@@ -246,8 +246,8 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   }
 }
 
-/// @brief A wheel that was stopped without motion feedback stays stopped until the release. Neither
-/// a motion nor a halt ends the stop.
+/// @brief A wheel that was stopped because it has no motion feedback stays stopped until the
+/// release. Neither a motion nor a halt ends the stop.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   for (int cycle = 0; cycle < 11; ++cycle) {
@@ -359,8 +359,8 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A voltage of 2.0 V may be too low to turn a wheel. A creeping wheel counts as a moving
-/// wheel.
+/// @brief A wheel that does not turn at 2.0 V never counts as a wheel without motion feedback,
+/// because this voltage may be too low to turn a wheel. A creeping wheel counts as a moving wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {

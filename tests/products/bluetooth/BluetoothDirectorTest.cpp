@@ -178,7 +178,8 @@ TEST_F(BluetoothRobot, FR290_StopOfEachSourceIsStored) {
   EXPECT_TRUE(pcStop.value);
 }
 
-// The same robot after a reset. At the reset, a stop order of the device was in force.
+// The robot of the class BluetoothRobot after a reset. At the reset, a stop order of the device was
+// in force.
 class BluetoothRobotAfterAStop : public BluetoothRobot {
  protected:
   BluetoothRobotAfterAStop() : BluetoothRobot(true) {}

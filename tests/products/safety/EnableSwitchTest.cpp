@@ -178,7 +178,7 @@ TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
 }
 
 /// @brief In the position "PC", the remote control has no order. In the other positions, it has an
-/// order.
+/// order if the wrapped mode has a message.
 /// @verifies FR-287
 TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
   signals(kDrivePulse);

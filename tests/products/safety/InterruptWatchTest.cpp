@@ -23,8 +23,8 @@ class WatchedInterrupts : public testing::Test {
   InterruptWatch watch_;
 };
 
-/// @brief A tick is in time if it is at most 20 ms after the previous tick. A later tick ends the
-/// program. The first tick is always in time.
+/// @brief A tick is in time if it is at most 20 ms after the previous tick. If it is later, the
+/// program ends. The first tick is always in time.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   tick(milliseconds(500));

@@ -24,9 +24,9 @@ WheelFeedback measured(int rpm, int milliamperes) {
   return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes)};
 }
 
-/// @brief The demanded voltage is not changed in two cases: the current is far from the limit, or
-/// the voltage of the wheel is unknown. At 12 A, the voltage does not rise. At 10 A, it rises by at
-/// most 2 V, because the winding has more than 1 ohm. The other direction has the same limits.
+/// @brief At 12 A, the voltage of a wheel does not rise. At 10 A, it rises by at most 2 V, because
+/// the winding has more than 1 ohm. The other direction has the same limits. A demand below the
+/// limit is not changed. While the voltage of the wheel is unknown, no demand is changed.
 /// @verifies FR-296
 TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   DirectAlgorithm direct;
@@ -48,8 +48,9 @@ TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
 }
 
-/// @brief At 290 rpm, the voltage of a wheel does not rise. Above 290 rpm, it falls. A wheel that
-/// accelerates towards the limit gets less voltage. An order against the motion is not changed.
+/// @brief At the limit of 290 rpm, the voltage of a wheel does not rise. Above this limit, it
+/// falls. A wheel that accelerates towards the limit gets less voltage than a wheel with a constant
+/// velocity. An order against the motion is not changed.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   for (const int sign : {1, -1}) {
@@ -77,8 +78,8 @@ TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   }
 }
 
-/// @brief The wrapped algorithm gets the applied voltage. After a reset, the voltage and the
-/// previous velocity are unknown, as at the start.
+/// @brief The wrapped algorithm gets the applied voltage. After a call of reset(), the voltage and
+/// the previous velocity are unknown, as at the start.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_AResetForgetsVoltageAndVelocity) {
   DirectAlgorithm direct;

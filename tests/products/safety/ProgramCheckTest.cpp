@@ -13,7 +13,7 @@ using Words = ProgramCheck::Words;
 
 constexpr std::size_t kSizeOfRam = std::size_t{64} * 1024 / sizeof(Words);
 
-/// A program of two parts, and a copy of the program.
+/// A stored program of two parts, and its copy in RAM.
 class CheckedProgram : public testing::Test {
  protected:
   // Runs a number of ticks. Calls the check after each tick, and also after other interrupts
@@ -41,7 +41,7 @@ class CheckedProgram : public testing::Test {
   ProgramCheck check_{parts_};
 };
 
-/// @brief If the program does not change, the check repeats without end.
+/// @brief If the copy does not change, the check repeats without end.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
   ticks(10'000);
@@ -49,9 +49,9 @@ TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
 
 using CheckedProgramDeathTest = CheckedProgram;
 
-/// @brief A program fills the lower RAM. If a bit of this program changes, the check ends the
-/// program within 300 ticks (0.3 s). The test changes four bits at each of three places: at the
-/// beginning of the program, after its first third, and at its end.
+/// @brief The copy of the program fills the lower RAM. If a bit of the copy changes, an assertion
+/// fails within 300 ticks (0.3 s). The test changes four bits at each of three places: at the
+/// beginning of the copy, after its first third, and at its end.
 /// @verifies FR-309
 TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   ticks(200);
@@ -65,8 +65,8 @@ TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   }
 }
 
-/// @brief Between two ticks, the program is checked at most once, even when the processor wakes
-/// more often.
+/// @brief Without a tick, the program is not checked, even when the processor wakes often: a
+/// changed bit is not detected.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_WithoutATickNothingIsChecked) {
   copy_.front().front() ^= 1U;

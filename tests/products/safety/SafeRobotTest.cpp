@@ -53,8 +53,8 @@ TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
   EXPECT_DOUBLE_EQ(fastest, 0.0);
 }
 
-/// @brief The PC orders different speeds and directions in each quantity, with stops between them.
-/// These orders do not cause a protective stop, and each wheel stays slower than 330 rpm.
+/// @brief The PC orders different values in both directions, and also 0, in each quantity. These
+/// orders do not cause a protective stop, and each wheel stays slower than 330 rpm.
 /// @verifies FR-270
 /// @verifies FR-274
 /// @verifies FR-283
@@ -155,7 +155,7 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief A fault of the steering brakes the robot to rest. After the end of the fault, the robot
+/// @brief After a fault of the steering, the robot brakes to rest. After the end of the fault, it
 /// stays at rest.
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
@@ -170,8 +170,8 @@ TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief At 300 rpm, the steering is stuck when the PC orders a new angle. The robot brakes within
-/// 0.5 s of this order, and drives at most 0.43 m in this time.
+/// @brief At 300 rpm, the steering is stuck when the PC orders a new angle. The robot begins to
+/// brake at most 0.5 s after the cycle that reads this order, and drives at most 0.43 m until then.
 /// @verifies FR-111
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AStuckSteeringStopsTheRobotAtFullSpeed) {
@@ -261,8 +261,8 @@ TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief An emergency stop that is pressed for 5 ms between two cycles stops the robot. The stop
-/// lasts until it is acknowledged.
+/// @brief An emergency stop that is pressed for 5 ms between two cycles stops the robot. Later
+/// orders of the PC do not end the stop.
 /// @verifies FR-271
 TEST_F(SafeRobot, FR271_AShortPressStops) {
   armByPc();
@@ -306,8 +306,8 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
 }
 
 /// @brief The PC drives the robot. The robot stops when the enable switch is in "stop" for 40 ms,
-/// at each of four times of the cycle. The robot stays at rest until the PC has ordered neutral
-/// values.
+/// at each of four times of the cycle. The robot stays at rest until the PC has sent neutral
+/// orders.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   armByPc();

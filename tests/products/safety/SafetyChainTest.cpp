@@ -441,7 +441,7 @@ TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
 }
 
 /// @brief Orders are forwarded after five cycles of 100 ms with neutral orders. After only four of
-/// these cycles, orders are not forwarded.
+/// these cycles, orders are not forwarded. An order that is not neutral restarts the count.
 /// @verifies FR-280
 /// @verifies FR-281
 TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
@@ -455,8 +455,7 @@ TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A neutral order that stays in force is counted only once. An order that is not neutral
-/// restarts the count.
+/// @brief A neutral order that stays in force is counted only once.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_ANeutralOrderCountsOnce) {
   SetPoints old = alike(0);
@@ -595,9 +594,10 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   EXPECT_EQ(spy.applied.wheels[2].value, -44);
 }
 
-/// @brief Set-points of current are not changed. The ramp of a later set-point of velocity begins
-/// at the lower of two velocities: the measured velocity, and the velocity of an unloaded wheel at
-/// the present voltage. If these velocities have opposite directions, the ramp begins at 0.
+/// @brief While no wheel is too fast, set-points of current are not changed. The ramp of a later
+/// set-point of velocity begins at the lower of two velocities: the measured velocity, and the
+/// velocity of an unloaded wheel at the present voltage. If these velocities have opposite
+/// directions, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   struct Case {

@@ -102,7 +102,7 @@ TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
   }
 }
 
-/// @brief The current of each wheel is supervised. A reset restarts the counts.
+/// @brief The current of each wheel is supervised. A call of reset() restarts the counts.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

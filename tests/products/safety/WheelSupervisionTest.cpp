@@ -104,9 +104,10 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.5 V, and 20 rpm in the opposite direction, the voltage of the wheel may differ by up
-/// to 1.124 V from the voltage of the motor model. This bound is 40 % of 1.5 V plus half of the
-/// induced voltage of 1.047 V. At a current of 0.949 A, the difference is at this bound.
+/// @brief At 1.5 V, and 20 rpm in the opposite direction, the voltage of the wheel may differ from
+/// the voltage of the motor model by up to 40 % of 1.5 V plus half of the induced voltage of 1.047
+/// V. A current of 0.96 A does not cause a stop. A current of 0.93 A causes a stop in the second
+/// cycle.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -226,7 +227,8 @@ TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   }
 }
 
-/// @brief If the order sets a voltage, there is no set-point of the velocity for a comparison.
+/// @brief If the order sets a voltage, the velocity is not compared with a set-point: 210 rpm at 12
+/// V does not cause a stop.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
   const WheelSetPoint order{.quantity = WheelQuantity::Tension, .value = 12000};
@@ -237,8 +239,8 @@ TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
 }
 
 /// @brief At 10 V and 2 A, the voltage at the winding is 3 V. The voltage of the wheel may differ
-/// from the voltage of the model by the sum of 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of the
-/// induced voltage. A greater difference in two successive cycles causes a stop.
+/// from the voltage of the motor model by the sum of 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of
+/// the induced voltage. A greater difference in two successive cycles causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   // The equation 10 V - 3 V - e = 3.45 V + e / 10 has the solution e = 3.227 V.
@@ -299,8 +301,8 @@ TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
 }
 
 /// @brief At 1.0 V, which is the voltage of the bring-up, a difference of 1.375 V between the
-/// voltage of a wheel at rest and the voltage of the model does not cause a stop. At 1.1 V, the
-/// permitted difference is smaller, and the same current causes a stop.
+/// voltage of a wheel at rest and the voltage of the motor model does not cause a stop. At 1.1 V,
+/// the permitted difference is smaller, and the same current causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.0, 0), 0);
@@ -424,8 +426,8 @@ TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
   }
 }
 
-/// @brief A wheel that rests exactly at an edge may cause implausible edges. If a cycle has fewer
-/// than five of them, they are not counted.
+/// @brief A wheel that rests exactly at an edge may cause implausible edges. Below 10 rpm, fewer
+/// than five implausible edges in a cycle are not counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
   EXPECT_EQ(rejected(100, 4, 9, 2), StopCause::None);
@@ -505,8 +507,8 @@ class FaultyWheel : public SupervisedWheel {
   }
 };
 
-/// @brief After a reset, the supervision behaves as at the start. Faults in up to 15 cycles before
-/// the reset do not change the cycle in which a later fault is detected.
+/// @brief After a call of reset(), the supervision behaves as at the start. Faults in up to 15
+/// cycles before this call do not change the cycle in which a later fault is detected.
 /// @verifies FR-275
 /// @verifies FR-276
 /// @verifies FR-277

@@ -30,8 +30,8 @@ class CurrentTest : public testing::Test {
  protected:
   CurrentTest() { timer.add(readCnt); }
 
-  /// Runs one tick. `sample` is the result of the conversion that the previous tick requested, or
-  /// nothing if this conversion has not ended.
+  /// Runs one tick. `sample` is the result of the conversion that was requested at the previous
+  /// tick, or nothing if this conversion has not ended.
   void tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -64,8 +64,8 @@ class CurrentTest : public testing::Test {
   CntSensor sensor{collector, function, pipe};
 };
 
-/// @brief Each tick of the second timer reads the sample that the previous tick requested, and
-/// requests the next sample.
+/// @brief At each tick of the second timer, the sample that was requested at the previous tick is
+/// read, and the next sample is requested.
 /// @verifies FR-100
 /// @verifies FR-125
 TEST_F(CurrentTest, FR100_EachBeatSamples) {
@@ -78,7 +78,7 @@ TEST_F(CurrentTest, FR100_EachBeatSamples) {
   EXPECT_EQ(collector.record().at, time.now());
 }
 
-/// @brief The record is written at each eighth sample, with the time of this sample.
+/// @brief The collector writes its record at each eighth sample, with the time of this sample.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
   ticks(64 + 7, 2049);
@@ -95,9 +95,9 @@ TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
   EXPECT_EQ(collector.record().sum, 8U);
 }
 
-/// @brief The mean of a cycle is correct even if the sum and the number of samples overflow. With a
-/// negative current, the sum underflows at the first sample. With a positive current, the sum rises
-/// until it overflows.
+/// @brief The mean of a cycle is correct even if the sum of the samples overflows. With a negative
+/// current, the sum underflows at the first sample. With a positive current, the sum rises until it
+/// overflows.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_SumsMayWrap) {
   ticks(64, 2048);
@@ -117,7 +117,7 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   }
 }
 
-/// @brief If no conversion has ended at a tick, there is no sample. The tick requests a new sample.
+/// @brief If no conversion has ended at a tick, there is no sample. A new sample is requested.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   ticks(71, 2048);
@@ -219,8 +219,8 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   }
 }
 
-/// @brief A zero point that is farther from the middle shows a broken sensor. All later samples are
-/// ignored.
+/// @brief A zero point whose distance from the middle is more than 5 % of the range shows a broken
+/// sensor. All later samples are ignored.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
   for (const int zero : {0, 2048 - 205, 2048 + 205, 4095}) {

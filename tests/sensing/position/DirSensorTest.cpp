@@ -15,8 +15,9 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// Runs one tick. `sample` is the result of the conversion that the previous tick requested, or
-  /// nothing if this conversion has not ended. Returns true when the tick has ended a measurement.
+  /// Runs one tick. `sample` is the result of the conversion that was requested at the previous
+  /// tick, or nothing if this conversion has not ended. Returns true when the tick has ended a
+  /// measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -40,8 +41,8 @@ class DirSensorTest : public testing::Test {
   DirSensor sensor{input, function, time, pipe};
 };
 
-/// @brief Each tick reads the sample that the previous tick requested, and requests the next
-/// sample.
+/// @brief At each tick, the sensor reads the sample that it requested at the previous tick, and
+/// requests the next sample.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   ticks(3, 2048);
@@ -49,8 +50,8 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before the first 8 samples. Then each 8th tick writes a new angle with
-/// its time, and the sensor returns true at this tick.
+/// @brief There is no angle before the first 8 samples. Then the sensor writes a new angle with its
+/// time at each 8th tick, and returns true at this tick.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {

@@ -179,7 +179,8 @@ TEST(ConverterOfBoard, CalibrationTakesItsTime) {
   EXPECT_NEAR(clocksBetween(0ns, board.now()), 14'000 * 8 + 100, 1'000);
 }
 
-/// @brief A calibration that fails is reported.
+/// @brief A program can read that a calibration has failed. A conversion without a successful
+/// calibration causes a finding.
 TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
   VirtualBoard board(Guest("convertsInputs").image(), {.calibrates = {false, false}});
   EXPECT_FALSE(board.runUntil(100ms));

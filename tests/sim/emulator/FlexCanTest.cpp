@@ -136,7 +136,7 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   EXPECT_EQ(can.read(kIflag1, 4), 0U);
   pass(std::chrono::microseconds(110));
   EXPECT_EQ(can.read(kIflag1, 4), 2U)
-      << "after its first frame, the other node sends its second frame";
+      << "the second frame of the other node is sent before the frame of the controller";
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
 }

@@ -25,7 +25,7 @@ using faults::Kind;
 using faults::Outcome;
 
 constexpr int kAt = 3000;           // ms
-constexpr std::uint64_t kSeed = 7;  // in the drive of this seed, all wheels turn at the time kAt
+constexpr std::uint64_t kSeed = 7;  // in the test drive with this seed, all wheels turn at kAt
 
 constexpr std::uint32_t kAngleDrift = 9;  // number of this fault among the faults of sensors
 
@@ -34,7 +34,7 @@ class FaultRunTest : public testing::Test {
   static std::filesystem::path elf() { return imageOf("weeding_robot").replace_extension(".elf"); }
   static std::vector<std::uint8_t> image() { return emulator::readImage(imageOf("weeding_robot")); }
 
-  /// Returns the drive without a fault. All tests use the same drive.
+  /// Returns the test drive without a fault. All tests use the same test drive.
   static FaultRun& drive() {
     static FaultRun run(image(), elf(), kSeed);
     return run;

@@ -596,8 +596,8 @@ TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   }
 }
 
-/// @brief The fault "glitches" adds pulses of 30 us to sensor a, at the given rate. The fault "lost
-/// edges" removes edges at the given rate.
+/// @brief The fault `hall-glitches` adds pulses of 30 us to sensor a, at the given rate. The fault
+/// `hall-losses` removes edges at the given rate.
 TEST_F(RobotTest, GlitchesAndLostEdges) {
   robot.setFault(Fault::HallGlitches, 0, true, 50);
   run(10'000);

@@ -17,7 +17,7 @@ class PaceOfTheRobot : public testing::Test {
   Pace pace{[this] { return clock; }, [this](Pace::Clock::time_point until) { clock = until; }};
 };
 
-/// @brief The robot waits for the clock.
+/// @brief The pace waits until the clock has reached the time of the robot.
 TEST_F(PaceOfTheRobot, WaitsForTheClock) {
   pace.waitFor(milliseconds(5));
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(5));

@@ -298,7 +298,8 @@ TEST(ScenarioPlayerTest, ResetStartsTheFirmwareAgain) {
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
 
-/// @brief The host has no external clock that could be lost.
+/// @brief On the host, a scenario with the loss of the external clock causes an error, because the
+/// host has no such clock.
 TEST(ScenarioPlayerTest, HostHasNoExternalClock) {
   EXPECT_THROW(static_cast<void>(played("at 0 clock lost\nat 10 end\n")), std::runtime_error);
 }

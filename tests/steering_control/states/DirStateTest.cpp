@@ -120,8 +120,8 @@ TEST_F(DirStateTest, FR101_ATurnEndsAtRest) {
   EXPECT_EQ(state(), SteeringState::Holding);
 }
 
-/// @brief During a turn, a target on the other side of the steering reverses the turn. The state
-/// Holding does not occur in between.
+/// @brief During a turn, a target on the other side of the present angle reverses the turn. The
+/// state Holding does not occur in between.
 /// @verifies FR-101
 TEST_F(DirStateTest, FR101_ATargetOnTheOtherSideReversesTheTurn) {
   beginTurn();

@@ -50,7 +50,7 @@ class MainControlRobot final : public HostSteppedRobot {
 
 /// @brief The test runs 10000 random sequences of orders from both sources. In every cycle, the
 /// robot behaves like a reference that was written from the requirements. The robot executes each
-/// transition of both state machines at least 100 times.
+/// transition of the operation states and of the reading modes at least 100 times.
 /// @verifies FR-10
 /// @verifies FR-11
 /// @verifies FR-12

@@ -90,8 +90,8 @@ TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
 }
 
 /// @brief A stop order of the PC holds the robot even while the robot reads from the remote
-/// control. The hold lasts until the PC sends an order without stop. The orders of the remote
-/// control are still read.
+/// control. The hold lasts until the PC sends a neutral order without a stop. The orders of the
+/// remote control are still read.
 /// @verifies FR-21
 TEST_F(OrdersOfRobotOnHost, FR21_StopOfThePcActsInModeRc) {
   commandByRc();

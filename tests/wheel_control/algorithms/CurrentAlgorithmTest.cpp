@@ -41,7 +41,7 @@ TEST_F(CurrentAlgorithmTest, FR85_CorrectsTheError) {
   EXPECT_EQ(calculate(2000, 0, 1900), Tension(3000 + 150 + 75));
 }
 
-/// @brief A reset clears the correction and the previous velocity.
+/// @brief A call of reset() clears the correction and the previous velocity.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ResetForgetsTheCorrection) {
   algorithm.applied(calculate(2000, 0, 0));

@@ -99,7 +99,7 @@ TEST(PiRegulatorMemory, FR224_OneBitIsCorrected) {
   }
 }
 
-/// @brief A reset clears the errors and the missing voltage.
+/// @brief A call of reset() clears the errors and the missing voltage.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ResetForgets) {
   regulator.regulate(1000);
@@ -108,7 +108,7 @@ TEST_F(PiRegulatorTest, FR301_ResetForgets) {
   EXPECT_EQ(regulator.regulate(100), Tension(350));
 }
 
-/// @brief A reset leaves no fraction of a millivolt.
+/// @brief A call of reset() leaves no fraction of a millivolt.
 /// @verifies FR-301
 TEST(PiRegulatorReset, FR301_ResetLeavesNoFraction) {
   PiRegulator integral({.proportional = 0, .integral = 999});

@@ -28,9 +28,9 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief A wheel that follows the model gets only the voltage of a motor without load. Because
-/// velocities are rounded, the error may differ by one unit (0.1 rpm), which changes the voltage by
-/// 7 mV.
+/// @brief A wheel that follows the model of the algorithm gets only the voltage of a motor without
+/// load. Because velocities are rounded, the error may differ by one unit (0.1 rpm), which changes
+/// the voltage by 7 mV.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;
@@ -44,7 +44,7 @@ TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   }
 }
 
-/// @brief A wheel that is slower than the model gets more voltage with each cycle.
+/// @brief A wheel that is slower than the model of the algorithm gets more voltage with each cycle.
 /// @verifies FR-83
 /// @verifies FR-300
 TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
@@ -60,8 +60,8 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
   }
 }
 
-/// @brief If the demanded voltage could not be applied completely, the model continues from the
-/// measured velocity.
+/// @brief If the demanded voltage could not be applied completely, the model of the algorithm
+/// continues from the measured velocity.
 /// @verifies FR-301
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
@@ -91,7 +91,8 @@ TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   EXPECT_GT(calculate(1000, 100, 1100), steady + Tension(4000));
 }
 
-/// @brief After a reset or after one plausible velocity, five doubtful cycles are permitted again.
+/// @brief After a call of reset() or after one plausible velocity, five doubtful cycles are
+/// permitted again.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulCyclesAreInARow) {
   const auto run = [this](int cycles) {
@@ -116,7 +117,7 @@ TEST_F(VelocityAlgorithmTest, FR224_DoubtfulCyclesAreInARow) {
   }
 }
 
-/// @brief After a reset, the earlier voltage does not make a velocity doubtful.
+/// @brief After a call of reset(), the earlier voltage does not make a velocity doubtful.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_NothingIsDoubtfulBeforeAVoltage) {
   algorithm.applied(Tension(12000));
@@ -127,7 +128,8 @@ TEST_F(VelocityAlgorithmTest, FR224_NothingIsDoubtfulBeforeAVoltage) {
 
 /// @brief A velocity is doubtful if it explains too little of the applied voltage. The tolerance is
 /// 0.4 V plus a third of the greater of two voltages: the applied voltage and the voltage at the
-/// winding. A forward velocity without an applied voltage is also doubtful.
+/// winding. With an applied voltage of 0, a velocity of 30.5 rpm is doubtful, but a velocity of 5
+/// rpm is not.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_ToleranceOfTheModel) {
   struct Case {

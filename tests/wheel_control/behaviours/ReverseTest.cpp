@@ -121,8 +121,8 @@ TEST_F(ReverseTest, FR87_BackToForwards) {
   EXPECT_EQ(log.back(), (CommandLog::value_type{"tension", 3000}));
 }
 
-/// @brief A demand in the present orientation ends the stop. A later reversal counts its slow
-/// cycles from 0.
+/// @brief A demand in the present orientation ends the stop that a reversal has begun. A later
+/// reversal counts its slow cycles from 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   apply(-5000, 0);

@@ -87,7 +87,7 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
 }
 
 /// @brief A current that is too high switches the driver off in the interrupt. From the second
-/// control cycle on, the driver is on again without voltage, and the wheel brakes.
+/// control cycle after this trip on, the driver is on again without voltage, and the wheel brakes.
 /// @verifies FR-89
 /// @verifies FR-94
 /// @verifies FR-221
@@ -110,8 +110,8 @@ TEST_F(WheelOrderTest, FR89_FR94_FR221_TrippedWheelBrakes) {
   }
 }
 
-/// @brief A halt also brakes a tripped wheel from the second control cycle on. Otherwise, the robot
-/// would roll on a slope.
+/// @brief A halt also brakes a tripped wheel from the second control cycle after the trip on.
+/// Otherwise, the robot would roll on a slope.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   pass(true, kMiddle);

@@ -158,7 +158,7 @@ class Source {
   std::mt19937 engine_;
 };
 
-/// @brief The interpreter of the virtual K64, with the same memory as the other emulator.
+/// @brief The interpreter of the virtual K64, with the same memory as the Cortex-M4 of Unicorn.
 class OurCore {
  public:
   OurCore() {

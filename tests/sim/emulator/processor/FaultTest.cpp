@@ -98,7 +98,8 @@ const std::vector<Case> kCases{
 INSTANTIATE_TEST_SUITE_P(Cases, FaultTest, testing::ValuesIn(kCases),
                          [](const auto& each) { return each.param.name; });
 
-/// @brief A branch to an address without code causes a fault at the target.
+/// @brief A branch to an address from which the processor must not execute code causes a fault at
+/// the target.
 TEST_F(FaultTest, CodeIsExecutedWhereItIsAllowedOnly) {
   core_.registers.r[1] = kUpper + 1;
   EXPECT_EQ(execute({0x4708}), Trap::None);  // bx r1
@@ -157,9 +158,8 @@ TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
   EXPECT_TRUE(core_.registers.q);
 }
 
-/// @brief If the condition of an IT block is false, the instructions of the block have no effect.
-/// At a fault, the state of the block is saved. The block continues after the return from the
-/// handler.
+/// @brief If the condition of an IT block is false, the instructions of the block have no effect. A
+/// fault does not change the state of the block, so that the block can continue after the handler.
 TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   core_.registers.r[1] = 0x30000000;
   core_.registers.it = 0x08;  // condition EQ, last instruction of the block
