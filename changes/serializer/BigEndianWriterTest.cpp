@@ -41,8 +41,9 @@ TEST(BigEndianWriterOnBoard, ReportsHaveTheOtherFormat) {
   EXPECT_EQ(__builtin_bswap32(after.report().cycle), first + 1);
 }
 
-/// @brief The robot follows the orders of the PC. The test records the mean number of instructions
-/// in a cycle, as the tests of the other firmware images do.
+/// @brief The PC sends an order with the number 5 in each cycle, and each report contains this
+/// number. The test records the mean number of instructions in a cycle, as the tests of the other
+/// firmware images do.
 TEST(BigEndianWriterOnBoard, DrivesAsThePcOrders) {
   constexpr int kCycles = 20;
   ChangedRobot robot("change_serializer");

@@ -27,9 +27,9 @@ std::vector<std::string> images() {
 
 class EachImage : public testing::TestWithParam<std::string> {};
 
-/// @brief Each firmware image answers the PC with a Welcome, sends a report in every cycle, and
-/// reads each order of the PC in the cycle after its arrival. No image reports an overrun. The test
-/// records the mean number of instructions in a cycle.
+/// @brief Each firmware image answers the PC with a Welcome, and sends a report in every cycle. The
+/// PC sends an order with the number 5 in each cycle, and each report contains this number. No
+/// image reports an overrun. The test records the mean number of instructions in a cycle.
 TEST_P(EachImage, DrivesAsThePcOrders) {
   if (GetParam() == "change_can") {
     GTEST_SKIP()

@@ -13,7 +13,8 @@ namespace wr::board_robot {
 /// @brief A writer that lists the calls and events of a part of a run, each with its time.
 ///
 /// Each line of the output has the time in ns, the name of the event, a number and a value. For a
-/// call, the number is the address of the function. For an exception, the value is its priority.
+/// call or a return, the number is the address of the function. For the entry of an interrupt, the
+/// value is the priority of the interrupt.
 class CallTimeline {
  public:
   /// @brief A part of a run. Both limits are times since the board was switched on.

@@ -36,23 +36,23 @@ class CycleMeter {
     Cost toReport;  ///< costs from the clock pulse until the report is handed over
     Cost whole;     ///< costs of the cycle, without the time in which the processor sleeps
     std::uint64_t pulseLatency =
-        0;  ///< cycles from the clock pulse to the first instruction of its handler
+        0;  ///< processor cycles from the clock pulse to the first instruction of its handler
     std::uint64_t startDelay =
-        0;                  ///< cycles from the clock pulse to the main thread's first instruction
+        0;  ///< processor cycles from the clock pulse to the main thread's first instruction
     bool reported = false;  ///< a report was handed over
   };
 
   /// @brief Costs of one exception in all measured control cycles. Exception 0 is the code outside
   /// of exceptions.
   struct Exception {
-    unsigned priority = 0;       ///< 0 to 15; 0 is the highest
-    std::uint64_t entries = 0;   ///< number of entries
-    Cost whole;                  ///< costs, without the interrupts that preempt the exception
-    Cost toReport;               ///< costs from each clock pulse until its report is handed over
-    std::uint64_t requests = 0;  ///< number of times that a device raised the interrupt line
-    std::uint64_t worstLatency =
-        0;  ///< greatest number of cycles from a request to the first instruction of the handler
-    std::optional<std::uint64_t> at;  ///< cycle at which a pending request was raised
+    unsigned priority = 0;            ///< 0 to 15; 0 is the highest
+    std::uint64_t entries = 0;        ///< number of entries
+    Cost whole;                       ///< costs, without the interrupts that preempt the exception
+    Cost toReport;                    ///< the part of `whole` between a clock pulse and its report
+    std::uint64_t requests = 0;       ///< number of times that a device raised the interrupt line
+    std::uint64_t worstLatency = 0;   ///< greatest time from a request to the first instruction of
+                                      ///< the handler [processor cycles]
+    std::optional<std::uint64_t> at;  ///< processor cycle of the pending request
   };
 
   /// @brief Replaces the event callback of the robot, and the callback of the board for writes to
@@ -117,7 +117,7 @@ class CycleMeter {
   std::map<unsigned, Exception> exceptions_;
   std::array<emulator::ExecutedCode, 2>
       profile_;  ///< [0]: executions at other times; [1]: between a clock pulse and its report
-  emulator::ExecutedCode rest_;  ///< executions after the measured cycles
+  emulator::ExecutedCode rest_;  ///< executions after the measured control cycles
 };
 
 }  // namespace wr::board_robot

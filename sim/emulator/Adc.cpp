@@ -193,7 +193,8 @@ void Adc::calibrate() {
   checkClock(1'000'000, 4'000'000, "calibrates");
   at(kSc1a) &= ~kComplete;
   update();
-  // The longest time in the manual is 14000 ADCK clocks and 100 bus clocks.
+  // According to the manual, a calibration takes at most 14000 ADCK cycles and 100 bus clock
+  // cycles.
   begin(Doing::Calibrates, 100 + std::uint64_t{14'000} * busClocksOfClock());
 }
 

@@ -51,7 +51,8 @@ void Pit::update(std::size_t index) {
                  channel.flag && (channel.control & kInterrupt) != 0);
 }
 
-// A channel can be chained to the previous channel. The recursion ends at the last channel.
+// A channel can be chained to the previous channel. Therefore this function calls itself for the
+// next channel, up to the last channel.
 // NOLINTNEXTLINE(misc-no-recursion)
 void Pit::expire(std::size_t index) {
   Channel& channel = channels_[index];

@@ -205,7 +205,7 @@ void Wdog::refresh(std::uint32_t key) {
   }
   refreshKeyAt_.reset();
   if (unlockKeyAt_ || lock_ == Lock::Open) {
-    return;  // the window does not apply between the unlock and the end of the configuration time
+    return;  // from the unlock to the end of the configuration time, a refresh has no effect
   }
   const std::uint32_t window =
       static_cast<std::uint32_t>(registers_[kWinh / 2]) << 16 | registers_[kWinl / 2];

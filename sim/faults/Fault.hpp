@@ -64,8 +64,9 @@ struct Fault {
 }
 
 /// @brief Longest time of observation [ms]. FR-227 detects a drift of the angle sensor by 0.5
-/// degrees per second within 6.8 s. A slower drift may be detected after the observation. It takes
-/// seconds until the number of implausible Hall edges reaches the limit of FR-279.
+/// degrees per second within 6.8 s. A slower drift may be detected after the observation. If Hall
+/// edges are lost, it takes seconds until the number of implausible edges reaches the limit of
+/// FR-279.
 inline constexpr int kLongestWindow = 7000;
 
 /// @brief Returns the duration of the observation after the fault [ms]. Except for a slow drift of

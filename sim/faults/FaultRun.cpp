@@ -76,7 +76,7 @@ bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& ref
          report.steeringState == kSteeringFault;
 }
 
-// The fields of a result, as a copy of the process sends them through a pipe.
+// The fields of a result, as a copy of this process sends them through a pipe.
 struct Message {
   Fault fault;
   int at = 0;
@@ -169,8 +169,8 @@ class FaultRun::Robot {
     return all;
   }
 
-  /// Returns a hash of the state that determines the next steps of the firmware. This state
-  /// consists of memory, registers and the plant.
+  /// Returns a hash of the core registers, the memory in use, and three kinds of values of the
+  /// plant: the positions and the currents of the motors, and the steering angle.
   [[nodiscard]] std::uint64_t state(const Places& places) {
     Hash hash;
     const emulator::VirtualBoard& board = session.board;

@@ -17,13 +17,13 @@ bool differs(const Outputs& faulty, const Outputs& reference) {
 }
 
 struct Wrong {
-  int before = 0;  // ms with wrong outputs until the detection; shorter periods as for total
+  int before = 0;  // ms of `total` until the detection of the fault
   int total = 0;   // ms with wrong outputs, without periods of at most kShort ms
   int after = 0;   // ms with voltage at a wheel or with a moved steering, after a reset
 };
 
-// If the wheels have no voltage, the robot is safe. Its outputs then do not count as wrong, even if
-// they differ from the reference.
+// Before a reset, no output counts as wrong while the wheels have no voltage, because the robot is
+// then safe. After a reset, each voltage at a wheel and a moved steering count as wrong.
 Wrong countWrong(const Observation& faulty, const Outputs* reference, int detectedAt) {
   Wrong wrong;
   int run = 0;

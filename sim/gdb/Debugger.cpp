@@ -90,7 +90,7 @@ void Debugger::lookAhead(std::uint64_t position) {
   }
 }
 
-// A watchpoint stops the program before the instruction that follows the access.
+// When the program runs backwards, a watchpoint stops it before the instruction with the access.
 void Debugger::lookBack(std::uint64_t position) {
   if (const auto hit = rules_.takeHit()) {
     found_ = position - 1;

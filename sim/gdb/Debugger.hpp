@@ -21,7 +21,7 @@ struct BeginsAgain {};
 /// @brief A debugger that stops the program and can return to an earlier time.
 ///
 /// A position is a number of executed instructions. The same input causes the same run. To go back
-/// to an earlier position, the debugger starts a second run from the beginning. Therefore the
+/// to an earlier position, the debugger starts a new run from the beginning. Therefore the
 /// debugger need not restore any state.
 class Debugger {
  public:
@@ -56,7 +56,7 @@ class Debugger {
   void runTo(std::chrono::nanoseconds time);
   void restart();
 
-  /// @brief Removes all breakpoints and watchpoints, and resumes.
+  /// @brief Removes all breakpoints and watchpoints, so that the program runs on without GDB.
   void leave();
 
   // Each change is repeated when another run passes the position of the change.

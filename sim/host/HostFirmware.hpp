@@ -77,7 +77,7 @@ class HostFirmware {
   /// @param direction the value
   void rcDirection(Angle direction);
 
-  /// @brief Runs one tick of the second timer.
+  /// @brief Runs one tick.
   void beat();
 
   /// @brief Returns the pins of the firmware.
@@ -88,7 +88,7 @@ class HostFirmware {
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds period() const;
 
-  /// @brief Returns the period of the second timer.
+  /// @brief Returns the period of the ticks.
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds beatPeriod() const;
 

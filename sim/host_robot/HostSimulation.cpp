@@ -16,11 +16,11 @@ constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).coun
 // the virtual K64.
 constexpr Microseconds kStartUp(5364);
 
-// kToWheels is the time from a tick to the start of the first wheel thread in the same cycle.
-// kOfWheel is the time from the start of one wheel thread to the start of the next wheel thread.
-// Both times were measured with the firmware image on the virtual K64. On the host, all other code
-// takes no time. Therefore the simulation delays the clock pulse by kToWheels, to the time at which
-// the first wheel thread starts on the K64.
+// On the K64, each control cycle begins just after a tick. kToWheels is the time from this tick to
+// the start of the first wheel thread. kOfWheel is the time from the start of one wheel thread to
+// the start of the next wheel thread. Both times were measured with the firmware image on the
+// virtual K64. On the host, all other code takes no time. Therefore the simulation delays the clock
+// pulse by kToWheels, to the time at which the first wheel thread starts on the K64.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 

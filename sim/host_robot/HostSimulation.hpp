@@ -16,8 +16,8 @@ namespace wr::host_robot {
 /// @brief The firmware on the host in the simulated robot. The time advances only in runUntil().
 ///
 /// Events are executed in the order of their times. Each ms since power-on, the physics advance by
-/// one step. Each ms since the start of the firmware, the second timer ticks. Each 100 ms, there is
-/// a clock pulse. The edges of the Hall sensors and of the remote control are executed at their own
+/// one step. Each ms since the start of the firmware, there is a tick. Each 100 ms, there is a
+/// clock pulse. The edges of the Hall sensors and of the remote control are executed at their own
 /// times.
 class HostSimulation {
  public:

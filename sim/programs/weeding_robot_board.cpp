@@ -285,8 +285,8 @@ class Machine {
   std::optional<emulator::VirtualBoard> alone_;
 };
 
-// Returns true if the run is complete. The run is complete when its time has passed, or when the
-// next slice could reach the clock pulse that ends its last cycle.
+// Returns true if the run is complete: its time has passed, or at most kSlice and 1 ms remain until
+// the clock pulse that ends its last cycle.
 bool hasRun(Machine& machine, const Settings& settings) {
   const nanoseconds now = machine.board().now();
   if (settings.seconds != 0 &&

@@ -51,7 +51,7 @@ class LiveRobot {
     std::vector<std::uint32_t>
         calls;                 ///< addresses of functions; bit 0 is set when the function is left
     std::uint64_t cycles = 0;  ///< processor cycles
-    std::uint64_t awake = 0;   ///< cycles in which the processor did not sleep
+    std::uint64_t awake = 0;   ///< processor cycles without sleep
     std::uint32_t hash =
         0;  ///< hash of the calls; two cycles with the same calls have the same hash
     bool truncated = false;        ///< true: the cycle had more calls than were recorded

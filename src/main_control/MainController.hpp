@@ -64,8 +64,8 @@ class MainController {
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
   /// @errors Before start() the pulse has no effect. A pulse that occurs before the previous cycle
-  /// has ended counts as an overrun. When the late cycle has ended, only one more cycle runs, even
-  /// if several pulses occurred during the late cycle.
+  /// has ended counts as an overrun. When this previous cycle has ended, only one more cycle runs,
+  /// even if several pulses occurred before its end.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
@@ -114,9 +114,9 @@ class MainController {
   /// @satisfies FR-61
   [[nodiscard]] ControlData& getData();
 
-  /// @brief Orders the control systems to follow the set-points that were read last. If the last
-  /// order is an order to acknowledge, the control systems do not move. They release latched faults
-  /// if this order is neutral.
+  /// @brief Orders the control systems to follow the set-points that were read last. If these
+  /// set-points belong to an order to acknowledge, the control systems are held. They then release
+  /// latched faults only if this order is neutral and no stop is in force.
   /// @post The control systems are held if there are no set-points or if a stop is in force.
   /// @satisfies FR-14
   /// @satisfies FR-21

@@ -66,8 +66,8 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds watchdogTimeout() const { return milliseconds(300); }
 
-  /// @brief Returns the time between two ticks of the second timer.
-  /// @return period of the second timer [us]
+  /// @brief Returns the time between two ticks.
+  /// @return period of the ticks [us]
   /// @satisfies FR-100
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds tickPeriod() const { return milliseconds(1); }

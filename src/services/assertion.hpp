@@ -13,7 +13,7 @@ enum class AssertId : std::uint16_t {
   ThreadStartedTwice = 3,  ///< a control thread received a second command
   FrameTooLarge = 4,       ///< a frame is too large for its buffer
   PartBuiltTwice = 5,      ///< a builder was asked to build a part that it has already built
-  TimerFull = 6,           ///< more commands were added to the second timer than it can contain
+  TimerFull = 6,           ///< more commands were added to SecondTimer than it can contain
   InterruptLate = 7,       ///< an interrupt was not served in time
   ProgramChanged = 8       ///< the program in RAM differs from the original in flash
 };

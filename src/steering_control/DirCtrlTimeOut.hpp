@@ -8,8 +8,7 @@ class DirController;
 class DirSensor;
 class SteeringDevice;
 
-/// @brief Command that the second timer executes at each tick to measure, control and move the
-/// steering.
+/// @brief Command that SecondTimer executes at each tick to measure, control and move the steering.
 ///
 /// @function At each tick, lets the sensor read a sample. If this sample ends a measurement, calls
 /// the controller with the state of the motor. Then executes one tick of the motor. The timer, the

@@ -117,7 +117,8 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint,
 
 // Returns the share of a voltage that is added to effort_ while the wheel shows no motion. A motor
 // that turns undetected draws less current than a motor that its load keeps at rest. Therefore only
-// a small part of the voltage is added if the motor draws much current.
+// a small part of the voltage is added if the motor draws much current. However, while the wheel
+// follows a voltage order, a voltage of at most kMovingTension is added in full.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension,
                                      Current current) const {
   const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kMovingTension;

@@ -45,8 +45,7 @@ enum class FieldName : std::uint8_t {
   RejectedEdges,     ///< count of implausible Hall edges of a wheel
   ReportCost,        ///< processor cycles from a clock pulse until the report of the same control
                      ///< cycle was sent
-  AwakeCost,         ///< processor cycles between two clock pulses in which the processor did not
-                     ///< sleep
+  AwakeCost,         ///< processor cycles without sleep between two clock pulses
   StartCost,         ///< processor cycles from a clock pulse until the firmware began the control
                      ///< cycle
   Inhibit,           ///< reason why the robot does not follow the set-points

@@ -35,8 +35,7 @@ struct LinkCounts {
 struct CycleCosts {
   std::uint32_t report = 0;  ///< processor cycles from the previous clock pulse until the report of
                              ///< the same control cycle was sent
-  std::uint32_t awake = 0;   ///< processor cycles between the last two clock pulses in which the
-                             ///< processor did not sleep
+  std::uint32_t awake = 0;   ///< processor cycles without sleep between the last two clock pulses
   std::uint32_t start = 0;   ///< processor cycles from the present clock pulse until the firmware
                              ///< began the control cycle
 

@@ -30,12 +30,12 @@ class DeadbandTurn final : public SteeringAlgorithm {
   DeadbandTurn() = default;
 
   /// @brief Computes the target speed of the motor. If the motor turns towards the target, this
-  /// speed is 0 in two cases: the steering is at most kArrived away from the target, or the motor
-  /// is too fast to brake in time. If the motor does not turn towards the target, this speed is 0
-  /// when the steering is at most kDeadband away from the target. In all other cases it is the full
-  /// rate towards the target. The braking curve is the greatest speed at which the motor need not
-  /// brake yet, for each distance to the target. Because the acceleration of the motor is limited,
-  /// its speed stays close to this curve.
+  /// speed is 0 in two cases: the steering is at most kArrived away from the target, or the present
+  /// speed is above the braking curve. If the motor does not turn towards the target, this speed is
+  /// 0 when the steering is at most kDeadband away from the target. In all other cases it is the
+  /// full rate towards the target. The braking curve is the greatest speed at which the motor need
+  /// not brake yet, for each distance to the target. Because the acceleration of the motor is
+  /// limited, its speed stays close to this curve.
   /// @satisfies FR-101
   /// @satisfies FR-102
   /// @satisfies FR-103
