@@ -38,7 +38,7 @@ constexpr float kDoubtThreshold = 3.0F;   // with this evidence or more, the mod
 constexpr Tension kBringUp(1000);
 
 constexpr float kMilli = 1e-3F;
-constexpr std::size_t kInduced = 1;  // index of the induced voltage in Cycle::inputs
+constexpr std::size_t kInduced = 1;  // index of the induced voltage in the array inputs
 
 float volts(Tension tension) {
   return static_cast<float>(tension.count()) * kMilli;

@@ -49,7 +49,7 @@ def is_toml(text: str) -> bool:
 
 
 @given(data=st.data())
-@randomised(25)
+@randomised(12)
 def test_a_damaged_toml_file_gives_problems_at_lines_that_it_has(
     copy: Path, data: st.DataObject
 ) -> None:
@@ -72,7 +72,7 @@ def size_of(node: TreeNode | None) -> int:
 
 
 @given(data=st.data())
-@randomised(20)
+@randomised(10)
 def test_each_line_of_a_damaged_tree_is_a_node_or_an_error(copy: Path, data: st.DataObject) -> None:
     path = data.draw(st.sampled_from(TREES))
     text = data.draw(edited(path.read_text(encoding="utf-8")))
@@ -99,7 +99,7 @@ def below_doubled(text: str, name: str, declared: Declared) -> int:
 
 
 @given(data=st.data())
-@randomised(20)
+@randomised(10)
 def test_comments_of_a_damaged_file_have_lines_that_it_has(data: st.DataObject) -> None:
     path = data.draw(st.sampled_from(HEADERS))
     text = data.draw(edited(path.read_text(encoding="utf-8")))

@@ -12,7 +12,7 @@ std::unique_ptr<scenario::RobotSession> switchOn() {
 }
 
 int referenceSequences() {
-  return 200;
+  return 100;
 }
 
 }  // namespace wr::test
