@@ -37,8 +37,8 @@ WAIT = 20  # longest time until the virtual board opens its port [s]
 
 @dataclass(frozen=True)
 class Target:
-    """The commands that start the debugger, and the virtual board to which the debugger connects.
-    A program of this computer needs no board."""
+    """The command that starts the debugger, and the command that starts the virtual board to which
+    the debugger connects. A program of this computer needs no board."""
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)

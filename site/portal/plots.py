@@ -73,8 +73,8 @@ class Drawing:
 
 
 def draw(plot: LoopPlot) -> Drawing | None:
-    """Returns the drawing of a plot, or None if no curve has points. Only the first curve of a
-    set-point is drawn, because all targets follow the same set-point.
+    """Returns the drawing of a plot, or None if no curve has points. The host and
+    the virtual K64 have equal curves of the set-point, so only the first of these curves is drawn.
     """
     curves = [curve for curve in plot.curves if curve.points]
     if not curves:

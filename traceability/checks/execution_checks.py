@@ -73,8 +73,9 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Returns the context of each handler, and findings about wrong contexts: a context has an
-    unknown kind, only threads may have a body, and a handler may belong to one context only."""
+    """Returns the context of each handler, and findings about wrong contexts. A context is wrong if
+    its kind is unknown, if it is a thread without a body, if it has a body but is not a thread, or
+    if one of its handlers is listed twice or belongs to another context too."""
     declared: dict[str, ExecutionContext] = {}
     findings: list[Finding] = []
     for context in model.contexts.values():
