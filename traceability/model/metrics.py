@@ -31,6 +31,7 @@ METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verifi
 OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
+    *("firmware.largest_flash_bytes", "firmware.largest_ram_bytes"),
     *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
     *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
     "portal.search_unseen_first_hit",
@@ -118,8 +119,8 @@ def image(root: Path) -> dict[str, Any]:
 
 
 def forbidden(model: Model) -> dict[str, Any]:
-    """Counts the forbidden parts in the firmware images of all products. Also counts the modules in
-    each firmware image that do not belong to the product of this image.
+    """Counts the forbidden parts in the firmware images of all products, and the modules that do
+    not belong to the product of their image. Also returns the greatest flash and RAM of an image.
     """
     products = model.products
     if products is None:
@@ -128,6 +129,12 @@ def forbidden(model: Model) -> dict[str, Any]:
     return {
         "firmware.forbidden_parts": sum(len(product.forbidden) for product in products.values()),
         "firmware.needless_modules": sum(len(modules) for modules in needless.values()),
+        "firmware.largest_flash_bytes": max(
+            (product.flash for product in products.values()), default=None
+        ),
+        "firmware.largest_ram_bytes": max(
+            (product.ram for product in products.values()), default=None
+        ),
     }
 
 
