@@ -104,7 +104,10 @@ def inhibit(report: Report) -> str:
 def source(report: Report) -> str:
     if report.source is None:
         return "no order yet"
-    return f"order {report.order_id} of the PC" if report.source == "PC" else "order of the RC"
+    if report.source == "RC":
+        return "order of the RC"
+    device = "PC" if report.source == "PC" else f"{report.source} device"
+    return f"order {report.order_id} of the {device}"
 
 
 def as_line(report: Report) -> str:

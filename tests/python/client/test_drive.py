@@ -422,6 +422,23 @@ def test_the_monitor_tells_faults_in_words(
     assert all(word in table.splitlines() for word in words)
 
 
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        (None, "no order yet"),
+        ("PC", "order 7 of the PC"),
+        ("RC", "order of the RC"),
+        ("Bluetooth", "order 7 of the Bluetooth device"),
+    ],
+)
+def test_the_monitor_names_the_source_of_the_order(
+    mcu: Any, source: str | None, words: str
+) -> None:
+    with Link(mcu.path) as link:
+        report = replace(next(link.reports(5.0)), source=source, order_id=7)
+    assert monitor.source(report) == words
+
+
 def test_the_monitor_tells_rejected_edges_of_each_wheel(mcu: Any) -> None:
     mcu.conditions = (1, 0, 0, 0, 10, 20, 30, 65535)
     with Link(mcu.path) as link:
