@@ -952,7 +952,7 @@ _FIXED = [
         "invocation tree, its transitions of state machines, its safety goals and their hazards.",
         "The check cannot judge whether the texts are right. A review answers this question. The "
         "check ignores changes of line breaks.",
-        "run ./wr review with the id of the requirement, or with --baseline and the id.",
+        "check the text, and then run ./wr review --baseline with the id of the requirement.",
     ),
     Check(
         "suspect-method",
@@ -962,7 +962,7 @@ _FIXED = [
         "tree of the requirement, and the constants in the files of these methods.",
         "The check does not find changes of comments in a body, of formatting, or of names of "
         "local variables.",
-        "run ./wr review with the id of the requirement, or with --baseline and the id.",
+        "check the text, and then run ./wr review --baseline with the id of the requirement.",
     ),
     Check(
         "suspect-test",
@@ -971,7 +971,7 @@ _FIXED = [
         "fixtures, parameters and helpers, the scenarios that the tests play, and the "
         "justifications of source lines.",
         "The check does not compare the simulator, tests in Python, comments and formatting.",
-        "run ./wr review with the id of the requirement, or with --baseline and the id.",
+        "check the text, and then run ./wr review --baseline with the id of the requirement.",
     ),
     Check(
         "suspect-design",

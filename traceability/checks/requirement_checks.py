@@ -456,8 +456,8 @@ def _suspects(model: Model) -> Iterator[Finding]:
             suspicion.place,
             f"suspect-{_LINKS[suspicion.kind]}",
             text,
-            f"review the text: ./wr review {ids[0]}; or accept the change without a review: ./wr "
-            f"review --baseline {' '.join(ids)}",
+            f"check the text, or let a person review it with ./wr review {ids[0]}; then record the "
+            f"present text: ./wr review --baseline {' '.join(ids)}",
         )
     for suspicion in model.suspicions:
         text = f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
