@@ -292,7 +292,7 @@ def test_the_simulated_operator_refuses_a_real_port(
     port = tmp_path / "ttyACM0"
     port.touch()
     assert bring_up.run(options(mcu, control, tmp_path, link=port)) == 2
-    assert "needs a simulator" in capsys.readouterr().err
+    assert "is not the link of a simulator" in capsys.readouterr().err
 
 
 def test_a_missing_simulator_is_explained(
@@ -315,7 +315,7 @@ def test_a_bring_up_by_a_person_needs_a_terminal(tmp_path: Path) -> None:
         words, cwd=ROOT, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
     )
     assert ended.returncode == 2
-    assert "needs a terminal" in ended.stderr
+    assert "run it in a terminal" in ended.stderr
 
 
 @pytest.mark.parametrize(
