@@ -64,7 +64,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "lint",
         description="Checks the format of all sources. Compiles all sources with clang, which must "
         "report no warnings and no forbidden includes. Compiles each header alone. "
-        "Runs clang-tidy on the design, the ports and sim. Checks the Python sources with "
+        "Runs clang-tidy on the design, the ports (without their tests) and sim (without the "
+        "module for the web). Checks the Python sources with "
         "ruff and mypy, and checks the directions of their imports. Finds words that the "
         "glossary replaces.",
     )

@@ -490,7 +490,7 @@ _FIXED = [
         "The compiler lists the indirect calls of the firmware image. The possible targets of each "
         "of these calls are known in one of two ways. A builder passed the object whose virtual "
         "method is called, or design/stack.toml declares the targets.",
-        "The check does not read firmware images with extensions, or a firmware image that was not "
+        "The check reads only the firmware image of weeding_robot, and only if this image was "
         "built from the present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
     ),
@@ -501,7 +501,9 @@ _FIXED = [
         "from a handler enters a function twice. A chain of decorators passes at most once through "
         "each Concrete Decorator of its application.",
         "The check does not find a decorator object that decorates another object of the same "
-        "class.",
+        "class. It reads only the firmware image of weeding_robot. If this image was not built "
+        "from the present sources, the check reads the source files instead, and finds only "
+        "functions that call themselves directly or through functions of their file.",
         "write a loop with a bound.",
     ),
     Check(
@@ -511,7 +513,7 @@ _FIXED = [
         "least as many bytes as these chains need together. Each stack frame has a known size. No "
         "closed-loop run used more bytes of the stack than computed.",
         "The check does not count the stack that is needed if a second fault occurs in a fault "
-        "handler.",
+        "handler. It reads only the firmware image of weeding_robot.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
@@ -522,7 +524,7 @@ _FIXED = [
         "head of the loop, or a declared number above the loop or the copy. The target of each "
         "indirect call is known.",
         "The check cannot judge whether a declared bound is right. It does not read loops that run "
-        "only before the first interrupt.",
+        "only before the first interrupt. It reads only the firmware image of weeding_robot.",
         "write the bound above the loop.",
     ),
     Check(
@@ -535,7 +537,7 @@ _FIXED = [
         "includes the interrupts that the noise causes. The recorded time of each path is at most "
         "the computed bound of this path.",
         "The check does not detect that an interrupt can occur more often than design/times.toml "
-        "states.",
+        "states. The bounds apply only to weeding_robot.",
         "find the bound that is too small and correct it: the declared bound of a loop, or a "
         "number in design/times.toml.",
     ),
