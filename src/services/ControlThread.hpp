@@ -7,8 +7,8 @@
 
 namespace wr {
 
-/// @brief Thread that executes its command after a post. Each execution runs to its end. Meanwhile at
-/// most one further execution waits.
+/// @brief Thread that executes its command after a post. Each execution runs to its end. Meanwhile,
+/// at most one further execution waits.
 /// @function Moves work out of interrupt handlers: a handler posts the thread, and the platform
 /// then executes the command at the priority of the thread. Counts the posts that occur before the
 /// previous activation has ended.
