@@ -7,7 +7,8 @@
 
 namespace wr {
 
-/// @brief Thread that executes its command each time it is posted. Each execution runs to its end.
+/// @brief Thread that executes its command after a post. Each execution runs to its end. Meanwhile,
+/// at most one further execution waits.
 /// @function Moves work out of interrupt handlers: a handler posts the thread, and the platform
 /// then executes the command at the priority of the thread. Counts the posts that occur before the
 /// previous activation has ended.

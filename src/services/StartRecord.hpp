@@ -23,8 +23,8 @@ enum class ResetCause : std::uint8_t {
 enum class FaultKind : std::uint8_t {
   None = 0,                 ///< no fault was recorded
   Assertion = 1,            ///< a condition was false; the number identifies the condition
-  HardFault = 2,            ///< fault that is none of the other kinds
-  MemoryFault = 3,          ///< access that the memory protection forbids
+  HardFault = 2,            ///< fault that the status register CFSR does not show
+  MemoryFault = 3,          ///< instruction fetch from a region that is never executable
   BusFault = 4,             ///< access that failed on the bus
   UsageFault = 5,           ///< instruction that cannot be executed
   UnexpectedInterrupt = 6,  ///< interrupt without a handler; the number identifies the exception
