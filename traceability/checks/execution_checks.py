@@ -202,7 +202,7 @@ def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
         if context.kind != INTERRUPT:
             continue
         start = [*context.handlers, *_called_by_products(context.handlers, facts)]
-        reached = facts.references.reached(start, {}, facts.declared.ends)
+        reached = facts.robot.reached(start, {}, facts.declared.ends)
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, but the interrupt '{context.name}' calls it: {way}"
@@ -220,7 +220,7 @@ def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
     for body in facts.syntax.bodies:
         if claims.get(body.id) == "yes":
             for call in body.calls:
-                for target in facts.references.targets(call):
+                for target in facts.robot.targets(call):
                     if claims.get(target) == "no":
                         text = f"{body.id} is @isr{{yes}}, but calls {target}, which is @isr{{no}}"
                         yield Finding(call.place, "exec-isr", text)
@@ -234,7 +234,7 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
         if context.kind != INTERRUPT:
             continue
         start = [*context.handlers, *_called_by_products(context.handlers, facts)]
-        reached = facts.references.reached(start, {}, facts.declared.ends)
+        reached = facts.robot.reached(start, {}, facts.declared.ends)
         for body in (body for name in reached for body in facts.bodies.get(name, [])):
             if body.floats:
                 place = Place(body.place.file, body.floats)
@@ -307,7 +307,7 @@ def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
             continue
         using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
         handlers = [name for context in using for name in context.handlers]
-        reached = facts.references.reached(handlers, {}, facts.declared.ends)
+        reached = facts.robot.reached(handlers, {}, facts.declared.ends)
         for body in facts.syntax.bodies:
             locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
             if member.id in body.touches and body.id in reached and not locked:

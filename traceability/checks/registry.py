@@ -439,8 +439,8 @@ _FIXED = [
         "The handler of an interrupt never reaches a method with @isr{no}. A method with "
         "@isr{yes} never calls a method with @isr{no}. If the code calls a method of an abstract "
         "class, the check follows the call to the objects that the builders passed.",
-        "The check does not follow calls through pointers to functions, or calls inside methods of "
-        "extensions. It does not find methods without @isr, and it cannot judge whether @isr{yes} "
+        "The check does not follow calls through pointers to functions. It reads only the product "
+        "weeding_robot. It does not find methods without @isr, and it cannot judge whether @isr{yes} "
         "is true.",
         "let a thread call the method, or make the method safe for interrupts and write @isr{yes}.",
     ),
@@ -449,7 +449,7 @@ _FIXED = [
         "No floating point in an interrupt",
         "A function that the handler of an interrupt reaches has no floating-point number.",
         "The check does not read functions of the toolchain. It does not follow calls through "
-        "pointers to functions, or calls inside methods of extensions.",
+        "pointers to functions. It reads only the product weeding_robot.",
         "compute with integers.",
     ),
     Check(
@@ -479,7 +479,7 @@ _FIXED = [
         "atomic. Each function that uses a member that is declared as masked creates an "
         "InterruptLock. Only one context writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
-        "the standard library. It does not read methods of extensions. It cannot judge whether the "
+        "the standard library. It reads only the product weeding_robot. It cannot judge whether the "
         "protection is sufficient. It does not compare two threads of the same kind, such as the "
         "threads of two wheels.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",

@@ -374,11 +374,11 @@ def _with_calls(model: Model, facts: Facts) -> Model:
             for call in body.calls
         ]
         folder = model.logic_modules.get(logic_of(body.place.file))
-        if not body.owner and folder is not None and not folder.modules:
-            # The compositions of several products contain functions with the same name. Only the
-            # first of these functions is stored. The functions of src come before the functions of
-            # extensions.
-            functions.setdefault(body.id, Function(body.id, body.place, calls))
+        # The compositions of several products contain functions with the same name. Only the
+        # function of the product ``DEFAULT`` is stored.
+        stored = body.id in functions and not facts.robot.contains(body.place.file)
+        if not body.owner and folder is not None and not folder.modules and not stored:
+            functions[body.id] = Function(body.id, body.place, calls)
         made[body.id, body.place.file, body.place.line] = calls
         for target in {target for call in calls for target in call.targets} - {body.id}:
             callers.setdefault(target, {})[body.id] = None

@@ -44,7 +44,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
         names = {priorities[line] for line in lines if line in priorities}
         numbers = {facts.syntax.constants[name] for name in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
-        reached = facts.references.reached(context.handlers, narrowed, facts.declared.ends)
+        reached = facts.robot.reached(context.handlers, narrowed, facts.declared.ends)
         code.reached[context.id] = reached
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
         contexts[name] = replace(
@@ -159,20 +159,20 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
     """
     members = {
         member.name
-        for places in facts.references.known.values()
+        for places in facts.robot.known.values()
         for member in places
         if member.kind == PIPE
     }
     writers: dict[str, dict[str, list[str]]] = {name: {} for name in members}
     readers: dict[str, dict[str, list[str]]] = {name: {} for name in members}
     for body in facts.syntax.bodies:
-        if not body.place.file.startswith("src/"):
+        if not facts.robot.contains(body.place.file):
             continue
         for call in body.calls:
             owner, _, operation = call.target.rpartition("::")
             if owner != PIPE or operation not in ("write", *READS):
                 continue
-            for item in facts.references.objects(call.on, PIPE):
+            for item in facts.robot.objects(call.on, PIPE):
                 users = (writers if operation == "write" else readers)[item.name]
                 for user in users_of(body, item, model, facts):
                     users[user] = contexts_of(user, code)
@@ -199,7 +199,7 @@ def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[s
         if body.place.file == user.place.file
         for call in body.calls
         if call.target == user.id
-        and any(pipe in facts.references.objects(given, PIPE) for given in call.args)
+        and any(pipe in facts.robot.objects(given, PIPE) for given in call.args)
     )
 
 
@@ -241,7 +241,7 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
             owner, _, short = method.rpartition("::")
             if short == owner.rpartition("::")[2]:
                 continue  # In a constructor, no other context can reach the object yet.
-            for body in facts.references.own_bodies(method):
+            for body in facts.robot.own_bodies(method):
                 for member, changed in body.touches.items():
                     users = touched.setdefault(member, {})
                     users[name] = users.get(name, False) or changed

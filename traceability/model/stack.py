@@ -230,7 +230,7 @@ class Prover:
         for body, call in self.written.get((place.file, place.line), []):
             if call.virtual:
                 narrowed = self.body and body == RUN_OF_THREAD and call.target == DISPATCH
-                targets += [self.body] if narrowed else self.facts.references.targets(call)
+                targets += [self.body] if narrowed else self.facts.robot.targets(call)
         symbols = [symbol for target in targets for symbol in self.symbols.get(target, [])]
         if not symbols and not any(other == place for _, other in self.unresolved):
             self.unresolved.append((short_name(function.name), place))

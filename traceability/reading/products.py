@@ -13,7 +13,7 @@ from pathlib import Path
 from traceability.reading.image_record import read_image
 from traceability.reading.results import read_record
 from traceability.schema import ProductImage
-from traceability.sources import DESIGN, files_below
+from traceability.sources import DESIGN, SRC, files_below
 
 DEFAULT = "weeding_robot"
 # the product that contains only the design of the paper, without the safety functions
@@ -53,6 +53,11 @@ _LISTED = listed(Path(__file__).parents[2])
 PRODUCTS = {product.name: product.commands for product in _LISTED}
 HAS = {product.name: set(product.has) for product in _LISTED}
 DIFFERENT = set().union(*HAS.values())
+# file of each composition -> product
+COMPOSITIONS = {product.composition: product.name for product in _LISTED}
+_EXTENSION = next(
+    Path(file).parent.parent for file, product in COMPOSITIONS.items() if product == DEFAULT
+)
 RESULTS = Path("build/results/products.json")  # file with the contents of each firmware image
 
 # Matches a symbol that belongs to a class of the project: a method, a static object, or the virtual
@@ -103,3 +108,10 @@ def read_products(root: Path) -> dict[str, ProductImage] | None:
     images = read_record(root / RESULTS, dict[str, ProductImage])
     fresh = images is not None and set(images) == set(PRODUCTS) and read_image(root) is not None
     return images if fresh else None
+
+
+def is_of_default(file: str) -> bool:
+    """Returns whether a source is in src or in the extension of the product ``DEFAULT``, and is not
+    the composition of another product of this extension."""
+    extended = Path(file).is_relative_to(_EXTENSION)
+    return file.startswith(f"{SRC}/") or (extended and COMPOSITIONS.get(file, DEFAULT) == DEFAULT)

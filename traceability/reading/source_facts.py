@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from traceability.reading.ast_facts import (
 )
 from traceability.reading.comments import NO_COMMENT, Comment, Comments
 from traceability.reading.declared import Declared
+from traceability.reading.products import is_of_default
 from traceability.schema import Place
 from traceability.sources import DESIGN, SRC
 
@@ -110,7 +111,14 @@ class Facts:
 
     @functools.cached_property
     def references(self) -> References:
-        return References(self)
+        """The references in src, which is the design of the paper."""
+        return References(self, lambda file: file.startswith(f"{SRC}/"))
+
+    @functools.cached_property
+    def robot(self) -> References:
+        """The references in the firmware of the product ``DEFAULT``."""
+        replaced = replaced_files(self)
+        return References(self, lambda file: is_of_default(file) and file not in replaced)
 
     def lines_of(self, file: str) -> list[str]:
         return (self.root / file).read_text(encoding="utf-8").splitlines()
@@ -181,15 +189,48 @@ class Object:
     kind: str  # class of the object
 
 
+def replaced_files(facts: Facts) -> set[str]:
+    """Returns the files of src that the product ``DEFAULT`` does not contain, because a file of its
+    extension has the same function, such as an interrupt handler."""
+    return {
+        body.place.file
+        for bodies in facts.bodies.values()
+        if any(_is_extended(body) for body in bodies)
+        for body in bodies
+        if _is_callable(body) and not _is_extended(body)
+    }
+
+
+def _is_callable(body: BodyFact) -> bool:
+    """Returns whether other files can call a function outside classes."""
+    return not body.owner and not body.local
+
+
+def _is_extended(body: BodyFact) -> bool:
+    file = body.place.file
+    return _is_callable(body) and is_of_default(file) and not file.startswith(f"{SRC}/")
+
+
 class References:
     """For each reference, the objects to which it may refer.
 
     An object is a member or a variable whose type is a class of the project. The references to an
-    object are followed through constructors, parameters, members and results, in all files of src.
+    object are followed through constructors, parameters, members and results, in all files for
+    which ``contains`` returns true.
     """
 
-    def __init__(self, facts: Facts) -> None:
+    def __init__(self, facts: Facts, contains: Callable[[str], bool]) -> None:
         self.facts = facts
+        self.contains = contains
+        # file, virtual method that it calls -> methods that these calls may execute
+        self.called: dict[tuple[str, str], list[str]] = {}
+        self._fill()
+        # Now the targets of each virtual call are known. With these targets, fewer results flow
+        # into the places of a file.
+        self.called = self._called()
+        self._fill()
+
+    def _fill(self) -> None:
         # place (see flow.py) -> objects to which it may refer
         self.known: dict[str, set[Object]] = {}
         self.next: dict[str, set[str]] = {}  # place -> places that may refer to the same objects
@@ -197,22 +238,35 @@ class References:
         self._flows()
         self._solve()
 
+    def _called(self) -> dict[tuple[str, str], list[str]]:
+        called: dict[tuple[str, str], list[str]] = {}
+        for body in self.facts.syntax.bodies:
+            for call in body.calls:
+                if call.virtual:
+                    called.setdefault((call.place.file, call.target), []).extend(self.targets(call))
+        return called
+
     def _objects(self) -> None:
         for fact in self.facts.syntax.classes:
-            if not fact.place.file.startswith(f"{SRC}/"):
+            if not self.contains(fact.place.file):
                 continue
             for member in fact.fields:
                 name = f"{fact.name}::{member.name}"
                 for kind in [] if member.refers else member.classes:
                     if kind in self.facts.classes:
                         self._know(f"field {name}", Object(name, kind))
+        for name, member in self.facts.syntax.variables.items():
+            if not member.refers and self.contains(member.place.file):
+                for kind in member.classes:
+                    if kind in self.facts.classes:
+                        self._know(f"var {name}", Object(name, kind))
 
     def _know(self, place: str, item: Object) -> None:
         self.known.setdefault(place, set()).add(item)
 
     def _flows(self) -> None:
         for flow in self.facts.syntax.flows:
-            if not flow.file.startswith(f"{SRC}/"):
+            if not self.contains(flow.file):
                 continue
             for source in flow.sources:
                 word, _, rest = source.partition(" ")
@@ -222,6 +276,9 @@ class References:
                 elif word == "this":
                     for place in self._places_of(rest):
                         self._lead(place, flow.into)
+                elif word == "result" and (flow.file, rest) in self.called:
+                    for method in self.called[flow.file, rest]:
+                        self._lead(f"result {method}", flow.into)
                 else:
                     self._lead(source, flow.into)
         for method, overriders in self.facts.overriders.items():
@@ -293,6 +350,7 @@ class References:
         return callers
 
     def own_bodies(self, method: str) -> list[BodyFact]:
-        """Returns the bodies of a method that are in src. Bodies in an extension are left out."""
-        bodies = self.facts.bodies.get(method, [])
-        return [body for body in bodies if body.place.file.startswith(f"{SRC}/")]
+        """Returns the bodies of a method or function in the files that are read."""
+        return [
+            body for body in self.facts.bodies.get(method, []) if self.contains(body.place.file)
+        ]

@@ -31,7 +31,7 @@ class SmallFacts:
     def __init__(self, *calls: CallFact) -> None:
         body = BodyFact("Loop::run", "Loop", HERE, 9, calls=list(calls))
         self.syntax = Syntax(bodies=[body])
-        self.references = Targets()
+        self.robot = Targets()
         self.bodies = {"Loop::run": [body]}
 
 
