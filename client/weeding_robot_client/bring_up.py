@@ -201,7 +201,7 @@ class BringUp:
                 ("connection",),
             ),
             Step(
-                "remote control: enable switch at 'RC drives', sticks centred",
+                "remote control: enable switch at 'drive', sticks centred",
                 "the robot reads the remote control's orders: velocity 0 and steering 0",
                 self._enable_drive,
                 ("connection",),
@@ -440,7 +440,7 @@ class BringUp:
     def _enable_drive(self) -> str:
         self._wish = None  # the PC sends no orders while the remote control drives
         try:
-            self._do("enable drive", "centre the sticks, and set the enable switch to 'RC drives'")
+            self._do("enable drive", "centre the sticks, and set the enable switch to 'drive'")
             self._wait(
                 lambda report: report.order_read and report.source == "RC",
                 "the remote control's orders are not read",

@@ -20,7 +20,7 @@ from weeding_robot_client.messages import Quantity, Report, Welcome
 from weeding_robot_client.monitor import as_line, shown, status
 from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, wheel
 from weeding_robot_client.orders import ORDER_EVERY_S, Orders, arm, connect, not_connected
-from weeding_robot_client.reasons import conditions, inhibited
+from weeding_robot_client.reasons import NOT_MOVING, conditions, inhibited, latched
 from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import HELP, Script, ScriptError, Wish, load
 
@@ -120,7 +120,7 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
             return FAILED
     orders.end(script.at(script.end_s) or Wish())
     report = orders.report
-    if report and report.inhibit == "protective stop":
+    if report and latched(report):
         print(inhibited(report), file=sys.stderr)
         return FAILED
     return DONE
@@ -283,15 +283,17 @@ def show_start(link: Link, before: Welcome | None) -> Welcome | None:
 
 
 def show_changes(report: Report, before: list[str]) -> list[str]:
-    """Shows each condition once when it begins and once when it ends. Returns all present
-    conditions.
+    """Shows each condition once when it begins and once when it ends. A reason why the robot does
+    not move does not end when another reason replaces it. Returns all present conditions.
     """
     now = conditions(report)
     for condition in now:
         if condition not in before:
             print(f"\r\x1b[K{condition}", flush=True)
+    still = any(condition.startswith(NOT_MOVING) for condition in now)
     for condition in before:
-        if condition not in now:
+        replaced = still and condition.startswith(NOT_MOVING)
+        if condition not in now and not replaced:
             print(f"\r\x1b[Kno longer: {condition}", flush=True)
     return now
 

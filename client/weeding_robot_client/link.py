@@ -55,7 +55,9 @@ def open_line(path: Path) -> serial.Serial:
         return serial.Serial(str(path), BAUD, timeout=0, write_timeout=0, exclusive=True)
     except serial.SerialException as error:
         if error.errno == errno.EAGAIN:
-            raise BusyError(errno.EBUSY, "another program uses it", str(path)) from error
+            raise BusyError(
+                errno.EBUSY, "another program uses it: end that program", str(path)
+            ) from error
         if error.errno in (errno.EACCES, errno.EBUSY):
             raise OSError(error.errno, os.strerror(error.errno), str(path)) from error
         raise OSError(errno.ENOTTY, "it is not a serial port", str(path)) from error

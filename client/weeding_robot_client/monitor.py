@@ -10,7 +10,7 @@ from weeding_robot_client import exit_codes
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import WHEELS, Report
 from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, positive
-from weeding_robot_client.reasons import conditions, faults
+from weeding_robot_client.reasons import conditions, faults, latched
 
 DESCRIPTION = """\
 Connects to the robot and shows its reports. In a terminal, it shows a table that is updated.
@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
 
 def status(link: Link) -> str:
     """Returns the state of the connection, with the time of day."""
-    text = f"no connection on {link.path}, trying"
+    text = f"no connection on {link.path}, trying: check the power, the cable and --link"
     if link.incompatible:
         text = link.incompatible
     elif link.connected and link.welcome:
@@ -96,8 +96,9 @@ def inhibit(report: Report) -> str:
     detail = ""
     if report.inhibit == "stop":
         detail = f" of {', '.join(report.stop_sources)}" if report.stop_sources else ""
-    elif report.inhibit == "protective stop":
-        detail = f": {report.stop_cause}"
+    if latched(report):
+        detail += "" if report.inhibit == "protective stop" else "; protective stop"
+        detail += f": {report.stop_cause}"
     return f"[{report.inhibit}{detail}] "
 
 

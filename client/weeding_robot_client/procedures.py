@@ -21,7 +21,8 @@ stay armed without orders.
 Exit code 1: not armed, or no connection."""
 ACKNOWLEDGE = """\
 Acknowledges the latched protective stop. The robot stays at rest and releases its latched faults.
-Remove the cause first. After the acknowledgement, the program arms the robot, as ./wr arm does.
+Remove the cause first, and release a stop of the remote control: while it is in force, an
+acknowledgement has no effect. Afterwards, the program arms the robot, as ./wr arm does.
 
 Exit code 1: not armed, or no connection."""
 

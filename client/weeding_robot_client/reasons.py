@@ -19,6 +19,7 @@ CAUSES = {
     "reversal": "a wheel could not change its direction in time",
     "clock lost": "the clock of the microcontroller was lost",
 }
+NOT_MOVING = "The robot does not move:"
 # The key is the cause of a protective stop.
 CHECKS = {
     entry.shown: entry.check.replace("``", "")
@@ -32,7 +33,7 @@ ACTIONS = {
 }
 RELEASES = {
     "PC": "The PC ordered it. Release it: ./wr arm, or key r in ./wr drive.",
-    "RC": "The remote control ordered it. Set its enable switch to 'PC' or 'RC drives', with "
+    "RC": "The remote control ordered it. Set its enable switch to 'PC' or 'drive', with "
     "the velocity stick centred.",
 }
 
@@ -58,13 +59,26 @@ def inhibited(report: Report) -> str | None:
     if report.inhibit == "stop":
         sources = report.stop_sources or ("a source",)
         actions = [RELEASES.get(name, f"{name} ordered it.") for name in sources]
-        return " ".join(["The robot does not move: a stop is in force.", *actions])
-    reason = f"{report.inhibit}."
-    if report.inhibit == "protective stop":
-        reason = f"{report.inhibit}, {cause(report)}."
-        if check := CHECKS.get(report.stop_cause):
-            reason += f" Check first: {check}."
-    return f"The robot does not move: {reason} {ACTIONS.get(report.inhibit, '')}".rstrip()
+        reason = " ".join(["a stop is in force.", *actions])
+    elif report.inhibit == "protective stop":
+        return f"{NOT_MOVING} {protective_stop(report)}"
+    else:
+        reason = f"{report.inhibit}. {ACTIONS.get(report.inhibit, '')}".rstrip()
+    if latched(report):
+        reason += f" Also latched: {protective_stop(report)}"
+    return f"{NOT_MOVING} {reason}"
+
+
+def latched(report: Report) -> bool:
+    """Returns whether a protective stop is latched. Another reason may hide it in ``inhibit``."""
+    return report.stop_cause != "none"
+
+
+def protective_stop(report: Report) -> str:
+    """Returns the cause of the latched protective stop, its first checks, and the next action."""
+    check = CHECKS.get(report.stop_cause)
+    first = f" Check first: {check}." if check else ""
+    return f"protective stop, {cause(report)}.{first} {ACTIONS['protective stop']}"
 
 
 def faults(report: Report) -> list[str]:

@@ -16,7 +16,7 @@ enum class Port : std::uint8_t { A = 0, B = 1, C = 2, D = 3, E = 4 };
 enum class Role : std::uint8_t {
   LowOutput,   ///< output, safe when low
   HighOutput,  ///< output, safe when high
-  LateOutput,  ///< output, safe when low; driven by a peripheral as soon as the peripheral runs
+  LateOutput,  ///< output, safe when low; the timer drives it
   Input,       ///< input with a pull-up resistor
   PulledUp,    ///< pin of a peripheral, with a pull-up resistor because the wire may be missing
   Peripheral   ///< pin of a peripheral
@@ -66,10 +66,10 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199, Bluetooth", "Bytes to the Bluetooth device."},
     {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low switches the light on. The light shows that no control cycles run. In the product weeding_robot_warning it also shows a warning."},
     {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low switches the light on. The light shows that control cycles run."},
-    {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "Voltage of the front left wheel."},
-    {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "Voltage of the front right wheel."},
-    {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "Voltage of the rear left wheel."},
-    {{Port::C, 4, Mux::Alt4, Role::LateOutput}, "FTM0_CH3", "J2-4", "Voltage of the rear right wheel."},
+    {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the front left wheel."},
+    {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the front right wheel."},
+    {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the rear left wheel."},
+    {{Port::C, 4, Mux::Alt4, Role::LateOutput}, "FTM0_CH3", "J2-4", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the rear right wheel."},
     {{Port::C, 16, Mux::Gpio, Role::LowOutput}, "wheel_fl_orientation", "J1-2", "High turns the front left wheel backwards."},
     {{Port::C, 17, Mux::Gpio, Role::LowOutput}, "wheel_fr_orientation", "J1-4", "High turns the front right wheel backwards."},
     {{Port::B, 9, Mux::Gpio, Role::LowOutput}, "wheel_rl_orientation", "J1-6", "High turns the rear left wheel backwards."},

@@ -389,6 +389,42 @@ def test_the_monitor_shows_a_table(mcu: Any) -> None:
     assert "stop ordered by: nobody" in table
 
 
+@pytest.mark.parametrize(
+    ("inhibit", "sources", "short"),
+    [
+        ("no order", (), "[no order; protective stop: emergency stop]"),
+        ("stop", ("RC",), "[stop of RC; protective stop: emergency stop]"),
+        ("protective stop", (), "[protective stop: emergency stop]"),
+    ],
+)
+def test_the_monitor_shows_a_latched_protective_stop_besides_another_reason(
+    mcu: Any, inhibit: str, sources: tuple[str, ...], short: str
+) -> None:
+    with Link(mcu.path) as link:
+        report = replace(
+            next(link.reports(5.0)),
+            inhibit=inhibit,
+            stop_sources=sources,
+            stop_cause="emergency stop",
+        )
+        table = monitor.as_table(report, link)
+    assert short in monitor.as_line(report)
+    assert "protective stop, the emergency stop is pressed" in table
+    assert table.count("Remove the cause, then acknowledge") == 1
+
+
+def test_a_reason_that_replaces_another_reason_ends_none(
+    mcu: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with Link(mcu.path) as link:
+        report = replace(next(link.reports(5.0)), inhibit="stop", stop_cause="emergency stop")
+    known = drive.show_changes(report, [])
+    known = drive.show_changes(replace(report, inhibit="protective stop"), known)
+    assert "no longer" not in capsys.readouterr().out
+    drive.show_changes(replace(report, inhibit="none", stop_cause="none"), known)
+    assert "no longer: The robot does not move: protective stop" in capsys.readouterr().out
+
+
 CUT_OFF = "front left wheel has an overcurrent trip: its current was too high"
 BLIND = "rear right wheel has no motion feedback: it has voltage but no Hall edges"
 
