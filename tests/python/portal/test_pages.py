@@ -22,14 +22,23 @@ from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.site_build import check_texts
 from portal.tuning_page import control_values
-from portal.verification_views import facets_of_test, options
+from portal.verification_views import Share, facets_of_test, measured_lines, options
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
 from traceability.reading.fault_record import OUTCOMES
 from traceability.reading.published import Published
-from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Constant, Place, TreeNode, Tuned
+from traceability.schema import (
+    HOST,
+    VIRTUAL_K64,
+    BindingResult,
+    Constant,
+    MethodCoverage,
+    Place,
+    TreeNode,
+    Tuned,
+)
 
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),
@@ -211,6 +220,26 @@ def test_stale_results_are_not_shown(tmp_path: Path) -> None:
     text = shown(tmp_path, stale)["tests"].text
     assert "older than the sources" in text
     assert "runs passed" not in text
+
+
+def test_lines_that_only_the_virtual_k64_executed_are_shown_with_their_target(
+    tmp_path: Path,
+) -> None:
+    model = make_project(tmp_path)
+    rows = [
+        MethodCoverage("RC::read", Place("src/RC.cpp", 3, 5), {3: True, 4: True}, None),
+        MethodCoverage("Mode::read", Place("src/Mode.cpp", 3, 5), {3: True, 4: False}, None),
+    ]
+    requirement = replace(model.requirements["FR-15"], coverage={HOST: [], VIRTUAL_K64: rows})
+    model.requirements["FR-15"] = requirement
+    assert measured_lines(requirement) == (VIRTUAL_K64, Share(3, 4))
+    found = shown(tmp_path, model)
+    assert "lines executed 3/4" in found["requirements/FR-15"].text
+    assert "by these tests on the virtual K64" in found["requirements/FR-15"].text
+    (row,) = [row for row in found["requirements/index"].rows if row and "FR-15" in row[0]]
+    assert "3/4 virtual K64" in row
+    on_both = replace(requirement, coverage={HOST: rows[:1], VIRTUAL_K64: rows})
+    assert measured_lines(on_both) == (HOST, Share(2, 2))
 
 
 def test_explanations_have_a_group_of_their_own(tmp_path: Path) -> None:
