@@ -25,6 +25,7 @@ from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
 from traceability.model.metrics import metrics
+from traceability.model.not_shown import targets_of
 from traceability.model.report import Report
 from traceability.reading.last_changes import last_changes
 from traceability.reading.live_record import MODULE
@@ -405,9 +406,7 @@ class Portal:
 
     def targets_of(self, requirement: Requirement) -> str:
         """Returns the targets on which a test of the requirement passed in this run."""
-        tests = [self.model.tests[name] for name in requirement.verified_by]
-        passed = {target for test in tests for target in test.gave("passed")}
-        targets = [target for target in self.model.results_hashes if target in passed]
+        targets = targets_of(self.model, requirement)
         return f"{', '.join(targets) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:

@@ -22,7 +22,7 @@ from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.site_build import check_texts
 from portal.tuning_page import control_values
-from portal.verification_views import Share, facets_of_test, measured_lines, options
+from portal.verification_views import Share, facets, facets_of_test, measured_lines, options
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
@@ -297,6 +297,22 @@ def test_the_filter_of_the_requirements_offers_each_state_with_its_number(portal
     states = [verdict.state for verdict in REPORT.requirements.values()]
     assert counts == {state: states.count(state) for state in VERDICTS}
     assert 0 in counts.values()
+
+
+def test_the_filter_of_the_requirements_finds_those_whose_tests_pass_on_one_target(
+    tmp_path: Path,
+) -> None:
+    model = make_project(tmp_path)
+    requirement, test = model.requirements["FR-15"], model.tests["RcTest.Reads"]
+    assert facets(model, REPORT, requirement)["binding"] == [HOST, "only host"]
+    address = "@/requirements/index.html?binding=only+host"
+    assert address in shown(tmp_path, model)["index"].links
+    passed = BindingResult("passed", 1.0)
+    model.tests["RcTest.Reads"] = replace(test, results={HOST: passed, VIRTUAL_K64: passed})
+    assert facets(model, REPORT, requirement)["binding"] == [HOST, VIRTUAL_K64]
+    assert address not in shown(tmp_path, model)["index"].links
+    model.tests["RcTest.Reads"] = replace(test, results={VIRTUAL_K64: passed})
+    assert facets(model, REPORT, requirement)["binding"] == [VIRTUAL_K64, "only virtual K64"]
 
 
 def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> None:
