@@ -33,7 +33,9 @@ from traceability.schema import (
     HOST,
     VIRTUAL_K64,
     BindingResult,
+    BuildEvidence,
     Constant,
+    LintRun,
     MethodCoverage,
     Place,
     TreeNode,
@@ -240,6 +242,18 @@ def test_lines_that_only_the_virtual_k64_executed_are_shown_with_their_target(
     assert "3/4 virtual K64" in row
     on_both = replace(requirement, coverage={HOST: rows[:1], VIRTUAL_K64: rows})
     assert measured_lines(on_both) == (HOST, Share(2, 2))
+
+
+def test_the_evidence_shows_the_static_analysis_only_for_the_present_files(tmp_path: Path) -> None:
+    build = BuildEvidence("c0ffee", [], "Linux", 4, {}, {}, [])
+    model = replace(make_project(tmp_path), build=build)
+    title = "static analysis (./wr lint)"
+    assert f"{title} not run in this build" in shown(tmp_path, model)["evidence"].text
+    run = LintRun("c0ffee", {"ruff": "passed", "clang-tidy": "not run", "mypy": "passed"})
+    text = shown(tmp_path, replace(model, build=replace(build, lint=run)))["evidence"].text
+    assert (
+        f"{title} not run: clang-tidy passed: ruff, mypy on these files, at commit c0ffee" in text
+    )
 
 
 def test_explanations_have_a_group_of_their_own(tmp_path: Path) -> None:
