@@ -29,12 +29,15 @@ from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
 from traceability.reading.fault_record import OUTCOMES
 from traceability.reading.published import Published
+from traceability.reading.seeded_fault_record import Outcome
+from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
     HOST,
     VIRTUAL_K64,
     BindingResult,
     BuildEvidence,
     Constant,
+    LastRecord,
     LintRun,
     MethodCoverage,
     Place,
@@ -46,6 +49,7 @@ CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),
     CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "fix it."),
 ]
+OUTCOME = Outcome("a-1", "tree-static", "Says.", "src/a.cpp", 1, True, True, ["found"])
 
 
 def shown(root: Path, model: Model) -> dict[str, Shown]:
@@ -254,6 +258,50 @@ def test_the_evidence_shows_the_static_analysis_only_for_the_present_files(tmp_p
     assert (
         f"{title} not run: clang-tidy passed: ruff, mypy on these files, at commit c0ffee" in text
     )
+
+
+def test_an_image_for_recordings_is_explained_where_it_is_shown(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    explained = "weeding_robot_paper_calls: a firmware image for recordings"
+    before = shown(tmp_path, model)
+    assert [name for name, page in before.items() if explained in page.text] == []
+    run = BindingResult("passed", 1.0, images=["weeding_robot_paper", "weeding_robot_paper_calls"])
+    model.tests["RcTest.Reads"] = replace(model.tests["RcTest.Reads"], results={VIRTUAL_K64: run})
+    after = shown(tmp_path, model)
+    assert {"tests", "requirements/FR-15", "modules/RC"} <= {
+        name for name, page in after.items() if explained in page.text
+    }
+
+
+def test_the_list_of_checks_counts_those_that_run_after_the_pages(pages: dict[str, Shown]) -> None:
+    assert "This run: holds: 1, after the pages: 1." in pages["checks/index"].text
+    assert "run after the pages are written" in pages["checks/index"].text
+
+
+@pytest.mark.parametrize(
+    ("recorded", "sentence"),
+    [
+        (LastRecord("check --drift", "c0ffee", 1, 1, False, "2026-11-25"), "At least 2 of the 3"),
+        (LastRecord("check --drift", "c0ffee", 3, 3, False, "2026-11-25"), ""),
+        (OUTCOME, "2 of the 3"),
+        (None, ""),
+    ],
+)
+def test_listed_faults_that_are_not_in_the_record_are_counted(
+    tmp_path: Path, recorded: LastRecord | Outcome | None, sentence: str
+) -> None:
+    model = make_project(tmp_path)
+    faults = [Fault(f"a-{number}", "tree-static", "Says.") for number in range(3)]
+    model = replace(
+        model,
+        faults=faults,
+        outcomes=[recorded] if isinstance(recorded, Outcome) else None,
+        last={"drift": recorded} if isinstance(recorded, LastRecord) else {},
+    )
+    text = shown(tmp_path, model)["checks/drift"].text
+    assert ("listed faults are not in this record" in text) == bool(sentence)
+    assert sentence in text
+    assert ("At least" in text) == sentence.startswith("At least")
 
 
 def test_explanations_have_a_group_of_their_own(tmp_path: Path) -> None:
