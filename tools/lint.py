@@ -19,8 +19,9 @@ from typing import TextIO
 from tools.cmake_build import TESTS, build
 from tools.prose import lint_prose
 from tools.steps import FailureError, run
-from tools.task_graph import Graph, Task
-from traceability.model.build import logic_of
+from tools.task_graph import Graph, Outcome, Reporter, Task
+from traceability.model.build import commit, logic_of
+from traceability.reading.lint_record import FAILED, NOT_RUN, PASSED, files_hash, write_lint
 from traceability.reading.prose_record import write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
@@ -80,8 +81,24 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def lint(root: Path, *, quick: bool) -> int:
     tasks = lint_tasks(root, quick=quick)
-    failed = Graph(root, tasks, record=LINT_RECORD).run([task.name for task in tasks]).failed
-    return 1 if failed else 0
+    files = files_hash(root)
+    results = Graph(root, tasks, record=LINT_RECORD).run([task.name for task in tasks])
+    record_steps(root, results, files)
+    return 1 if results.failed else 0
+
+
+def record_steps(root: Path, results: Reporter, files: str) -> None:
+    """Writes the result of each step for the portal. ``files`` is the hash of the files before the
+    first step."""
+    names = [task.name for task in lint_tasks(root, quick=False)]
+    steps = {name: result_of(results.progress.done.get(name)) for name in names}
+    write_lint(root, steps, commit(root), files)
+
+
+def result_of(outcome: Outcome | None) -> str:
+    if outcome is None or outcome.note.startswith(NOT_RUN):
+        return NOT_RUN
+    return FAILED if outcome.failed else PASSED
 
 
 def lint_tasks(root: Path, *, quick: bool) -> list[Task]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from tools.check import report
 from tools.cmake_build import Counts
 from tools.documents import read_findings, write_time
-from tools.lint import lint_tasks
+from tools.lint import lint_tasks, record_steps
 from tools.lock import only_one
 from tools.task_graph import Graph, Reporter
 from tools.tasks import (
@@ -23,6 +23,7 @@ from tools.tasks import (
     pages_graph,
     python_task,
 )
+from traceability.reading.lint_record import files_hash
 from traceability.reading.task_record import (
     CHANGES,
     PORTS,
@@ -100,7 +101,10 @@ def test(root: Path, *, long: bool, ci: bool) -> int:
         names += [SEEDED_FAULTS] if long else []
         style = lint_tasks(root, quick=True) if ci else []
         tasks = Graph(root, [*style, *graph(root).tasks])
+        files = files_hash(root)
         results = tasks.run([*(task.name for task in style), *names])
+        if ci:
+            record_steps(root, results, files)
         pages = pages_graph(root).run([DOCUMENTS, PAGES, *([LONG_TESTS] if long else [])])
         counts = counts_of(results) + counts_of(pages)
         code = report(read_findings(root), [*results.failed, *pages.failed])

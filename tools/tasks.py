@@ -127,7 +127,7 @@ SHOWN_RESULTS = (
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
     *("calls.json", "proofs.json", "changes.json", "ports.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
-    *("trace.cost.json", "plain.cost.json", "live.json", "diff.json"),
+    *("trace.cost.json", "plain.cost.json", "live.json", "diff.json", "lint.json"),
 )
 # Each folder of tests/python, and the inputs of its tests in addition to their Python sources. The
 # tests of the client mostly wait, and are therefore started first.

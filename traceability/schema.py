@@ -788,6 +788,14 @@ class FileHash:
 
 
 @dataclass(frozen=True)
+class LintRun:
+    """The results of ./wr lint for the present files."""
+
+    commit: str  # commit at which it ran; empty without git
+    steps: Mapping[str, str]  # step -> "passed", "failed" or "not run"
+
+
+@dataclass(frozen=True)
 class BuildEvidence:
     """The commit, the tools and the computer with which the pages were built."""
 
@@ -798,6 +806,7 @@ class BuildEvidence:
     tools: Mapping[str, str]  # program -> version
     runs: Mapping[str, TestRun]  # target -> run
     hashes: Sequence[FileHash]
+    lint: LintRun | None = None  # None if ./wr lint did not run on the present files
 
 
 @dataclass(frozen=True)

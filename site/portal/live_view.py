@@ -19,7 +19,14 @@ from portal.writing import remove_others, write_changed
 from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.live_record import MODULE, read_live
-from traceability.reading.products import DEFAULT, PAPER, PRODUCTS, image_of, recorded_image_of
+from traceability.reading.products import (
+    CALLS_SUFFIX,
+    DEFAULT,
+    PAPER,
+    PRODUCTS,
+    image_of,
+    recorded_image_of,
+)
 from traceability.reading.result_cache import cached_result
 from traceability.reading.traces import function_of, method_of
 from traceability.schema import Method, TreeNode
@@ -31,7 +38,6 @@ DATA = "live.json"
 # Scenario whose recorded curves the page shows before the reader starts the robot.
 RECORDED = "stop"
 SAFETY = Path("sim/scenario/safety")
-CALLS = "_calls"  # suffix of a firmware image in which the compiler inlines no method
 SIGNATURE = re.compile(r"(?P<result>.+?) ?\b\w+\((?P<parameters>[^()]*)\)")
 INTEGERS = {"void": "", "bool": "bool"} | {
     f"std::{sign}int{bits}_t": f"{kind}{bits}"
@@ -63,7 +69,7 @@ def images(root: Path) -> list[Image]:
         return []
     built = []
     for product, commands in PRODUCTS.items():
-        for name, flashed in ((f"{product}{CALLS}", False), (product, True)):
+        for name, flashed in ((f"{product}{CALLS_SUFFIX}", False), (product, True)):
             path = root / file_of(name, ".bin")
             if path.exists():
                 content = path.read_bytes()
@@ -74,7 +80,7 @@ def images(root: Path) -> list[Image]:
 
 def file_of(name: str, suffix: str) -> Path:
     """Returns the path of a firmware image that the page loads."""
-    product = name.removesuffix(CALLS)
+    product = name.removesuffix(CALLS_SUFFIX)
     return image_of(product, suffix) if product == name else recorded_image_of(product, suffix)
 
 
@@ -86,7 +92,7 @@ def run(portal: Portal) -> dict[str, Any]:
     shown = [scenario for scenario in ran if scenario.name == RECORDED] or ran[:1]
     return {
         "images": built,
-        "chosen": f"{PAPER}{CALLS}",
+        "chosen": f"{PAPER}{CALLS_SUFFIX}",
         "scenarios": scenarios(portal.root, portal.model),
         "module_bytes": module.stat().st_size if built else 0,
         "recorded": shown,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,9 +26,11 @@ from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
 from traceability.model.metrics import metrics
+from traceability.model.not_shown import targets_of
 from traceability.model.report import Report
 from traceability.reading.last_changes import last_changes
 from traceability.reading.live_record import MODULE
+from traceability.reading.products import CALLS_SUFFIX
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
@@ -60,6 +63,8 @@ WITHOUT_TERMS = ("source_file", "home")
 # These checks need the warnings of Sphinx or the finished site. Their results are therefore unknown
 # while the pages are written.
 LATER = {"doc-warning", "link-doc", "link-site"}
+# The states of a check when the pages are written.
+HOLDS, FOUND, STALE, AFTER = "holds", "with findings", "no fresh results", "after the pages"
 # These checks need test results of the present sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
 
@@ -405,9 +410,7 @@ class Portal:
 
     def targets_of(self, requirement: Requirement) -> str:
         """Returns the targets on which a test of the requirement passed in this run."""
-        tests = [self.model.tests[name] for name in requirement.verified_by]
-        passed = {target for test in tests for target in test.gave("passed")}
-        targets = [target for target in self.model.results_hashes if target in passed]
+        targets = targets_of(self.model, requirement)
         return f"{', '.join(targets) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
@@ -494,13 +497,38 @@ class Portal:
 
     def verdict_of(self, check: str) -> Markup:
         """Returns the result of a check at the time when the pages are written."""
-        if count := len(self.findings_of(check)):
-            return names.glyph("bad", f"{count} found")
+        state = self._state_of(check)
+        if state == FOUND:
+            return names.glyph("bad", f"{len(self.findings_of(check))} found")
+        return names.glyph("ok" if state == HOLDS else "none", state)
+
+    def _state_of(self, check: str) -> str:
+        if self.findings_of(check):
+            return FOUND
         if self.is_later(check):
-            return names.glyph("none", "after the pages")
-        if check in DYNAMIC and self.model.results_stale:
-            return names.glyph("none", "no fresh results")
-        return names.glyph("ok", "holds")
+            return AFTER
+        return STALE if check in DYNAMIC and self.model.results_stale else HOLDS
+
+    def checks_by_state(self) -> dict[str, int]:
+        """Returns for each state of a check the number of the checks in this state, if there are
+        any.
+        """
+        counts = Counter(map(self._state_of, self.checks))
+        return {state: counts[state] for state in (HOLDS, FOUND, STALE, AFTER) if counts[state]}
+
+    def unrecorded_faults(self) -> int:
+        """Returns the number of listed seeded faults that the last record does not contain. A
+        published record contains only numbers. The result is then the least possible number.
+        """
+        faults, last = self.model.faults, self.model.last.get("drift")
+        if self.model.outcomes is not None:
+            return sum(self.outcome_of(fault) is None for fault in faults)
+        return max(0, len(faults) - last.tried) if last else 0
+
+    def recorded_images(self, tests: Iterable[Test]) -> list[str]:
+        """Returns the firmware images for recordings on which the tests ran."""
+        images = {image for test in tests for run in test.results.values() for image in run.images}
+        return sorted(image for image in images if image.endswith(CALLS_SUFFIX))
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """Returns the result of the run with a seeded fault, or ``None`` if no run with this fault

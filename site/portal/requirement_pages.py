@@ -35,7 +35,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "without_method": [item.id for item in every if not item.satisfied_by],
         "options": verification_views.options(numbers.values()),
         "bars": verification_views.chart(sections(portal)),
-        "lines_of": verification_views.lines_of,
+        "measured_lines": verification_views.measured_lines,
         "host": HOST,
         "dots": {
             requirement.id: dots(portal, requirement)
@@ -96,6 +96,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         covered=covered_methods(requirement),
         gaps=[gap for gap in portal.model.line_gaps if requirement.id in gap.requirements],
         lines_of=verification_views.lines_of,
+        measured=verification_views.measured_lines(requirement),
         branches_of=verification_views.branches_of,
         mutants=portal.model.mutants_of(requirement.id),
         machines=machines_of(portal, requirement.id),

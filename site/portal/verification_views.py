@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from traceability.model.design_model import Model
+from traceability.model.not_shown import ONLY, targets_of
 from traceability.model.report import Report
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement, Test
@@ -35,6 +36,15 @@ def share(hits: Iterable[bool]) -> Share | None:
 
 def lines_of(methods: Iterable[MethodCoverage]) -> Share | None:
     return share(hit for method in methods for hit in method.lines.values())
+
+
+def measured_lines(requirement: Requirement) -> tuple[str, Share] | None:
+    """Returns the executed lines of the methods in the invocation tree, and the target on which
+    they were measured. This is the host if any line was measured there, and otherwise the virtual
+    K64.
+    """
+    shares = ((name, lines_of(requirement.coverage.get(name, []))) for name in (HOST, VIRTUAL_K64))
+    return next(((name, lines) for name, lines in shares if lines), None)
 
 
 def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
@@ -81,9 +91,8 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     for node in nodes_of(requirement.tree) if requirement.tree else []:
         names.append(node.module)
     modules = [model.modules[name] for name in dict.fromkeys(names) if name in model.modules]
-    passed = {
-        binding for test in requirement.verified_by for binding in model.tests[test].gave("passed")
-    }
+    targets = targets_of(model, requirement)
+    only = [ONLY.format(target) for target in targets] if len(targets) == 1 else []
     return {
         "state": [report.requirements[requirement.id].state],
         "logic": sorted({module.logic for module in modules}),
@@ -91,7 +100,7 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
         "method": [requirement.method] if requirement.method else [],
         "level": [requirement.level] if requirement.level else [],
         "goal": requirement.goals,
-        "binding": [binding for binding in model.results_hashes if binding in passed],
+        "binding": [*targets, *only],
     }
 
 

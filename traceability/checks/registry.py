@@ -18,11 +18,12 @@ class Check:
     holds: str
     blind: str
     fix: str
+    reason: str = ""  # reason for this check, if the reason of its family does not fit
 
     @property
     def why(self) -> str:
-        """Returns the reason why the family of this check exists."""
-        return WHY[self.id.split("-", maxsplit=1)[0]]
+        """Returns the reason why this check or its family exists."""
+        return self.reason or WHY[self.id.split("-", maxsplit=1)[0]]
 
     @property
     def text(self) -> str:
@@ -460,6 +461,8 @@ _FIXED = [
         "The check does not prove that the condition of a `for` becomes false.",
         "count the iterations in the head of the loop, or state in design/justified.toml why the "
         "loop ends.",
+        "A loop that does not end blocks its thread or interrupt forever. The longest time of a "
+        "cycle can be computed only if each loop has a greatest number of iterations.",
     ),
     Check(
         "exec-heap",
@@ -470,6 +473,8 @@ _FIXED = [
         "The check does not find library code that allocates memory internally. The symbols of "
         "the firmware image show such code.",
         "use an array of fixed size or a std::optional.",
+        "A heap can run out of memory while the robot drives, and an allocation has no bounded "
+        "time. Without a heap, the linker fixes the addresses of all data outside the stack.",
     ),
     Check(
         "exec-shared",

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from urllib.parse import urlencode
 
 from traceability.model.design_model import Model
 from traceability.model.metrics import METHODS
@@ -15,20 +16,26 @@ from traceability.schema import HOST, VIRTUAL_K64, LastRecord, Requirement
 
 NAMES = {"mutation": "The mutation test of the tests", "drift": "The test of the checks"}
 
+# The value of the filter for the target, if the tests of a requirement passed only on one target.
+ONLY = "only {}"
 PAPER = {paper.name: paper for paper in SCENARIOS}
 
 
 @dataclass(frozen=True)
 class NotShown:
-    """A sentence about evidence that this build lacks, and the page with the details."""
+    """A sentence about evidence that this build lacks, and the page with the details.
+
+    ``query`` contains the values of the filters that select these details on the page.
+    """
 
     text: str
     page: str  # id of the page in the navigation
+    query: str = ""
 
 
 def not_shown(model: Model, report: Report) -> list[NotShown]:
     requirements = list(model.requirements.values())
-    texts = [
+    texts: list[tuple[str, ...]] = [
         (
             "No real board has run this build. Tests run on this computer and on the virtual K64, "
             "which the authors of the firmware wrote.",
@@ -111,19 +118,21 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
         )
 
 
-def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
-    passed = {
-        requirement.id: {
-            t for name in requirement.verified_by for t in model.tests[name].gave("passed")
-        }
-        for requirement in requirements
-    }
-    only_host = sum(targets == {HOST} for targets in passed.values())
+def targets_of(model: Model, requirement: Requirement) -> list[str]:
+    """Returns the targets on which a test of the requirement passed."""
+    tests = [model.tests[name] for name in requirement.verified_by]
+    passed = {target for test in tests for target in test.gave("passed")}
+    return [target for target in model.results_hashes if target in passed]
+
+
+def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[str, str, str]]:
+    only_host = sum(targets_of(model, requirement) == [HOST] for requirement in requirements)
     if only_host:
         yield (
             f"The tests of {_count(only_host, 'requirement')} run only on the host, and not on the "
             f"{VIRTUAL_K64}.",
             "requirements",
+            urlencode({"binding": ONLY.format(HOST)}),
         )
 
 

@@ -10,6 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from traceability.reading.image_record import read_image
+from traceability.reading.lint_record import read_lint
 from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.results import RESULTS, RUNS, read_json
 from traceability.schema import BuildEvidence, FileHash, TestRun
@@ -33,6 +34,7 @@ def read_build(root: Path) -> BuildEvidence:
         tools=dict(_versions()),
         runs={target: run for target, name in RUNS.items() if (run := read_run(root, name))},
         hashes=_hashes(root),
+        lint=read_lint(root),
     )
 
 

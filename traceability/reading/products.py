@@ -62,6 +62,7 @@ RESULTS = Path("build/results/products.json")  # file with the contents of each 
 
 # Matches a symbol that belongs to a class of the project: a method, a static object, or the virtual
 # method table of the class.
+CALLS_SUFFIX = "_calls"  # suffix of the name of a firmware image for recordings
 SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")
 
 

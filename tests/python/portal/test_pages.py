@@ -22,19 +22,34 @@ from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.site_build import check_texts
 from portal.tuning_page import control_values
-from portal.verification_views import facets_of_test, options
+from portal.verification_views import Share, facets, facets_of_test, measured_lines, options
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
 from traceability.reading.fault_record import OUTCOMES
 from traceability.reading.published import Published
-from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Constant, Place, TreeNode, Tuned
+from traceability.reading.seeded_fault_record import Outcome
+from traceability.reading.seeded_faults import Fault
+from traceability.schema import (
+    HOST,
+    VIRTUAL_K64,
+    BindingResult,
+    BuildEvidence,
+    Constant,
+    LastRecord,
+    LintRun,
+    MethodCoverage,
+    Place,
+    TreeNode,
+    Tuned,
+)
 
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),
     CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "fix it."),
 ]
+OUTCOME = Outcome("a-1", "tree-static", "Says.", "src/a.cpp", 1, True, True, ["found"])
 
 
 def shown(root: Path, model: Model) -> dict[str, Shown]:
@@ -213,6 +228,82 @@ def test_stale_results_are_not_shown(tmp_path: Path) -> None:
     assert "runs passed" not in text
 
 
+def test_lines_that_only_the_virtual_k64_executed_are_shown_with_their_target(
+    tmp_path: Path,
+) -> None:
+    model = make_project(tmp_path)
+    rows = [
+        MethodCoverage("RC::read", Place("src/RC.cpp", 3, 5), {3: True, 4: True}, None),
+        MethodCoverage("Mode::read", Place("src/Mode.cpp", 3, 5), {3: True, 4: False}, None),
+    ]
+    requirement = replace(model.requirements["FR-15"], coverage={HOST: [], VIRTUAL_K64: rows})
+    model.requirements["FR-15"] = requirement
+    assert measured_lines(requirement) == (VIRTUAL_K64, Share(3, 4))
+    found = shown(tmp_path, model)
+    assert "lines executed 3/4" in found["requirements/FR-15"].text
+    assert "by these tests on the virtual K64" in found["requirements/FR-15"].text
+    (row,) = [row for row in found["requirements/index"].rows if row and "FR-15" in row[0]]
+    assert "3/4 virtual K64" in row
+    on_both = replace(requirement, coverage={HOST: rows[:1], VIRTUAL_K64: rows})
+    assert measured_lines(on_both) == (HOST, Share(2, 2))
+
+
+def test_the_evidence_shows_the_static_analysis_only_for_the_present_files(tmp_path: Path) -> None:
+    build = BuildEvidence("c0ffee", [], "Linux", 4, {}, {}, [])
+    model = replace(make_project(tmp_path), build=build)
+    title = "static analysis (./wr lint)"
+    assert f"{title} not run in this build" in shown(tmp_path, model)["evidence"].text
+    run = LintRun("c0ffee", {"ruff": "passed", "clang-tidy": "not run", "mypy": "passed"})
+    text = shown(tmp_path, replace(model, build=replace(build, lint=run)))["evidence"].text
+    assert (
+        f"{title} not run: clang-tidy passed: ruff, mypy on these files, at commit c0ffee" in text
+    )
+
+
+def test_an_image_for_recordings_is_explained_where_it_is_shown(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    explained = "weeding_robot_paper_calls: a firmware image for recordings"
+    before = shown(tmp_path, model)
+    assert [name for name, page in before.items() if explained in page.text] == []
+    run = BindingResult("passed", 1.0, images=["weeding_robot_paper", "weeding_robot_paper_calls"])
+    model.tests["RcTest.Reads"] = replace(model.tests["RcTest.Reads"], results={VIRTUAL_K64: run})
+    after = shown(tmp_path, model)
+    assert {"tests", "requirements/FR-15", "modules/RC"} <= {
+        name for name, page in after.items() if explained in page.text
+    }
+
+
+def test_the_list_of_checks_counts_those_that_run_after_the_pages(pages: dict[str, Shown]) -> None:
+    assert "This run: holds: 1, after the pages: 1." in pages["checks/index"].text
+    assert "run after the pages are written" in pages["checks/index"].text
+
+
+@pytest.mark.parametrize(
+    ("recorded", "sentence"),
+    [
+        (LastRecord("check --drift", "c0ffee", 1, 1, False, "2026-11-25"), "At least 2 of the 3"),
+        (LastRecord("check --drift", "c0ffee", 3, 3, False, "2026-11-25"), ""),
+        (OUTCOME, "2 of the 3"),
+        (None, ""),
+    ],
+)
+def test_listed_faults_that_are_not_in_the_record_are_counted(
+    tmp_path: Path, recorded: LastRecord | Outcome | None, sentence: str
+) -> None:
+    model = make_project(tmp_path)
+    faults = [Fault(f"a-{number}", "tree-static", "Says.") for number in range(3)]
+    model = replace(
+        model,
+        faults=faults,
+        outcomes=[recorded] if isinstance(recorded, Outcome) else None,
+        last={"drift": recorded} if isinstance(recorded, LastRecord) else {},
+    )
+    text = shown(tmp_path, model)["checks/drift"].text
+    assert ("listed faults are not in this record" in text) == bool(sentence)
+    assert sentence in text
+    assert ("At least" in text) == sentence.startswith("At least")
+
+
 def test_explanations_have_a_group_of_their_own(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     (tmp_path / "docs" / "glossary.rst").write_text("Glossary\n========\n")
@@ -268,6 +359,22 @@ def test_the_filter_of_the_requirements_offers_each_state_with_its_number(portal
     states = [verdict.state for verdict in REPORT.requirements.values()]
     assert counts == {state: states.count(state) for state in VERDICTS}
     assert 0 in counts.values()
+
+
+def test_the_filter_of_the_requirements_finds_those_whose_tests_pass_on_one_target(
+    tmp_path: Path,
+) -> None:
+    model = make_project(tmp_path)
+    requirement, test = model.requirements["FR-15"], model.tests["RcTest.Reads"]
+    assert facets(model, REPORT, requirement)["binding"] == [HOST, "only host"]
+    address = "@/requirements/index.html?binding=only+host"
+    assert address in shown(tmp_path, model)["index"].links
+    passed = BindingResult("passed", 1.0)
+    model.tests["RcTest.Reads"] = replace(test, results={HOST: passed, VIRTUAL_K64: passed})
+    assert facets(model, REPORT, requirement)["binding"] == [HOST, VIRTUAL_K64]
+    assert address not in shown(tmp_path, model)["index"].links
+    model.tests["RcTest.Reads"] = replace(test, results={VIRTUAL_K64: passed})
+    assert facets(model, REPORT, requirement)["binding"] == [VIRTUAL_K64, "only virtual K64"]
 
 
 def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> None:

@@ -1,0 +1,50 @@
+"""The record of ./wr lint: the result of each step, and the hash of the files that the steps
+read."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from traceability.reading import prose_record
+from traceability.reading.results import RESULTS, read_json
+from traceability.schema import LintRun
+from traceability.sources import files_below, hash_of
+from traceability.whole_file import write_whole
+
+RECORD = RESULTS / "lint.json"
+SETTINGS = (
+    *("pyproject.toml", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"),
+    *("site/search_words.txt", "site/synonyms.txt", "site/conf.py"),
+)
+NOT_RUN, PASSED, FAILED = "not run", "passed", "failed"
+
+
+def files_hash(root: Path) -> str:
+    return hash_of(root, files_below(root, (*prose_record.FOLDERS, *SETTINGS)))
+
+
+def write_lint(root: Path, steps: Mapping[str, str], commit: str, files: str) -> None:
+    """Writes the result of each step. ``files`` is the hash of the files before the first step. If
+    the files have changed since, no result is valid and the record is removed. A step that did not
+    run keeps its earlier result for the same files.
+    """
+    if files != files_hash(root):
+        (root / RECORD).unlink(missing_ok=True)
+        return
+    earlier = read_json(root / RECORD)
+    kept = earlier["steps"] if isinstance(earlier, dict) and earlier["files"] == files else {}
+    results = {name: kept.get(name, how) if how == NOT_RUN else how for name, how in steps.items()}
+    content = {"commit": commit, "files": files, "steps": results}
+    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
+    write_whole(root / RECORD, json.dumps(content, indent=1))
+
+
+def read_lint(root: Path) -> LintRun | None:
+    """Returns the results for the present files. Returns None if the files changed since the
+    linters read them."""
+    record = read_json(root / RECORD)
+    if not isinstance(record, dict) or record.get("files") != files_hash(root):
+        return None
+    return LintRun(record["commit"], record["steps"])
