@@ -274,7 +274,7 @@ def test_an_image_for_recordings_is_explained_where_it_is_shown(tmp_path: Path) 
 
 
 def test_the_list_of_checks_counts_those_that_run_after_the_pages(pages: dict[str, Shown]) -> None:
-    assert "This run: holds: 1, after the pages: 1." in pages["checks/index"].text
+    assert "This run: without findings: 1, after the pages: 1." in pages["checks/index"].text
     assert "run after the pages are written" in pages["checks/index"].text
 
 
