@@ -316,13 +316,15 @@ class References:
 
     def targets(self, call: CallFact) -> list[str]:
         """Returns the methods that a call may execute. For a virtual call, these are methods of the
-        objects to which the reference in the call may refer."""
+        objects to which the reference in the call may refer. If no such object is known, these are
+        all overriding methods in the files that are read."""
         owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]
         kinds = sorted({item.kind for item in self.objects(call.on, owner)})
         if not kinds:
-            return self.facts.targets(call.target, virtual=True)
+            possible = self.facts.targets(call.target, virtual=True)
+            return [method for method in possible if self.own_bodies(method)] or possible
         methods = [self.facts.method(kind, name) for kind in kinds]
         return list(dict.fromkeys(method.id for method in methods if method))
 

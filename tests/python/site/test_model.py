@@ -41,6 +41,13 @@ def test_the_file_fits_its_schema(name: str) -> None:
             "FirstTimer::expired",
         ),
         ("main-thread", "MainController::Body::execute", "RC::read", "ActiveSensor::serve"),
+        # the extension of weeding_robot, but not the composition and the states of another product
+        (
+            "main-thread",
+            "MainController::Body::execute",
+            "ProtectiveStop::follow",
+            "WaitingK::actionNoMsg",
+        ),
     ],
 )
 def test_a_context_reaches_the_objects_that_the_composition_connects(
