@@ -441,8 +441,8 @@ _FIXED = [
         "@isr{yes} never calls a method with @isr{no}. If the code calls a method of an abstract "
         "class, the check follows the call to the objects that the builders passed.",
         "The check does not follow calls through pointers to functions. It reads only the product "
-        "weeding_robot. It does not find methods without @isr, and it cannot judge whether @isr{yes} "
-        "is true.",
+        "weeding_robot. It does not find methods without @isr, and it cannot judge whether "
+        "@isr{yes} is true.",
         "let a thread call the method, or make the method safe for interrupts and write @isr{yes}.",
     ),
     Check(
@@ -484,8 +484,8 @@ _FIXED = [
         "atomic. Each function that uses a member that is declared as masked creates an "
         "InterruptLock. Only one context writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
-        "the standard library. It reads only the product weeding_robot. It cannot judge whether the "
-        "protection is sufficient. It does not compare two threads of the same kind, such as the "
+        "the standard library. It reads only the product weeding_robot. It cannot judge whether "
+        "the protection is sufficient. It does not compare two threads of the same kind, such as the "
         "threads of two wheels.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
