@@ -485,8 +485,8 @@ _FIXED = [
         "InterruptLock. Only one context writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
-        "the protection is sufficient. It does not compare two threads of the same kind, such as the "
-        "threads of two wheels.",
+        "the protection is sufficient. It does not compare two threads of the same kind, such as "
+        "the threads of two wheels.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(

@@ -69,7 +69,7 @@ def test_a_context_reaches_the_objects_that_the_composition_connects(
             "WheelController::velocity",
         ),
         (
-            "src/k64/start_up/main.cpp:rcVelocity",
+            "extensions/safety/k64/main.cpp:rcVelocity",
             "Pipe<Velocity>",
             "VelocityBuffer::keep",
             "BufferReader::take",
