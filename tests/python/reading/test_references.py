@@ -1,0 +1,71 @@
+"""The objects to which a reference can refer, and the methods that a virtual call can execute."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, cast
+
+from traceability.reading.ast_facts import BodyFact, CallFact
+from traceability.reading.flow import FlowFact
+from traceability.reading.source_facts import Facts, References, replaced_files
+from traceability.schema import Place
+
+COMMANDS = ("Ticks::execute", "Read::execute")
+
+
+def call(file: str, on: str, target: str) -> CallFact:
+    return CallFact(target, True, Place(file, 1), on=[on])
+
+
+def facts(flows: list[FlowFact], bodies: list[BodyFact], commands: tuple[str, ...]) -> Facts:
+    """Returns the facts of two builders, each with a command of its own."""
+    methods = {"Safe::command": "Safe::command", "Plain::command": "Plain::command"}
+    overriders = {"Builder::command": sorted(methods), "Command::execute": list(commands)}
+    by_id: dict[str, list[BodyFact]] = {}
+    for body in bodies:
+        by_id.setdefault(body.id, []).append(body)
+    stub = SimpleNamespace(
+        syntax=SimpleNamespace(classes=[], variables={}, flows=flows, bodies=bodies),
+        classes={},
+        subclasses={"Builder": ["Safe", "Plain"], "Command": ["Ticks", "Read"]},
+        overriders=overriders,
+        bodies=by_id,
+        targets=lambda target, **_: overriders[target],
+        method=lambda kind, name: SimpleNamespace(id=f"{kind}::{name}"),
+    )
+    return cast(Any, stub)
+
+
+def test_a_result_comes_only_from_the_methods_that_the_calls_of_the_file_can_execute() -> None:
+    ask = call("src/pool.cpp", "param Pool::fill 0", "Builder::command")
+    run = call("src/timer.cpp", "field Timer::command", "Command::execute")
+    flows = [
+        FlowFact("param Pool::fill 0", ["object src/main.cpp:safe Safe"], "src/main.cpp"),
+        FlowFact("result Safe::command", ["object Safe::ticks Ticks"], "src/Safe.cpp"),
+        FlowFact("result Plain::command", ["object Plain::read Read"], "src/Plain.cpp"),
+        FlowFact("field Timer::command", ["result Builder::command"], "src/pool.cpp"),
+    ]
+    bodies = [
+        BodyFact("Pool::fill", "Pool", Place("src/pool.cpp", 1), 9, calls=[ask]),
+        BodyFact("Timer::expired", "Timer", Place("src/timer.cpp", 1), 9, calls=[run]),
+    ]
+    references = References(facts(flows, bodies, COMMANDS), bool)
+    assert references.targets(ask) == ["Safe::command"]
+    assert references.targets(run) == ["Ticks::execute"]
+
+
+def test_a_call_without_a_known_object_reaches_all_overriding_methods_of_the_read_files() -> None:
+    run = call("src/timer.cpp", "field Timer::command", "Command::execute")
+    bodies = [
+        BodyFact("Ticks::execute", "Ticks", Place("src/Ticks.cpp", 1), 9),
+        BodyFact("Read::execute", "Read", Place("extensions/other/Read.cpp", 1), 9),
+    ]
+    inside = References(facts([], bodies, COMMANDS), lambda file: file.startswith("src/"))
+    assert inside.targets(run) == ["Ticks::execute"]
+
+
+def test_a_handler_of_the_extension_replaces_the_file_of_src() -> None:
+    files = ("src/k64/start_up/pool.cpp", "extensions/safety/k64/pool.cpp")
+    bodies = [BodyFact("tick", "", Place(file, 1), 9) for file in files]
+    local = [BodyFact("part", "", Place(file, 1), 9, local=True) for file in ("src/a.cpp",)]
+    assert replaced_files(facts([], [*bodies, *local], COMMANDS)) == {files[0]}
