@@ -449,13 +449,13 @@ class Portal:
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
-        """Returns links to the callers of a method. A caller can also be a nested class, or the
-        initialiser of a constant.
+        """Returns links to the callers of a method. A caller can also be a nested class, the
+        initialiser of a constant, or a function outside classes.
         """
         callers = []
         for name in method.called_by:
             module, _, rest = name.partition("::")
-            if name in self.links.methods:
+            if name in self.links.methods or name in self.model.functions:
                 callers.append(self.names.meth(name))
             elif module in self.model.modules:
                 callers.append(Markup("{} ({})").format(self.names.mod(module), rest))

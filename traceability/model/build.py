@@ -373,15 +373,18 @@ def _with_calls(model: Model, facts: Facts) -> Model:
             Call(call.target, call.virtual, call.place, facts.targets(call.target, call.virtual))
             for call in body.calls
         ]
-        folder = model.logic_modules.get(logic_of(body.place.file))
-        # The compositions of several products contain functions with the same name. Only the
-        # function of the product ``DEFAULT`` is stored.
-        stored = body.id in functions and not facts.robot.contains(body.place.file)
-        if not body.owner and folder is not None and not folder.modules and not stored:
-            functions[body.id] = Function(body.id, body.place, calls)
+        caller = body.id
+        if not body.owner:
+            module = facts.user("", body.place)
+            caller = f"{module}::{body.id}" if module else body.id
+            # The compositions of several products contain functions with the same name. Only the
+            # function of the product ``DEFAULT`` is stored.
+            stored = body.id in functions and not facts.robot.contains(body.place.file)
+            if not module and logic_of(body.place.file) in model.logic_modules and not stored:
+                functions[body.id] = Function(body.id, body.place, calls)
         made[body.id, body.place.file, body.place.line] = calls
         for target in {target for call in calls for target in call.targets} - {body.id}:
-            callers.setdefault(target, {})[body.id] = None
+            callers.setdefault(target, {})[caller] = None
     for fact in facts.syntax.initial:
         callers.setdefault(fact.target, {})[fact.name] = None
 

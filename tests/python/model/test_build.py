@@ -123,3 +123,26 @@ def test_only_units_that_include_a_changed_header_are_read_again(tmp_path: Path)
     after = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.facts")}
     changed = {name for name, time in after.items() if before[name] != time}
     assert changed == {"src__main_control__operation_modes__RC.cpp.facts"}
+
+
+def test_callers_include_functions_outside_classes(tmp_path: Path) -> None:
+    """Two files contain a function with the same name, and each function is a caller. A function in
+    a file that has the name of a class belongs to this class."""
+    tree = write_tree(tmp_path)
+    folder = tree / "src/main_control"
+    calls = "namespace {\nvoid set(MainController& m, Mode& mode) { m.changeMode(mode); }\n}\n\n"
+    for name in ("PC", "RC"):
+        source = folder / f"operation_modes/{name}.cpp"
+        text = source.read_text(encoding="utf-8").replace(
+            "mCtrl.changeMode(other_)", "set(mCtrl, other_)"
+        )
+        source.write_text(text.replace("bool ", f"{calls}bool ", 1), encoding="utf-8")
+    free = '#include "main_control/MainController.hpp"\n\nnamespace wr {\n\n'
+    free += (
+        "void start(MainController& m, Mode& mode) { m.changeMode(mode); }\n\n}  // namespace wr\n"
+    )
+    (folder / "starting.cpp").write_text(free, encoding="utf-8")
+    model = build(tree).model
+    change = next(m for m in model.modules["MainController"].methods if m.name == "changeMode")
+    assert set(change.called_by) == {"PC::set", "RC::set", "start"}
+    assert list(model.functions) == ["start"]
