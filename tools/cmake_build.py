@@ -10,7 +10,6 @@ import shlex
 import shutil
 import subprocess
 import threading
-import xml.etree.ElementTree as ET
 from collections import defaultdict
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -22,6 +21,7 @@ from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_image_of
 from traceability.reading.results import cost_of
+from traceability.schema import Counts
 from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
 _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
@@ -36,24 +36,6 @@ TESTS = "firmware_tests"
 # computer.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
 BOARD_PROGRAM = "weeding_robot_board"
-
-
-@dataclass(frozen=True)
-class Counts:
-    """The numbers of passed, failed and skipped tests of a run."""
-
-    passed: int = 0
-    failed: int = 0
-    skipped: int = 0
-
-    def __add__(self, other: Counts) -> Counts:
-        return Counts(
-            self.passed + other.passed, self.failed + other.failed, self.skipped + other.skipped
-        )
-
-    def __str__(self) -> str:
-        text = f"{self.passed} passed, {self.failed} failed"
-        return f"{text}, {self.skipped} skipped" if self.skipped else text
 
 
 def jobs() -> str:
@@ -102,19 +84,6 @@ def write_failures(results: Path, log: TextIO) -> None:
             log.write(f"\nFAILED {suite['name']}.{test['name']}{image}{seed}\n")
             log.write(f"to debug this test: ./wr debug {suite['name']}.{test['name']}\n")
             log.writelines(f"{failure['failure']}\n" for failure in test["failures"])
-
-
-def junit_counts(results: Path) -> Counts:
-    """Returns the counts in a result file of pytest."""
-    passed = failed = skipped = 0
-    for case in ET.parse(results).iter("testcase"):
-        if case.find("failure") is not None or case.find("error") is not None:
-            failed += 1
-        elif case.find("skipped") is not None:
-            skipped += 1
-        else:
-            passed += 1
-    return Counts(passed, failed, skipped)
 
 
 def results_of(root: Path, run_name: str) -> Path:

@@ -9,13 +9,13 @@ from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TextIO
 
-from tools.cmake_build import Counts, jobs, junit_counts, outcome_of
+from tools.cmake_build import jobs, outcome_of
 from tools.steps import FailureError, run
 from tools.task_graph import Outcome
-from traceability.reading.results import RESULTS
+from traceability.reading.tool_tests import TESTS, junit_counts, results_of
+from traceability.schema import Counts
 from traceability.whole_file import write_whole
 
-TESTS = Path("tests/python")
 PYTHON = ("tests/python/", "tools/", "traceability/", "site/portal/", "client/")
 COMMANDS = "tools/cli.py"  # This file imports the module of a command when the command runs.
 RUNS_TOOLS = "pytest.mark.runs_tools"
@@ -114,7 +114,7 @@ def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str])
     files with failed tests. The results of the other test files remain. If a changed file is not a
     Python file of the project, runs all tests of the folder.
     """
-    results = root / RESULTS / f"pytest_{folder}.xml"
+    results = root / results_of(folder)
     before = ET.parse(results).getroot()
     affected = affected_tests(root, folder, changed)
     if affected is None:
@@ -170,7 +170,7 @@ def counted(
     root: Path, folder: str, log: TextIO, tests: Sequence[str | Path], marks: str = NOT_LONG
 ) -> Counts:
     """Runs those of the given tests whose marks match the expression. Returns their counts."""
-    results = root / RESULTS / f"pytest_{folder}.xml"
+    results = root / results_of(folder)
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
     words += ["-m", marks, *workers(folder)]

@@ -7,7 +7,6 @@ import time
 from pathlib import Path
 
 from tools.check import report
-from tools.cmake_build import Counts
 from tools.documents import read_findings, write_time
 from tools.lint import lint_tasks, record_steps
 from tools.lock import only_one
@@ -21,7 +20,6 @@ from tools.tasks import (
     TESTS_SANITIZE,
     graph,
     pages_graph,
-    python_task,
 )
 from traceability.reading.lint_record import files_hash
 from traceability.reading.task_record import (
@@ -32,6 +30,8 @@ from traceability.reading.task_record import (
     TESTS_BOARD,
     TESTS_TRACE,
 )
+from traceability.reading.tool_tests import python_task
+from traceability.schema import Counts
 
 # Word of the command line -> its task.
 PARTS = {

@@ -69,6 +69,7 @@ from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.seeded_fault_record import RECORD as FAULTS
 from traceability.reading.task_record import is_fresh
 from traceability.reading.toml_reader import Entries
+from traceability.reading.tool_tests import python_task, results_of
 from traceability.sources import files_below, hash_of
 
 # ---- names -------------------------------------------------------------------
@@ -157,10 +158,6 @@ RUN_PROGRAMS = (
 # Folders with tests that also run the tools as programs. The other tests use only the files that
 # they import.
 RUN_TOOLS = (*RUN_PROGRAMS, "tools")
-
-
-def python_task(folder: str) -> str:
-    return f"tests (tools, {folder})"
 
 
 # ---- the tasks ---------------------------------------------------------------
@@ -353,7 +350,7 @@ def checks_of_tools(root: Path) -> list[Task]:
             python_task(folder),
             lambda log: run_pytest(root, folder, log),
             tuple(sorted(inputs)),
-            (f"{RESULTS}/pytest_{folder}.xml",),
+            (str(results_of(folder)),),
             inputs_from=built if folder in RUN_PROGRAMS else (),
             update=partial(update_pytest, root, folder),
         )
@@ -387,7 +384,7 @@ def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
     and the task of the long tests, some of which read the pages."""
 
     def state() -> str:
-        names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, task_record.FIRMWARE_FAULTS)
+        names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, *map(python_task, PYTHON_TESTS))
         return json.dumps([commit(root), {name: is_fresh(root, name) for name in names}])
 
     def pages(log: TextIO) -> Outcome:
@@ -395,10 +392,11 @@ def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
             log.write("There is no browser. The tests that need a browser are skipped.\n")
             return run_pytest(root, "site", log, f"{NOT_LONG} and not browser")
         outcome = run_pytest(root, "site", log)
-        add_metrics(root, reported_numbers(root / RESULTS / "pytest_site.xml"))
+        add_metrics(root, reported_numbers(root / results_of("site")))
         return outcome
 
-    results = tuple(name for one in SHOWN_RESULTS if (root / (name := f"{RESULTS}/{one}")).exists())
+    shown = [*(RESULTS / name for name in SHOWN_RESULTS), *map(results_of, PYTHON_TESTS)]
+    results = tuple(str(path) for path in shown if (root / path).exists())
     # All inputs of the pages except the sources, whose names are in the model.
     others = [name for name in (*SHOWN, *results) if name not in CODE]
     made = ("build/metrics.json", "build/site/index.html")
@@ -421,14 +419,14 @@ def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
             PAGES,
             pages,
             (*SHOWN, *results),
-            (f"{RESULTS}/pytest_site.xml",),
+            (str(results_of("site")),),
             after=(DOCUMENTS,),
         ),
         Task(
             LONG_TESTS,
             partial(run_long, root),
             (*SHOWN, *results),
-            (f"{RESULTS}/pytest_long.xml",),
+            (str(results_of("long")),),
             after=(DOCUMENTS,),
         ),
     ]

@@ -113,8 +113,8 @@ class Method:
 
 @dataclass(frozen=True)
 class Function:
-    """A function of a composition. A composition is a folder of functions that create and connect
-    the objects of a product. It contains no module."""
+    """A function outside classes. Its file does not have the name of a class. Such functions create
+    and connect the objects of a product, handle an interrupt, or compute a value."""
 
     id: str
     place: Place
@@ -796,6 +796,24 @@ class LintRun:
 
 
 @dataclass(frozen=True)
+class Counts:
+    """The numbers of passed, failed and skipped tests of a run."""
+
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+
+    def __add__(self, other: Counts) -> Counts:
+        return Counts(
+            self.passed + other.passed, self.failed + other.failed, self.skipped + other.skipped
+        )
+
+    def __str__(self) -> str:
+        text = f"{self.passed} passed, {self.failed} failed"
+        return f"{text}, {self.skipped} skipped" if self.skipped else text
+
+
+@dataclass(frozen=True)
 class BuildEvidence:
     """The commit, the tools and the computer with which the pages were built."""
 
@@ -807,6 +825,8 @@ class BuildEvidence:
     runs: Mapping[str, TestRun]  # target -> run
     hashes: Sequence[FileHash]
     lint: LintRun | None = None  # None if ./wr lint did not run on the present files
+    # folder of Python tests -> counts; None if these tests did not run on the present files
+    tool_tests: Mapping[str, Counts | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

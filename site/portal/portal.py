@@ -28,7 +28,7 @@ from traceability.model.impact import Impacts
 from traceability.model.metrics import metrics
 from traceability.model.not_shown import targets_of
 from traceability.model.report import Report
-from traceability.reading.last_changes import last_changes
+from traceability.reading.last_changes import changed_since, last_changes
 from traceability.reading.live_record import MODULE
 from traceability.reading.products import CALLS_SUFFIX
 from traceability.reading.seeded_fault_record import Outcome
@@ -308,6 +308,9 @@ class Portal:
         """Returns the date and the hash of the last commit that changed a file of a module."""
         files = [file for file in (module.header, module.source) if file]
         return max((self._last_changes.get(file, "") for file in files), default="")
+
+    def changed_since(self, commit: str) -> int | None:
+        return changed_since(self.root, commit)
 
     def path_of(self, module: Module) -> list[str]:
         """Returns the logic modules from the top to the logic module of this module."""

@@ -13,6 +13,7 @@ from traceability.reading.image_record import read_image
 from traceability.reading.lint_record import read_lint
 from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.results import RESULTS, RUNS, read_json
+from traceability.reading.tool_tests import read_tool_tests
 from traceability.schema import BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
@@ -35,6 +36,7 @@ def read_build(root: Path) -> BuildEvidence:
         runs={target: run for target, name in RUNS.items() if (run := read_run(root, name))},
         hashes=_hashes(root),
         lint=read_lint(root),
+        tool_tests=read_tool_tests(root),
     )
 
 

@@ -37,6 +37,7 @@ from traceability.schema import (
     BindingResult,
     BuildEvidence,
     Constant,
+    Counts,
     LastRecord,
     LintRun,
     MethodCoverage,
@@ -258,6 +259,13 @@ def test_the_evidence_shows_the_static_analysis_only_for_the_present_files(tmp_p
     assert (
         f"{title} not run: clang-tidy passed: ruff, mypy on these files, at commit c0ffee" in text
     )
+
+
+def test_the_evidence_shows_the_tests_of_the_tools_that_ran(tmp_path: Path) -> None:
+    results = {"model": Counts(7, 1), "reading": None, "tools": None}
+    build = BuildEvidence("c0ffee", [], "Linux", 4, {}, {}, [], tool_tests=results)
+    text = shown(tmp_path, replace(make_project(tmp_path), build=build))["evidence"].text
+    assert "model: 7 passed, 1 failed not run on these sources: reading, tools" in text
 
 
 def test_an_image_for_recordings_is_explained_where_it_is_shown(tmp_path: Path) -> None:

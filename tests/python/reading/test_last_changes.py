@@ -1,11 +1,11 @@
-"""The last commit of each file is read from git."""
+"""The last commit of each file, and the changes since a commit, are read from git."""
 
 from __future__ import annotations
 
 import subprocess
 from pathlib import Path
 
-from traceability.reading.last_changes import last_changes
+from traceability.reading.last_changes import changed_since, last_changes
 
 
 def commit(folder: Path, date: str, **files: str) -> None:
@@ -31,3 +31,25 @@ def test_a_file_has_its_newest_commit(tmp_path: Path) -> None:
 
 def test_a_folder_without_git_has_no_changes(tmp_path: Path) -> None:
     assert last_changes(tmp_path) == {}
+
+
+def test_a_changed_comment_line_is_no_change_of_the_firmware(tmp_path: Path) -> None:
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    for folder in ("src", "extensions", "sim"):
+        (tmp_path / folder).mkdir()
+    files = {"src/a.cpp": "// old\nint a;\n", "extensions/b.hpp": "int b;\n", "sim/c.cpp": "c"}
+    commit(tmp_path, "2026-01-02T00:00:00Z", **files)
+    first = last_changes(tmp_path)["src/a.cpp"].split()[1]
+    (tmp_path / "src/a.cpp").write_text("// new\nint a;\n", encoding="utf-8")
+    (tmp_path / "sim/c.cpp").write_text("d", encoding="utf-8")
+    assert changed_since(tmp_path, first) == 0
+    (tmp_path / "extensions/b.hpp").write_text("int d;\n", encoding="utf-8")
+    assert changed_since(tmp_path, first) == 1
+
+
+def test_changes_since_an_unknown_commit_are_not_known(tmp_path: Path) -> None:
+    assert changed_since(tmp_path, "aab5f7d322") is None
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    commit(tmp_path, "2026-01-02T00:00:00Z", one="a")
+    assert changed_since(tmp_path, "aab5f7d322") is None
+    assert changed_since(tmp_path, "") is None

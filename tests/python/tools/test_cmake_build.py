@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 
 from tools import cmake_build
-from tools.cmake_build import Counts
 from tools.steps import FailureError
+from traceability.reading.tool_tests import junit_counts
+from traceability.schema import Counts
 
 PASSED = {"status": "RUN", "result": "COMPLETED"}
 FAILED = {**PASSED, "failures": [{"failure": "x"}]}
@@ -115,7 +116,7 @@ def test_counts_of_pytest(tmp_path: Path) -> None:
         "<testsuites><testsuite><testcase/><testcase><failure/></testcase>"
         "<testcase><error/></testcase><testcase><skipped/></testcase></testsuite></testsuites>"
     )
-    assert cmake_build.junit_counts(results) == Counts(1, 2, 1)
+    assert junit_counts(results) == Counts(1, 2, 1)
 
 
 def test_failed_tests_and_no_tests_are_bad() -> None:

@@ -11,8 +11,9 @@ import pytest
 
 from tools import python_tests
 from tools.python_tests import affected_tests, imported_files, merge_results, update_pytest
-from tools.tasks import PYTHON_TESTS, graph, python_task
+from tools.tasks import PYTHON_TESTS, graph
 from traceability.reading.results import RESULTS
+from traceability.reading.tool_tests import python_task
 
 ROOT = Path(__file__).parents[3]
 

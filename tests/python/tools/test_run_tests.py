@@ -16,10 +16,10 @@ from tools.tasks import (
     PYTHON_TESTS,
     RESULT_TASKS,
     TESTS_SANITIZE,
-    python_task,
 )
 from traceability.reading.results import read_json
 from traceability.reading.task_record import RECORD, SEEDED_FAULTS
+from traceability.reading.tool_tests import python_task
 
 
 @pytest.fixture

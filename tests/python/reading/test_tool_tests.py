@@ -1,0 +1,29 @@
+"""The results of the Python tests are shown only for the files that they tested."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.python.reading.task_records import record_task
+from traceability.reading.tool_tests import python_task, read_tool_tests, results_of
+from traceability.schema import Counts
+
+CASES = "<testsuites><testsuite><testcase/><testcase><failure/></testcase></testsuite></testsuites>"
+
+
+def write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+
+
+def test_results_are_valid_only_for_the_present_files(tmp_path: Path) -> None:
+    """The tests of the pages run after the pages are built, so the pages cannot have their
+    results."""
+    for folder in ("model", "reading", "site"):
+        write(tmp_path / f"tests/python/{folder}/test_it.py", "")
+        write(tmp_path / results_of(folder), CASES)
+    record_task(tmp_path, python_task("model"), "tests/python/model")
+    record_task(tmp_path, python_task("site"), "tests/python/site")
+    assert read_tool_tests(tmp_path) == {"model": Counts(1, 1, 0), "reading": None}
+    write(tmp_path / "tests/python/model/test_it.py", "changed")
+    assert read_tool_tests(tmp_path) == {"model": None, "reading": None}
