@@ -461,7 +461,7 @@ def test_the_tiles_of_the_page_of_robustness_add_up_to_the_number_of_faults(tmp_
     page = shown(tmp_path, model)["robustness"]
     tiles = page.text.partition("Recorded by")[0]
     for number in (faults["cases"], *counts.values()):
-        assert tiles.split().count(str(number)) == 1
+        assert tiles.split().count(f"{number:,}") == 1
     assert f"all kinds {faults['cases']} " in " ".join(page.text.split())
 
 
