@@ -37,14 +37,17 @@ std::optional<std::uint8_t> WheelComparison::behind(const Measurements& measurem
   if (std::abs(way) < kComparedWay) {
     return std::nullopt;
   }
-  const auto* const least =
-      way > 0 ? std::ranges::min_element(ways_) : std::ranges::max_element(ways_);
-  const auto wheel = static_cast<std::uint8_t>(least - ways_.begin());
-  const bool late = std::abs(way) >= kMinShareDivisor * (way > 0 ? *least : -*least);
-  const bool again = late && late_ == wheel;
-  late_ = late ? std::optional(wheel) : std::nullopt;
+  std::optional<std::uint8_t> result;
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    const std::int32_t own = way > 0 ? ways_[wheel] : -ways_[wheel];
+    const bool late = std::abs(way) >= kMinShareDivisor * own;
+    if (late && late_[wheel]) {
+      result = static_cast<std::uint8_t>(wheel);
+    }
+    late_[wheel] = late;
+  }
   ways_ = {};
-  return again ? late_ : std::nullopt;
+  return result;
 }
 
 std::optional<std::uint8_t> WheelComparison::overloaded(const Measurements& measurements) {
@@ -66,7 +69,7 @@ std::optional<std::uint8_t> WheelComparison::overloaded(const Measurements& meas
 void WheelComparison::reset() {
   before_ = {};
   ways_ = {};
-  late_.reset();
+  late_ = {};
   greatCycles_ = {};
 }
 

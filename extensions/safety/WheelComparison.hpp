@@ -14,8 +14,8 @@ namespace wr {
 ///
 /// @function Counts the Hall edges of each wheel until the robot has driven 0.057 m, then compares
 /// the counts. The mean distance is the mean of the two middle distances of the four wheels. Finds
-/// a wheel that has moved least, and at most half of the mean distance, in two successive
-/// comparisons. Finds a wheel whose current is too high for too long.
+/// a wheel that has moved at most half of the mean distance in two successive comparisons. Finds a
+/// wheel whose current is too high for too long.
 ///
 /// @secret How much the wheels of one robot may differ, and the distance and the time of a
 /// comparison.
@@ -58,7 +58,7 @@ class WheelComparison final {
   // For each wheel: count of successive cycles with a high current. A cycle in which the robot
   // drives straight on counts more than a cycle in a curve.
   std::array<std::uint8_t, kWheelCount> greatCycles_{};
-  std::optional<std::uint8_t> late_;  // wheel that moved too little at the last comparison
+  std::array<bool, kWheelCount> late_{};  // wheels that moved too little at the last comparison
 };
 
 }  // namespace wr

@@ -68,6 +68,14 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
 }
 
+/// @brief Two wheels move too little. A different one of them moves least in each comparison. Each
+/// of them moves too little in two successive comparisons, and therefore one of them is reported.
+/// @verifies FR-297
+TEST_F(ComparedWheels, FR297_ASlowWheelNeedNotBeTheSlowest) {
+  EXPECT_EQ(move({2, 1, 80, 80}), std::nullopt);
+  EXPECT_EQ(move({1, 2, 80, 80}), std::uint8_t{1});
+}
+
 /// @brief A wheel is reported if its sensors count in the wrong direction. A position that is
 /// missing in one cycle does not cause a report. In the tightest curve, the wheels have different
 /// velocities. No wheel is reported because of these differences.
