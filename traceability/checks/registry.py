@@ -207,7 +207,8 @@ _FIXED = [
         "Every listed module exists and is not a data type. The number of listed modules equals "
         "the number in the paper. Modules of extensions are not counted.",
         "The check cannot judge whether the list is correct.",
-        "remove the module, mark a value type with @datatype, or change design/modules.toml.",
+        "remove the module, mark a value type with @datatype, or add the module to "
+        "design/modules.toml and raise total there.",
     ),
     Check(
         "module-used",
