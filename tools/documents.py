@@ -1,8 +1,9 @@
 """Makes the documents in a separate process, in four steps: the model, the checks, the site, and
 the check of the links.
 
-The last two steps take most of the time. ``./wr check`` leaves them out if the present sources
-cannot have changed their findings. The pages then stay as they are, until a command needs them.
+The last two steps take most of the time. ``./wr check`` leaves these two steps out if the changes
+since the last pages cannot cause new findings in them. The pages then stay as they are, until a
+command needs them.
 """
 
 from __future__ import annotations

@@ -41,7 +41,7 @@ constexpr Tension kMaxIdleTension(1500);
 constexpr std::int32_t kSupplyPercent = 20;
 constexpr std::int32_t kWindingPercent = 25;
 constexpr std::int32_t kInducedPercent = 10;
-constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
+constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr std::uint8_t kDeviatingCycles = 2;
 
 // In the third cycle without a measured value, the value has been missing for more than 0.2 s.

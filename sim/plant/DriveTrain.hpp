@@ -83,7 +83,7 @@ class DriveTrain {
   [[nodiscard]] double supplyCurrent() const { return share() * current_; }
 
   /// @brief Returns the power that the driver puts into the motor.
-  /// @return W, negative when the motor brakes into the supply
+  /// @return W, negative when the motor feeds power back into the supply
   [[nodiscard]] double power() const { return voltage_ * current_; }
 
   /// @brief Returns the torque of the motor.

@@ -16,6 +16,7 @@
 #include "sim/faults/Random.hpp"
 #include "sim/programs/CampaignOptions.hpp"
 #include "sim/programs/Program.hpp"
+#include "sim/scenario/FrameFields.hpp"
 #include "sim/scenario/PcFrames.hpp"
 
 namespace wr::programs {
@@ -32,6 +33,9 @@ constexpr int kNeutral = 12;                    // cycles with neutral orders, w
 constexpr int kLineBytes = 1152;   // bytes that the serial line of the PC transfers in 100 ms
 constexpr int kMostPayload = 200;  // greatest number of payload bytes of a frame
 constexpr int kUpsets = 6;
+// Greatest set-points: for a wheel 300.0 rpm, 3 V or 3 A
+constexpr int kSetPoint = scenario::limitOf("Velocity");
+constexpr int kSteering = scenario::limitOf("steering_set_point");
 
 // The inputs whose edges cause interrupts. They are the Hall sensors and the signals of the remote
 // control.
@@ -138,9 +142,9 @@ class LoadedRobot {
       const auto quantity = static_cast<std::uint8_t>(random_.below(3));
       for (scenario::PcOrder::Wheel& wheel : order_.wheels) {
         wheel = {.quantity = quantity,
-                 .value = static_cast<std::int16_t>(random_.between(-3000, 3000))};
+                 .value = static_cast<std::int16_t>(random_.between(-kSetPoint, kSetPoint))};
       }
-      order_.steering = static_cast<std::int16_t>(random_.between(-3200, 3200));
+      order_.steering = static_cast<std::int16_t>(random_.between(-kSteering, kSteering));
       order_.stop = random_.below(20) == 0;
       order_.acknowledge = random_.below(5) == 0;
     }

@@ -27,4 +27,17 @@ namespace wr::scenario {
 /// @return the number; nothing if the word is invalid
 [[nodiscard]] std::optional<std::int64_t> numberOf(const FrameField& field, std::string_view word);
 
+/// @brief Returns the limit of a set-point.
+/// @param name a quantity of a wheel, or the field of the steering set-point
+/// @return the greatest magnitude in an order, in the unit of the protocol; 0 if there is no such
+/// set-point
+[[nodiscard]] constexpr std::int32_t limitOf(std::string_view name) {
+  for (const FrameLimit& limit : kFrameLimits) {
+    if (limit.name == name) {
+      return limit.limit;
+    }
+  }
+  return 0;
+}
+
 }  // namespace wr::scenario

@@ -5,13 +5,15 @@
 #include <span>
 #include <string_view>
 
+#include "sim/scenario/FrameFields.hpp"
+
 namespace wr::scenario {
 
 namespace {
 
 // At their end positions, the sticks order the greatest possible values.
-constexpr double kFullVelocity = 3000;
-constexpr double kFullSteering = 3200;
+constexpr double kFullVelocity = limitOf("Velocity");
+constexpr double kFullSteering = limitOf("steering_set_point");
 constexpr double kPercent = 100;
 constexpr double kThousand = 1000;
 

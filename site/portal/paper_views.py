@@ -17,7 +17,7 @@ from traceability.reading.products import DEFAULT, PAPER
 from traceability.schema import LikelyChange, LogicModule, Method, Module, PaperElement
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
-ROLE_CHECK = "pattern-subclass-unbound"  # for a change that adds a module with a role
+ROLE_CHECKS = ("module-count", "pattern-subclass-unbound")  # for a change that adds a module
 COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
 
 
@@ -92,7 +92,7 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]
-    roles = [ROLE_CHECK] if change.role else []
+    roles = ROLE_CHECKS if change.role else ()
     return [name for name in (*COMMON_CHECKS, *roles, *clauses) if name in portal.checks]
 
 

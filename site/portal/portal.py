@@ -521,7 +521,8 @@ class Portal:
 
     def unrecorded_faults(self) -> int:
         """Returns the number of listed seeded faults that the last record does not contain. A
-        published record contains only numbers. The result is then the least possible number.
+        published record contains the number of the faults, but not their names. The result is then
+        the least possible number.
         """
         faults, last = self.model.faults, self.model.last.get("drift")
         if self.model.outcomes is not None:

@@ -176,7 +176,7 @@ def inventory(found: list[Entry]) -> list[list[str]]:
 
 
 def method_entries(portal: Portal) -> Iterator[Entry]:
-    """Yields an entry for each method that the pages show."""
+    """Yields an entry for each method that the pages show, except constructors."""
     shown = {
         method.id: method
         for module in portal.model.modules.values()

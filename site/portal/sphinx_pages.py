@@ -34,6 +34,8 @@ EXAMPLE_TEST = Path("tests/wheel_control/algorithms/PiRegulatorTest.cpp")
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
 CHANGES = Path("CHANGELOG.md")
 CONTRIBUTING = Path("CONTRIBUTING.md")
+BUILD = Path("CMakeLists.txt")
+TOOLCHAIN = Path("setup/k64-toolchain.cmake")
 
 
 def sections(root: Path, path: Path) -> str:
@@ -52,6 +54,20 @@ def first_test(root: Path) -> str:
     return f"{head}\n/// @brief {first}\n{end}"
 
 
+def compiler_options(root: Path) -> str:
+    """Returns the parts of the CMake files that set the compiler options of a firmware image."""
+    parts = (
+        (TOOLCHAIN, "set(CMAKE_CXX_FLAGS_INIT", "\n#"),
+        (BUILD, "add_library(common_options", "\n\n"),
+        (BUILD, "add_library(firmware_options", "if(WR_TRACE)"),
+    )
+    blocks = []
+    for path, begin, end in parts:
+        after = (root / path).read_text("utf-8").partition(begin)[2]
+        blocks.append(f"# {path}\n{begin}{after.partition(end)[0].rstrip()}\n")
+    return "\n".join(blocks)
+
+
 # Files that hand-written pages include. For each: the source file, the name of the generated file
 # in the folder of the pages, and the function that returns its text.
 INCLUDED = (
@@ -62,6 +78,7 @@ INCLUDED = (
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
     (CHANGES, "changes.md", lambda root: sections(root, CHANGES)),
     (CONTRIBUTING, "contributing.md", lambda root: sections(root, CONTRIBUTING)),
+    (TOOLCHAIN, "compiler_options.txt", compiler_options),
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),

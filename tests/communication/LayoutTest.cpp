@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -18,6 +17,7 @@
 #include "main_control/operation_states/OperationState.hpp"
 #include "services/StartRecord.hpp"
 #include "services/SystemConstants.hpp"
+#include "sim/scenario/FrameFields.hpp"
 #include "sim/scenario/FrameTable.hpp"
 #include "units/Measurements.hpp"
 #include "units/SetPoints.hpp"
@@ -75,13 +75,6 @@ std::vector<std::string> typesOf(std::string_view frame) {
   return types;
 }
 
-/// @brief Returns the limit of a set-point, from the frame table.
-std::int32_t limitOf(std::string_view name) {
-  const auto* const limit =
-      std::ranges::find(scenario::kFrameLimits, name, &scenario::FrameLimit::name);
-  return limit != scenario::kFrameLimits.end() ? limit->limit : 0;
-}
-
 /// @brief A constant: its value in the firmware, and its value in the frame table.
 struct Number {
   const char* name;
@@ -130,6 +123,7 @@ TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
 /// @brief The limits of orders in the firmware are equal to the limits in the frame table.
 /// @verifies FR-170
 TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
+  using scenario::limitOf;
   EXPECT_EQ(SystemConstants::instance().steeringLimit().count(), limitOf("steering_set_point"));
   EXPECT_EQ(SystemConstants::instance().velocityLimit().count(), limitOf("Velocity"));
   EXPECT_EQ(SystemConstants::instance().tensionLimit().count(), limitOf("Tension"));

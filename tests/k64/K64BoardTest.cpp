@@ -140,8 +140,8 @@ std::ostream& operator<<(std::ostream& out, const ClockFailure& failure) {
 
 class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
  protected:
-  // Runs for a duration during a start attempt. Checks that the outputs are safe at each
-  // microsecond, except between a reset and the first stores of the start.
+  // Runs the robot for a duration while its clock does not start. Checks that the outputs are safe
+  // at each microsecond, except between a reset and the first stores of the start.
   static void runSafely(BoardRobot& robot, nanoseconds duration) {
     constexpr nanoseconds kFirstStores{100'000};
     const nanoseconds end = robot.board.now() + duration;

@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "services/SystemConstants.hpp"
 #include "support/seed.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
 
@@ -350,11 +351,15 @@ scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
   const auto between = [&](int least, int greatest) {
     return std::uniform_int_distribution<int>(least, greatest)(random);
   };
-  constexpr std::array<int, 3> kLimits{3000, 24000, 10000};
+  constexpr const SystemConstants& kConstants = SystemConstants::instance();
+  constexpr std::array<int, 3> kLimits{kConstants.velocityLimit().count(),
+                                       kConstants.tensionLimit().count(),
+                                       kConstants.currentLimit().count()};
+  constexpr int kSteering = kConstants.steeringLimit().count();
   const auto quantity = static_cast<std::uint8_t>(between(0, 2));
   const int limit = kLimits.at(quantity);
   return {.id = id,
-          .steering = static_cast<std::int16_t>(between(-3200, 3200)),
+          .steering = static_cast<std::int16_t>(between(-kSteering, kSteering)),
           .wheels = {{{quantity, static_cast<std::int16_t>(between(-limit, limit))}}},
           .stop = between(1, 8) == 1};
 }

@@ -207,7 +207,8 @@ _FIXED = [
         "Every listed module exists and is not a data type. The number of listed modules equals "
         "the number in the paper. Modules of extensions are not counted.",
         "The check cannot judge whether the list is correct.",
-        "remove the module, mark a value type with @datatype, or change design/modules.toml.",
+        "remove the module, mark a value type with @datatype, or add the module to "
+        "design/modules.toml and raise total there.",
     ),
     Check(
         "module-used",
@@ -416,9 +417,9 @@ _FIXED = [
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "For each declared connection, the code contains calls from the first module to the "
-        "second module. If the kind of the connection is pipe, the first module writes the pipe "
-        "and the second module reads it.",
+        "For each declared connection between two modules, the code contains calls from the first "
+        "module to the second module. If the kind of the connection is pipe, the first module "
+        "writes the pipe and the second module reads it.",
         "The check does not read physical connections. It does not distinguish the kinds call, "
         "command and interrupt. It does not find connections in the code that the architecture "
         "does not declare.",

@@ -97,9 +97,9 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
     for requirement in model.requirements.values():
         wrong = []
         if requirement.level not in LEVELS:
-            wrong.append(f"no @level ({', '.join(LEVELS)})")
+            wrong.append(f"no valid @level ({', '.join(LEVELS)})")
         if requirement.method not in METHODS:
-            wrong.append(f"no @method ({', '.join(METHODS)})")
+            wrong.append(f"no valid @method ({', '.join(METHODS)})")
         elif not _has_way(requirement):
             wrong.append(f"the @method {requirement.method} but no test and no evidence")
         if not requirement.products:

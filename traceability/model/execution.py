@@ -272,7 +272,8 @@ def shared_member(
     if declared is not None:
         protection, why = declared.protection, declared.why
     elif any(kind == PIPE for kind in fact.classes):
-        protection, why = "pipe", "There is one writer and one reader, and no lock."
+        protection = "pipe"
+        why = "There is one writer and no lock. All readers run in the same interrupt or thread."
     else:
         protection, why = "", ""
     return SharedMember(

@@ -81,7 +81,7 @@ bool SerialReader::finish() {
 template <class Value>
 Value SerialReader::next() {
   static_assert(std::endian::native == std::endian::little,
-                "a payload has the byte order of the memory");
+                "the processor must be little-endian, like the payload of a frame");
   Value value = 0;
   const std::size_t first = position_;
   if (first + sizeof(value) > kOrderLength) {

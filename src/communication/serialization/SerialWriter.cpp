@@ -41,7 +41,7 @@ bool SerialWriter::finish() {
 template <class Value>
 void SerialWriter::put(Value value) {
   static_assert(std::endian::native == std::endian::little,
-                "a payload has the byte order of the memory");
+                "the processor must be little-endian, like the payload of a frame");
   const std::size_t at = length_;
   if (kCapacity - at < sizeof(value)) {
     overflow_ = true;

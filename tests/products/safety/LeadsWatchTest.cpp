@@ -213,8 +213,8 @@ TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
 }
 
 /// @brief At a low velocity with a great load, a cycle is weak evidence, and the detection needs
-/// more cycles. When the watch has learned a motor for 4 s, each cycle is stronger evidence than
-/// with an unknown motor.
+/// more cycles. When the watch has learned the parameters of the motor for 4 s, each cycle is
+/// stronger evidence than before.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_WeakEvidenceNeedsMoreCycles) {
   struct Case {
@@ -224,7 +224,7 @@ TEST_F(WatchedLeads, FR307_WeakEvidenceNeedsMoreCycles) {
     int cycles;
   };
   for (const auto& [learned, rpm, amperes, cycles] :
-       {Case{false, 10, 0.5, 4}, Case{false, 12, 1, 5}, Case{false, 28, 2, 4},
+       {Case{false, 10, 0.5, 4}, Case{false, 12, 1, 5}, Case{false, 28, 2, 4}, Case{true, 12, 1, 2},
         Case{true, 12, 2.5, 6}, Case{true, 14, 2.5, 6}, Case{true, 20, 4, 4},
         Case{true, 26, 5, 4}}) {
     watch.emplace();

@@ -32,14 +32,14 @@ def changed(root: Path, **changes: Any) -> Model:
     ("name", "value", "says"),
     [
         ("level", "system", ""),
-        ("level", "robot", "FR-1 has no @level (system, software, driver)"),
-        ("level", "", "FR-1 has no @level (system, software, driver)"),
+        ("level", "robot", "FR-1 has no valid @level (system, software, driver)"),
+        ("level", "", "FR-1 has no valid @level (system, software, driver)"),
         ("products", ["weeding_robot", "weeding_robot_pc"], ""),
         ("products", [], "FR-1 has no @product (all, or names of products)"),
         ("products", ["mower"], "FR-1 has a @product mower, which does not exist"),
         ("method", "inspection", ""),
         ("method", "measurement", ""),  # A test of FR-1 makes the measurement.
-        ("method", "belief", "FR-1 has no @method (test, analysis, measurement, inspection)"),
+        ("method", "belief", "FR-1 has no valid @method (test, analysis, measurement, inspection)"),
     ],
 )
 def test_an_attribute_has_a_known_value(

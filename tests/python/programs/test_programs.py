@@ -12,6 +12,9 @@ from pathlib import Path
 
 import pytest
 
+from weeding_robot_client.layout import FRAMES
+from weeding_robot_client.messages import STEERING
+
 ROOT = Path(__file__).parents[3]
 PROGRAMS = ROOT / "build" / "host" / "sim"
 IMAGE = ROOT / "build" / "k64" / "weeding_robot_paper.bin"
@@ -55,8 +58,12 @@ MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
 REMOTE_CONTROL = "0"
 SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
 # For each column, the greatest value that can be ordered, in the unit of the report.
-RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
-RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
+LIMITS = {entry.name.lower(): entry.limit or 0 for entry in FRAMES.enumerations["quantity"].entries}
+RANGES = {"steering": STEERING.limit or 0, **LIMITS}
+RANGES_OF_REMOTE_CONTROL = {
+    "set_point": RANGES["velocity"],
+    "steering_set_point": RANGES["steering"],
+}
 WHEELS = "0123"
 # The greatest permitted differences between the two runs, in percent of the range: ONCE in any
 # cycle, USUALLY in at least 94 of 100 cycles. Differences have two causes. A wheel may reverse one

@@ -59,7 +59,8 @@ def test_a_run_without_failure_counts_its_inputs(tmp_path: Path) -> None:
 def test_a_failure_is_kept_with_its_input_and_its_text(tmp_path: Path) -> None:
     summary = summarise(tmp_path, run(tmp_path, 2, fails=True))
     assert summary["outcomes"]["failures"] == 1
-    assert summary["inputs"]["link"] == 17 + INPUTS["link"]  # the inputs up to the failure
+    # 17 inputs of the chunk that fails, and all inputs of the other chunk
+    assert summary["inputs"]["link"] == 17 + INPUTS["link"]
     (failure,) = summary["failures"]
     assert failure["fuzzer"] == "link"
     assert failure["input"] == ["01ff"]
