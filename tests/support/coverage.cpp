@@ -26,11 +26,11 @@
 extern "C" {
 #include <gcov.h>
 // The linker and the compiler define these names.
-// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): names of the linker
 extern const gcov_info* const __start_wr_counters[];
 extern const gcov_info* const __stop_wr_counters[];
 void __gcov_init(const gcov_info* unit);
-// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 }
 
 namespace {

@@ -25,7 +25,7 @@ std::string_view thrownText() {
 }  // namespace wr::web
 
 // The C++ ABI defines these names. The compiler calls these functions.
-// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): names of the C++ ABI
 extern "C" void* __cxa_allocate_exception(std::size_t size) noexcept {
   return std::malloc(size);
 }
@@ -36,4 +36,4 @@ extern "C" [[noreturn]] void __cxa_throw(void* thrown, void* /*type*/,
   text() = static_cast<std::exception*>(thrown)->what();
   __builtin_trap();
 }
-// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
