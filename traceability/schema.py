@@ -574,6 +574,8 @@ class Hazard:
     assumptions: Sequence[str]
     answer: str  # the reaction of the firmware to the situation
     place: Place
+    # the fault scenarios in which the hazard occurs
+    scenarios: Sequence[str] = field(default_factory=list)
     level: str = ""
 
 
@@ -586,16 +588,20 @@ class SafetyGoal:
     title: str
     text: str
     safe_states: Sequence[str]
-    time: float  # the longest time that the firmware may need to reach the safe state
+    # the longest time that the firmware may need until the safe state, or until the beginning of
+    # the halt that leads to this state
+    time: float
     formula: str
     because: str
-    reaction: float  # the time that the firmware needs
+    reaction: float  # the time that the firmware needs until the same event
     reacts: str
     requirements: Sequence[str]
     scenarios: Sequence[str]
     place: Place
     # known situations in which the robot does not meet the goal
     exceptions: Sequence[str] = field(default_factory=list)
+    # conditions in which nothing limits the motion that the goal must limit
+    open_points: Sequence[str] = field(default_factory=list)
     computed: float | None = None  # value of the formula; None if the formula is invalid
     hazards: Sequence[str] = field(default_factory=list)
     level: str = ""  # the highest level among the hazards of the goal

@@ -26,7 +26,7 @@ extern const Constructor constructorsEnd[];
 
 /// @brief Handles the call of a pure virtual function.
 // The ABI of the compiler defines this name.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): a name of the ABI
 [[noreturn]] void __cxa_pure_virtual() {
   unexpected();
   __builtin_unreachable();

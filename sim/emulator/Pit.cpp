@@ -53,7 +53,7 @@ void Pit::update(std::size_t index) {
 
 // A channel can be chained to the previous channel. Therefore this function calls itself for the
 // next channel, up to the last channel.
-// NOLINTNEXTLINE(misc-no-recursion)
+// NOLINTNEXTLINE(misc-no-recursion): at most one call for each channel
 void Pit::expire(std::size_t index) {
   Channel& channel = channels_[index];
   channel.flag = true;

@@ -95,7 +95,7 @@ std::string Symbols::placeOf(std::uint32_t address) const {
       "arm-none-eabi-addr2line -i -e '" + elf_.string() + "' " + number.data() + " 2>/dev/null";
   // The command runs a program of the toolchain. Its arguments are the path of the ELF file and an
   // address.
-  // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
+  // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c): runs a tool of the toolchain
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
   // The last line of the output is the position in the function itself. The earlier lines are
   // positions in inlined functions.

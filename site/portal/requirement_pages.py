@@ -35,6 +35,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "without_method": [item.id for item in every if not item.satisfied_by],
         "options": verification_views.options(numbers.values()),
         "bars": verification_views.chart(sections(portal)),
+        "modules": verification_views.coverage_of_modules(portal.model.modules.values()),
         "measured_lines": verification_views.measured_lines,
         "host": HOST,
         "dots": {

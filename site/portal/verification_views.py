@@ -11,7 +11,7 @@ from traceability.model.design_model import Model
 from traceability.model.not_shown import ONLY, targets_of
 from traceability.model.report import Report
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement, Test
+from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Module, Requirement, Test
 
 
 @dataclass
@@ -49,6 +49,36 @@ def measured_lines(requirement: Requirement) -> tuple[str, Share] | None:
 
 def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
     return share(hit for method in methods for hit in method.branches or [])
+
+
+@dataclass
+class ModuleCoverage:
+    """The source lines and branches of a module that the tests on the host executed."""
+
+    module: str
+    lines: Share
+    branches: Share | None
+
+
+def coverage_of_modules(modules: Iterable[Module]) -> list[ModuleCoverage]:
+    """Returns the coverage of each module that has measured lines. The module with the smallest
+    share of executed lines is the first."""
+    rows = [
+        ModuleCoverage(
+            module.name,
+            Share(module.lines_covered or 0, module.lines_total),
+            Share(module.branches_covered or 0, module.branches_total)
+            if module.branches_total
+            else None,
+        )
+        for module in modules
+        if module.lines_total
+    ]
+    return sorted(rows, key=lambda row: (row.lines.per_cent, _per_cent(row.branches), row.module))
+
+
+def _per_cent(share: Share | None) -> float:
+    return share.per_cent if share else 100
 
 
 @dataclass

@@ -102,7 +102,7 @@ class Register {
  private:
   // Registers have fixed addresses. Only this function converts a number to an address.
   [[nodiscard]] volatile Value* place() const {
-    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): a register has a fixed address
     return reinterpret_cast<volatile Value*>(kAddress + offset_);
   }
 

@@ -908,14 +908,15 @@ _FIXED = [
         "hazard-time",
         "Times of safety goals match their formulas",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
-        "10 %. The reaction time of the firmware is at most the fault-tolerant time. The scenarios "
-        "of a goal without known exceptions accept no reaction that is later than the "
+        "10 %. The reaction time of the firmware is at most the fault-tolerant time. Both times "
+        "end when the safe state is reached, or when the halt begins that leads to it. The "
+        "scenarios of a goal without known exceptions accept no reaction that is later than the "
         "fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
-        "the robot. It cannot judge whether the tests measure the right reaction. It compares only "
-        "the declared reaction time, and not the times in the text that describes the reaction. If "
-        "a goal has a known exception, the check does not compare the times that the scenarios of "
-        "this goal accept.",
+        "the robot. It cannot judge whether the tests measure the right reaction. It does not "
+        "limit the time and the distance of a halt. It compares only the declared reaction time, "
+        "and not the times in the text that describes the reaction. If a goal has a known "
+        "exception, the check does not compare the times that the scenarios of this goal accept.",
         "correct the time or the formula, or shorten the reaction time of the firmware.",
     ),
     Check(
@@ -931,11 +932,12 @@ _FIXED = [
     Check(
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
-        "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. A "
-        "test plays the scenario, and this test passed on each target for which it is built. "
-        "Every scenario that a goal lists exists.",
-        "The check does not find faults without a scenario. It ignores test results that are older "
-        "than the sources.",
+        "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. At "
+        "least one hazard lists the file. A test plays the scenario, and this test passed on each "
+        "target for which it is built. Every scenario that a goal lists exists.",
+        "The check does not find faults without a scenario. It cannot judge whether a hazard "
+        "occurs in the scenarios that it lists. It ignores test results that are older than the "
+        "sources.",
         "complete the links, play the scenario in a test, or correct the failure.",
     ),
     Check(

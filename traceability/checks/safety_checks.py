@@ -55,6 +55,9 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
         ):
             if not declared:
                 yield _unknown(facts, hazard, name)
+        for name in hazard.scenarios:
+            if name not in case.scenarios:
+                yield _unknown(facts, hazard, name)
     for goal in case.goals.values():
         for name in goal.safe_states:
             if name not in case.safe_states:
@@ -164,8 +167,10 @@ def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
     """Finds fault scenarios without a valid goal: the scenario names no goal, or the goal does not
-    list the scenario. Also finds fault scenarios that no test plays, or whose tests did not pass.
+    list the scenario. Also finds fault scenarios that no hazard lists, that no test plays, or whose
+    tests did not pass.
     """
+    of_hazards = {name for hazard in model.safety.hazards.values() for name in hazard.scenarios}
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"
         if not scenario.goals:
@@ -180,6 +185,10 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
                 text = f"the scenario {scenario.name} names {name}, but this goal does not list it"
                 fix = f"add it to the scenarios of {name} in design/safety_case.toml"
                 yield Finding(where, check, text, fix)
+        if scenario.name not in of_hazards:
+            text = f"no hazard lists the scenario {scenario.name}"
+            fix = "add it to the scenarios of a hazard in design/safety_case.toml"
+            yield Finding(where, check, text, fix)
         if not scenario.tests:
             text = f"no test plays the scenario {scenario.name}"
             yield Finding(where, check, text)

@@ -24,7 +24,7 @@ from traceability.reading.prose_record import read_prose
 from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
+from traceability.schema import HOST, Clause, LastRecord, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash, files_below
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
@@ -200,13 +200,18 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "proofs.properties": len(model.proofs.properties),
         "proofs.proven": None if model.proofs.recorded else model.proofs.proven,
         "last": {
-            **{name: asdict(record) for name, record in model.last.items()},
+            **{name: with_others(record) for name, record in model.last.items()},
             **campaign_metrics(model.campaigns),
             **recorded_metric(model.proofs),
         },
         **dict.fromkeys(OF_OTHER_STEPS),
         **model.measured,
     }
+
+
+def with_others(record: LastRecord) -> dict[str, Any]:
+    """Returns a record with the number of faults that the tests did not find."""
+    return {**asdict(record), "others": record.tried - record.found}
 
 
 def recorded_metric(proofs: Proofs) -> dict[str, Any]:

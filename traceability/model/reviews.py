@@ -212,7 +212,8 @@ class LinkTexts:
                 f"{h.answer}"
                 for h in hazards
             )
-            text = "\n".join((goal.title, goal.text, goal.because, *goal.exceptions, *rows))
+            limits = (*goal.exceptions, *goal.open_points)
+            text = "\n".join((goal.title, goal.text, goal.because, *limits, *rows))
             yield LinkText("goal", name, goal.place, text)
 
     def _method(self, requirement: Requirement, name: str) -> LinkText:

@@ -70,8 +70,8 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
             scenarios=read_scenarios(root),
             safe_states=read("safe_state", SafeState),
             assumptions=read("assumption", Assumption),
-            goals=read("goal", SafetyGoal, ["exceptions"]),
-            hazards=read("hazard", Hazard),
+            goals=read("goal", SafetyGoal, ["exceptions", "open_points"]),
+            hazards=read("hazard", Hazard, ["scenarios"]),
             corrections=entries.records(path, "correction", Correction, may=["for_safety"]),
         )
     )

@@ -29,7 +29,7 @@ extern const std::uint32_t stackTop[];
 /// @brief Ends the program after the call of a pure virtual function, by means of an undefined
 /// instruction, which causes a fault.
 // The ABI of the compiler defines the name of this function.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): a name of the ABI
 [[noreturn]] void __cxa_pure_virtual() {
   __builtin_trap();
 }

@@ -49,6 +49,11 @@ def check(root: Path, model: Model) -> list[Finding]:
         ),
         (('id = "HZ-1"', 'id = "H1"'), "H1 is not an id of a hazard"),
         (('["brake"]', '["brake", "fly"]'), "SG-1 names fly, which is not declared"),
+        (
+            ('["lost"]\nanswer', '["lost", "slope"]\nanswer'),
+            "HZ-1 names slope, which is not declared",
+        ),
+        (('scenarios = ["lost"]\nanswer', "answer"), "no hazard lists the scenario lost"),
     ],
 )
 def test_a_change_of_the_case_is_found(tmp_path: Path, change: tuple[str, str], text: str) -> None:

@@ -71,6 +71,7 @@ exposure = "E3"
 avoidance = "C3"
 goals = ["SG-1"]
 assumptions = ["AU-1"]
+scenarios = ["lost"]
 answer = "A stop acts in every mode."
 
 [[correction]]

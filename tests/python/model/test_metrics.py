@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.model.metrics import sizes
+from traceability.model.metrics import sizes, with_others
+from traceability.schema import LastRecord
 
 
 def test_the_sizes_count_the_lines_of_tools_tests_and_tables(tmp_path: Path) -> None:
@@ -26,3 +27,8 @@ def test_the_sizes_count_the_lines_of_tools_tests_and_tables(tmp_path: Path) -> 
         "tools.python_test_lines": 6,
         "tools.design_lines": 7,
     }
+
+
+def test_a_record_contains_the_number_of_faults_that_were_not_found() -> None:
+    record = LastRecord("mutate", "0123abcd45", found=7, tried=10, current=True, date="2026-11-27")
+    assert with_others(record)["others"] == 3

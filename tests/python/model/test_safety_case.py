@@ -151,6 +151,10 @@ def test_a_requirement_that_is_not_verified_leaves_its_goal_open(
             ["known exception: with two faults"],
         ),
         (
+            [('scenarios = ["lost"]', 'scenarios = ["lost"]\nopen_points = ["on a slope"]')],
+            ["open point: on a slope"],
+        ),
+        (
             [('requirements = ["FR-1"]', "requirements = []"), ('["lost"]', "[]")],
             ["no requirement serves this goal", "no fault scenario tests this goal"],
         ),

@@ -22,7 +22,15 @@ from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.site_build import check_texts
 from portal.tuning_page import control_values
-from portal.verification_views import Share, facets, facets_of_test, measured_lines, options
+from portal.verification_views import (
+    ModuleCoverage,
+    Share,
+    coverage_of_modules,
+    facets,
+    facets_of_test,
+    measured_lines,
+    options,
+)
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
@@ -247,6 +255,18 @@ def test_lines_that_only_the_virtual_k64_executed_are_shown_with_their_target(
     assert "3/4 virtual K64" in row
     on_both = replace(requirement, coverage={HOST: rows[:1], VIRTUAL_K64: rows})
     assert measured_lines(on_both) == (HOST, Share(2, 2))
+
+
+def test_the_module_with_the_smallest_share_of_executed_lines_is_the_first() -> None:
+    rc = make_model().modules["RC"]
+    whole = replace(
+        rc, name="PC", lines_total=3, lines_covered=3, branches_total=4, branches_covered=2
+    )
+    unmeasured = replace(rc, name="Mode", lines_total=None, lines_covered=None)
+    assert coverage_of_modules([whole, unmeasured, rc]) == [
+        ModuleCoverage("RC", Share(1, 2), None),
+        ModuleCoverage("PC", Share(3, 3), Share(2, 4)),
+    ]
 
 
 def test_the_evidence_shows_the_static_analysis_only_for_the_present_files(tmp_path: Path) -> None:
