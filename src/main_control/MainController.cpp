@@ -104,7 +104,7 @@ void MainController::sendReport(OperationStateId state) {
 }
 
 void MainController::serveSources() {
-  // bound: 3
+  // bound: readingModes
   for (Mode* mode : modes_) {
     mode->serve();
   }
@@ -112,7 +112,7 @@ void MainController::serveSources() {
 
 void MainController::noteStop() {
   std::uint32_t sources = 0;
-  // bound: 3
+  // bound: readingModes
   for (const Mode* mode : modes_) {
     const std::uint32_t bit = 1U << static_cast<std::uint32_t>(mode->id());
     sources |= mode->stopOrdered() ? bit : 0;

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import fnmatch
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -222,7 +222,11 @@ class Prover:
             callees |= dict.fromkeys(self.targets(function, place))
         return list(callees)
 
-    def targets(self, function: Function, place: Place) -> list[str]:
+    def targets(
+        self, function: Function, place: Place, way: Sequence[tuple[str, int]] = ()
+    ) -> list[str]:
+        """Returns the functions that an indirect call may execute. ``way`` begins with the place of
+        the call. The next places are the inlined calls that contain it."""
         pattern = self.declared.calls.get(short_name(function.name))
         if pattern is not None:
             return [symbol for symbol in self.graph if fnmatch.fnmatch(symbol, pattern)]
@@ -230,8 +234,38 @@ class Prover:
         for body, call in self.written.get((place.file, place.line), []):
             if call.virtual:
                 narrowed = self.body and body == RUN_OF_THREAD and call.target == DISPATCH
-                targets += [self.body] if narrowed else self.facts.robot.targets(call)
+                targets += [self.body] if narrowed else self._methods(body, call, way)
         symbols = [symbol for target in targets for symbol in self.symbols.get(target, [])]
         if not symbols and not any(other == place for _, other in self.unresolved):
             self.unresolved.append((short_name(function.name), place))
         return symbols
+
+    def _methods(self, body: str, call: CallFact, way: Sequence[tuple[str, int]]) -> list[str]:
+        """Returns the methods that a virtual call in a body may execute, for all classes of which
+        the object of the body may be."""
+        robot = self.facts.robot
+        kind = self._kind_of(body, way)
+        kinds = robot.constructed & {kind, *self.facts.subclasses.get(kind, [])}
+        if not kinds:
+            return robot.targets(call)
+        return list(
+            dict.fromkeys(
+                method for one in sorted(kinds) for method in robot.own_targets(call, one)
+            )
+        )
+
+    def _kind_of(self, body: str, way: Sequence[tuple[str, int]]) -> str:
+        """Returns the class of the object whose method is the body. If the body is inlined in a
+        method of a subclass that calls it for its own object, returns this subclass."""
+        kind = _class_of(body)
+        for place in way[1:]:
+            callers = {
+                caller
+                for caller, call in self.written.get(place, [])
+                if call.target == body and not call.virtual and not call.on
+            }
+            body = callers.pop() if len(callers) == 1 else ""
+            if kind not in (_class_of(body), *self.facts.bases_of(_class_of(body))):
+                break
+            kind = _class_of(body)
+        return kind

@@ -206,7 +206,7 @@ class Times:
             return 0
         place = self._place(one.address)
         function = self.prover.graph[symbol]
-        targets = self._targets(function, place) if place else []
+        targets = self._targets(function, one) if place else []
         if not targets:
             self.unresolved.add((symbol, place or ("?", 0)))
         most = 0
@@ -218,8 +218,9 @@ class Times:
                 most = max(most, cycles)
         return most
 
-    def _targets(self, function: Function, place: Place) -> list[str]:
-        return self.prover.targets(function, SourcePlace(*place))
+    def _targets(self, function: Function, call: Instruction) -> list[str]:
+        way = self.places[call.address]
+        return self.prover.targets(function, SourcePlace(*way[0]), way)
 
     def _never(self, code: Code, block: Block) -> bool:
         """Returns true if a block contains a virtual call that is never executed, because the
@@ -235,7 +236,7 @@ class Times:
             if not one.indirect or not place or not function:
                 continue
             virtual = [call for _, call in self.prover.written.get(place, []) if call.virtual]
-            targets = self._targets(function, place)
+            targets = self._targets(function, one)
             way = self.places.get(one.address, [])
             if (
                 len(virtual) == 1

@@ -128,6 +128,10 @@ class Facts:
         also each overriding method."""
         return [method, *self.overriders.get(method, [])] if virtual else [method]
 
+    def bases_of(self, name: str) -> set[str]:
+        """Returns all base classes of a class, direct and indirect."""
+        return {base for base, others in self.subclasses.items() if name in others}
+
     def method(self, owner: str, name: str) -> MethodFact | None:
         """Returns the method with this name in the class ``owner`` or in a base class. Returns None
         if there is none."""
@@ -176,6 +180,11 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
     return Facts(
         root, comments, syntax, declared, subclasses, overriders, bodies, classes, written_in
     )
+
+
+def is_constructor(function: str) -> bool:
+    owner, _, name = function.rpartition("::")
+    return bool(owner) and owner.rpartition("::")[2] == name
 
 
 # ---- references: their possible objects, and the methods that a call may reach ----
@@ -318,15 +327,81 @@ class References:
         """Returns the methods that a call may execute. For a virtual call, these are methods of the
         objects to which the reference in the call may refer. If no such object is known, these are
         all overriding methods in the files that are read."""
-        owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]
-        kinds = sorted({item.kind for item in self.objects(call.on, owner)})
+        owner = call.target.rpartition("::")[0]
+        kinds = {item.kind for item in self.objects(call.on, owner)}
         if not kinds:
             possible = self.facts.targets(call.target, virtual=True)
             return [method for method in possible if self.own_bodies(method)] or possible
-        methods = [self.facts.method(kind, name) for kind in kinds]
+        return self._methods(kinds, call.target)
+
+    def _methods(self, kinds: Iterable[str], target: str) -> list[str]:
+        name = target.rpartition("::")[2]
+        methods = [self.facts.method(kind, name) for kind in sorted(kinds)]
         return list(dict.fromkeys(method.id for method in methods if method))
+
+    # ---- calls in a method of an object whose class is known -------------------
+
+    @functools.cached_property
+    def constructed(self) -> set[str]:
+        """Returns the classes of all objects."""
+        return {item.kind for objects in self.known.values() for item in objects}
+
+    @functools.cached_property
+    def _into(self) -> dict[str, list[str]]:
+        """Returns for each place the sources of all flows into the place."""
+        into: dict[str, list[str]] = {}
+        for flow in self.facts.syntax.flows:
+            if self.contains(flow.file):
+                into.setdefault(flow.into, []).extend(flow.sources)
+        return into
+
+    def own_targets(self, call: CallFact, kind: str) -> list[str]:
+        """Returns the methods that a call may execute, if the calling method is a method of an
+        object of exactly the class ``kind``. A member that a base class declares then refers only
+        to objects that the constructors of ``kind`` pass to the base class.
+        """
+        owner = call.target.rpartition("::")[0]
+        if not call.virtual:
+            return [call.target]
+        if not call.on and owner in (kind, *self.facts.bases_of(kind)):
+            return self._methods([kind], call.target)
+        family = {owner, *self.facts.subclasses.get(owner, [])}
+        reached = {item.kind for place in call.on for item in self._own(place, kind, frozenset())}
+        return self._methods(reached & family, call.target) or self.targets(call)
+
+    def _own(self, place: str, kind: str, asked: frozenset[str]) -> set[Object]:
+        """Returns the objects to which a place may refer. If the place belongs to a base class of
+        ``kind``, its reference is followed only to the constructors of ``kind``."""
+        word, _, rest = place.partition(" ")
+        function = rest.rpartition(" ")[0]
+        owner = (function or rest).rpartition("::")[0]
+        sources: list[str] = []
+        if place not in asked and owner in self.facts.bases_of(kind):
+            if word == "param" and is_constructor(function):
+                sources = self._passed(function, int(rest.rpartition(" ")[2]), kind)
+            elif word == "field" or (word == "result" and rest not in self.facts.overriders):
+                sources = self._into.get(place, [])
+        if not sources or any(source.startswith(("object ", "this ")) for source in sources):
+            return self.known.get(place, set())
+        asked |= {place}
+        return {item for source in sources for item in self._own(source, kind, asked)}
+
+    def _passed(self, constructor: str, number: int, kind: str) -> list[str]:
+        """Returns the sources of an argument that the constructors of ``kind`` and of its base
+        classes pass to the constructor of a base class."""
+        names = [
+            f"{name}::{name.rpartition('::')[2]}" for name in (kind, *self.facts.bases_of(kind))
+        ]
+        return [
+            source
+            for name in names
+            for body in self.own_bodies(name)
+            for call in body.calls
+            if call.target == constructor and number < len(call.args)
+            for source in call.args[number]
+        ]
 
     def reached(
         self, start: Iterable[str], within: dict[str, str], ends: list[str]

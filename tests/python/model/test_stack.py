@@ -23,8 +23,14 @@ class Targets:
     """A stub that finds the targets of calls. The targets of each call are the methods in the field
     ``on`` of the call."""
 
+    def __init__(self) -> None:
+        self.constructed: set[str] = set()
+
     def targets(self, call: CallFact) -> list[str]:
         return call.on
+
+    def own_targets(self, _call: CallFact, kind: str) -> list[str]:
+        return [f"{kind}::wrapped"]
 
 
 class SmallFacts:
@@ -33,6 +39,10 @@ class SmallFacts:
         self.syntax = Syntax(bodies=[body])
         self.robot = Targets()
         self.bodies = {"Loop::run": [body]}
+        self.subclasses: dict[str, list[str]] = {}
+
+    def bases_of(self, name: str) -> set[str]:
+        return {base for base, others in self.subclasses.items() if name in others}
 
 
 def graph(**functions: tuple[int, list[str]]) -> dict[str, Function]:
@@ -97,6 +107,25 @@ def test_of_each_priority_the_greatest_counts_with_a_frame_of_the_hardware() -> 
     proof = prover(functions, contexts).prove(36)
     assert [one.id for one in proof.levels] == ["main", "large", "high"]
     assert proof.total == 10 + 36 + 30 + 36 + 40
+
+
+def test_an_indirect_call_in_an_inlined_method_depends_on_the_class_that_inlines_it() -> None:
+    """Outer and Inner are subclasses of Stage. The code of Stage::run is inlined in Outer::run,
+    which calls it for its own object."""
+    functions = graph(Outer_wrapped=(1, []), Inner_wrapped=(1, []))
+    inner, outer = Place("src/Stage.cpp", 3), Place("src/Outer.cpp", 5)
+    small = prover(functions, [])
+    facts = cast(SmallFacts, small.facts)
+    facts.robot.constructed = {"Outer", "Inner"}
+    facts.subclasses = {"Stage": ["Outer", "Inner"]}
+    small.written = {
+        (inner.file, inner.line): [("Stage::run", CallFact("Part::run", True, inner, on=["x"]))],
+        (outer.file, outer.line): [("Outer::run", CallFact("Stage::run", False, outer))],
+    }
+    run = Function("Outer_run", "wr::Outer::run()", 8)
+    alone, inlined = [(inner.file, 3)], [(inner.file, 3), (outer.file, 5)]
+    assert small.targets(run, inner, alone) == ["Inner_wrapped", "Outer_wrapped"]
+    assert small.targets(run, inner, inlined) == ["Outer_wrapped"]
 
 
 def test_an_indirect_call_reaches_what_the_model_says() -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any, cast
 
+import pytest
+
 from traceability.reading.ast_facts import BodyFact, CallFact
 from traceability.reading.flow import FlowFact
 from traceability.reading.source_facts import Facts, References, replaced_files
@@ -69,3 +71,42 @@ def test_a_handler_of_the_extension_replaces_the_file_of_src() -> None:
     bodies = [BodyFact("tick", "", Place(file, 1), 9) for file in files]
     local = [BodyFact("part", "", Place(file, 1), 9, local=True) for file in ("src/a.cpp",)]
     assert replaced_files(facts([], [*bodies, *local], COMMANDS)) == {files[0]}
+
+
+def chain() -> References:
+    """Returns the references of a chain of stages: the stage Outer wraps the stage Inner, and Inner
+    wraps the robot. The member ``wrapped`` is a member of their base class Stage."""
+    main = "src/main.cpp"
+    flows = [
+        FlowFact("param Outer::Outer 0", ["object src/main.cpp:inner Inner"], main),
+        FlowFact("param Inner::Inner 0", ["object src/main.cpp:robot Robot"], main),
+        FlowFact("field Main::outer", ["object src/main.cpp:outer Outer"], main),
+        FlowFact("field Stage::wrapped", ["param Stage::Stage 0"], "src/Stage.cpp"),
+        FlowFact("result Stage::next", ["field Stage::wrapped"], "src/Stage.cpp"),
+    ]
+    bodies = []
+    for name in ("Outer", "Inner"):
+        at, source = Place(f"src/{name}.cpp", 1), [f"param {name}::{name} 0"]
+        flows.append(FlowFact("param Stage::Stage 0", source, at.file))
+        base = CallFact("Stage::Stage", False, at, args=[source])
+        bodies.append(BodyFact(f"{name}::{name}", name, at, 9, calls=[base]))
+    stub: Any = facts(flows, bodies, COMMANDS)
+    stub.subclasses = {"Part": ["Stage", "Outer", "Inner", "Robot"], "Stage": ["Outer", "Inner"]}
+    stub.bases_of = lambda kind: {one for one, heirs in stub.subclasses.items() if kind in heirs}
+    stub.overriders = {}
+    return References(stub, bool)
+
+
+@pytest.mark.parametrize("on", ["field Stage::wrapped", "result Stage::next"])
+def test_a_member_of_a_base_class_refers_to_the_object_that_the_subclass_passes(on: str) -> None:
+    follow = call("src/Stage.cpp", on, "Part::follow")
+    assert chain().targets(follow) == ["Inner::follow", "Robot::follow"]
+    assert chain().own_targets(follow, "Outer") == ["Inner::follow"]
+    assert chain().own_targets(follow, "Inner") == ["Robot::follow"]
+    assert chain().own_targets(follow, "Stage") == ["Inner::follow", "Robot::follow"]
+
+
+def test_a_virtual_call_of_the_own_object_executes_the_method_of_its_class() -> None:
+    follow = CallFact("Part::follow", True, Place("src/Stage.cpp", 1))
+    assert chain().own_targets(follow, "Inner") == ["Inner::follow"]
+    assert chain().constructed == {"Outer", "Inner", "Robot"}
