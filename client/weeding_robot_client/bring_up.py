@@ -627,7 +627,7 @@ class BringUp:
         side = "left" if ordered > 0 else "right"
         text = f"steering fault: ordered to the {side}, angle changed by {moved:+.1f} degrees"
         if (moved if ordered < 0 else -moved) > AGAINST_DEGREES:
-            return FailError(f"{text}: the steering turns the wrong way", STEERING_ADVICE)
+            return FailError(f"{text}: the steering turns against the order", STEERING_ADVICE)
         return FailError(
             f"{text}: the steering does not follow",
             "Check the supply and the cables of the steering motor and its driver, and that the "
