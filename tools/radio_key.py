@@ -12,7 +12,7 @@ KEY_BYTES = 16
 ERASED = b"\xff" * KEY_BYTES
 ADVICE = (
     "A key file contains 32 hexadecimal digits. Make a key file with: head -c 16 /dev/urandom | "
-    "xxd -p > robot.key"
+    "od -An -tx1 > robot.key"
 )
 
 

@@ -28,7 +28,7 @@ from weeding_robot_client.operators import (
 )
 from weeding_robot_client.options import DEFAULT_LINK, open_link
 from weeding_robot_client.orders import Orders, acknowledge, arm, connect, not_connected
-from weeding_robot_client.reasons import cause, inhibited
+from weeding_robot_client.reasons import cause, inhibited, latched
 from weeding_robot_client.script import Wish
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,13 +37,14 @@ DEFAULT_CONTROL = ROOT / "build" / "sim-control"
 IMAGES = ROOT / "build" / "k64"
 DESCRIPTION = """\
 Guides you step by step through the checks of a new robot: port, connection, firmware image, reset
-cause, inputs, end stops, remote control, emergency stop. Then the program turns one wheel at a time
-with 1 V, detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each
-step states the action and the expected result. To skip a step that waits for you, press 's' and
-Enter. The robot must run a product with the safety functions. Connect no motor before you start.
-No motor is switched on until the step for the emergency stop has passed and you have confirmed
-that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a
-record with the present date, in JSON and in Markdown.
+cause, inputs, end stops, remote control, emergency stop. Then the program turns the steering a few
+degrees to the left and to the right, and turns one wheel at a time with 1 V. It detects a reversed
+steering and swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each step
+states the action and the expected result. To skip a step that waits for you, press 's' and Enter.
+The robot must run a product with the safety functions. Connect no motor before you start. No motor
+turns until the step for the emergency stop has passed and you have confirmed that the wheels are
+off the ground. Ctrl-C stops the robot. The program writes the result to a record with the present
+date, in JSON and in Markdown.
 
 Exit code 1: a step failed or was skipped."""
 
@@ -57,6 +58,11 @@ STICK_DEGREES = 2.0
 OBSERVE_S = 2.0
 FAIL_SAFE_S = 0.3
 CYCLE_S = 0.1  # longest time from a stop to its report
+STEERING_DEGREES = 5.0  # turn to each side
+MOST_DEGREES = 32.0  # greatest angle that the robot accepts in an order
+STEERING_ERROR_DEGREES = 0.5  # greatest difference between the ordered and the reached angle
+STEERING_S = 5.0  # a turn over the whole range lasts 3.3 s
+AGAINST_DEGREES = 0.3  # a smaller motion can be noise
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
 COUNTS_LEAST = 3  # smallest number of Hall edges that shows a motion
@@ -84,6 +90,13 @@ POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, None): _UNSEEN,
     (False, None): _UNSEEN,
 }
+
+
+STEERING_ADVICE = (
+    "Press the emergency stop, and turn the front wheels to the left by hand. If the reported "
+    "angle rises, exchange the two leads of one winding of the steering motor. If the angle falls, "
+    "correct the angle sensor. Then start the bring-up again."
+)
 
 
 class SkipError(RuntimeError):
@@ -173,11 +186,13 @@ class BringUp:
         self._operator = operator
         self._images = images
         self._has_rc = has_rc
-        self._wish: Wish | None = None
+        self._wish: Wish | None = None  # without orders the robot does not arm
+        self.rest = Wish()  # neutral order; keeps the steering until its step turns the steering
 
     def steps(self) -> list[Step]:
         """Returns the steps in the order in which they are executed."""
-        safe = ("connection", "emergency stop", "wheels off the ground")
+        lifted = ("connection", "emergency stop", "wheels off the ground")
+        safe = (*lifted, "steering")
         wheels = [
             Step(
                 f"wheel {number}, {name}",
@@ -262,6 +277,13 @@ class BringUp:
                 self._wheels_off_ground,
                 ("connection", "emergency stop"),
             ),
+            Step(
+                "steering",
+                f"the steering turns {STEERING_DEGREES:g} degrees to the left, "
+                f"{STEERING_DEGREES:g} degrees to the right, and to the middle",
+                self._steering,
+                lifted,
+            ),
             *wheels,
             Step(
                 "stop ordered by the PC while a wheel turns",
@@ -321,16 +343,43 @@ class BringUp:
         return reports
 
     def _arm(self) -> None:
-        reason = arm(self.orders)
+        reason = arm(self.orders, self.rest)
         if reason:
             raise FailError(f"not armed: {reason}")
+
+    def _release_earlier_stop(self) -> None:
+        """Acknowledges a protective stop without arming the robot. A fault of the steering causes
+        such a stop when the remote control arms the robot and the steering has no motor."""
+        if self.orders.report and latched(self.orders.report):
+            self._keep_steering()
+            self._observe(self.rest, OBSERVE_S)
+            acknowledge(self.orders, self.rest)
+            self._wish = None
+
+    def _release(self) -> None:
+        """Acknowledges a protective stop, and arms the robot. Orders the reported steering angle,
+        because the steering may have no motor yet, or a motor that turns the wrong way."""
+        self._keep_steering()
+        acknowledge(self.orders, self.rest)
+        self._arm()
+
+    def _keep_steering(self) -> None:
+        self.rest = Wish(steering_degrees=self._angle(MOST_DEGREES))
+        self._wish = self.rest
+
+    def _angle(self, most: float) -> float:
+        """Returns the reported steering angle, limited to ``most`` on both sides."""
+        report = self.orders.report
+        angle = report.steering_degrees if report else None
+        if angle is None:
+            raise FailError("the steering angle is missing", "Check the cable of the angle sensor.")
+        return min(max(angle, -most), most)
 
     # ---- the steps -----------------------------------------------------------
 
     def _connection(self) -> str:
         if connect(self.orders) is None:
             raise FailError(not_connected(self.link), "Check port, cable, power and firmware.")
-        self._wish = Wish()
         note = self.link.welcome.schema_note if self.link.welcome else None
         return firmware(self.link) + (f"; {note}" if note else "")
 
@@ -427,28 +476,28 @@ class BringUp:
         return "the remote control orders a stop"
 
     def _enable_pc(self) -> str:
-        self._do("enable pc", "centre the sticks, and set the enable switch to 'PC'")
-        self._wait(
-            lambda report: (
-                "RC" not in report.stop_sources and report.order_read and report.source == "PC"
-            ),
-            "the PC's orders are not read",
-            "Centre the velocity stick, and check the middle position of the enable switch.",
-        )
+        self._wish = self.rest
+        try:
+            self._do("enable pc", "centre the sticks, and set the enable switch to 'PC'")
+            self._wait(
+                lambda report: (
+                    "RC" not in report.stop_sources and report.order_read and report.source == "PC"
+                ),
+                "the PC's orders are not read",
+                "Centre the velocity stick, and check the middle position of the enable switch.",
+            )
+        finally:
+            self._wish = None
         return "the PC's orders are read"
 
     def _enable_drive(self) -> str:
-        self._wish = None  # the PC sends no orders while the remote control drives
-        try:
-            self._do("enable drive", "centre the sticks, and set the enable switch to 'drive'")
-            self._wait(
-                lambda report: report.order_read and report.source == "RC",
-                "the remote control's orders are not read",
-                "Check the first two channels of the receiver.",
-            )
-            reports = [report for report in self._observe(None, 1.0) if report.source == "RC"]
-        finally:
-            self._wish = Wish()
+        self._do("enable drive", "centre the sticks, and set the enable switch to 'drive'")
+        self._wait(
+            lambda report: report.order_read and report.source == "RC",
+            "the remote control's orders are not read",
+            "Check the first two channels of the receiver.",
+        )
+        reports = [report for report in self._observe(None, 1.0) if report.source == "RC"]
         velocity = max(abs(wheel.set_point.value) for r in reports for wheel in r.wheels)
         angle = max(abs(report.steering_set_point_degrees) for report in reports)
         if velocity > STICK_RPM or angle > STICK_DEGREES:
@@ -491,8 +540,9 @@ class BringUp:
 
     def _emergency_stop(self) -> str:
         def stopped(report: Report) -> bool:
-            return report.inhibit == "protective stop" and report.stop_cause == "emergency stop"
+            return report.stop_cause == "emergency stop"
 
+        self._release_earlier_stop()
         self._do("estop press", "press the emergency stop")
         self._wait(
             stopped,
@@ -501,19 +551,19 @@ class BringUp:
             "passes. If the product has no safety functions, flash a product that has them: "
             "./wr flash --product weeding_robot",
         )
+        self._keep_steering()
         self._do("estop release", "release the emergency stop")
         still = self._observe(self._wish, OBSERVE_S)
         if not stopped(still[-1]):
             raise FailError("the protective stop ended without an acknowledgement")
-        acknowledge(self.orders)
-        self._arm()
+        self._release()
         return "pressed: stopped; released: still stopped; acknowledged: armed"
 
     def _wheels_off_ground(self) -> str:
         self._do(
             "lift",
-            "press the emergency stop, connect the motors, and lift the robot so that all wheels "
-            "are off the ground",
+            "press the emergency stop, connect the motors of the wheels and of the steering, and "
+            "lift the robot so that all wheels are off the ground",
         )
         for question in (
             "Are all four wheels off the ground, and is the robot secured?",
@@ -524,20 +574,76 @@ class BringUp:
                 raise FailError(f"not confirmed: {question}", "Do this first.")
         self._do("estop release", "release the emergency stop")
         self._observe(self._wish, OBSERVE_S)
-        acknowledge(self.orders)
-        self._arm()
+        self._release()
         return "confirmed; acknowledged: armed"
+
+    def _steering(self) -> str:
+        self._do(
+            "watch steering",
+            f"watch the front wheels: they turn {STEERING_DEGREES:g} degrees to the left, then to "
+            "the right, then to the middle",
+        )
+        self._keep_steering()
+        self._arm()
+        middle = self._angle(MOST_DEGREES - STEERING_DEGREES)
+        try:
+            for degrees in (middle + STEERING_DEGREES, middle - STEERING_DEGREES, 0.0):
+                self._turn_steering(degrees)
+        except FailError:
+            acknowledge(self.orders, self.rest)
+            raise
+        question = "Did the front wheels turn to the left, then to the right, then to the middle?"
+        if not self._operator.confirm(question, self.idle):
+            raise FailError(
+                "the reported angle follows the orders, but the front wheels do not",
+                STEERING_ADVICE,
+            )
+        return f"turned {STEERING_DEGREES:g} degrees to each side, then to the middle"
+
+    def _turn_steering(self, degrees: float) -> None:
+        """Orders a steering angle, and waits until the robot reports this angle."""
+        before = angle = self._angle(ANGLE_DEGREES)
+        self.rest = self._wish = Wish(steering_degrees=degrees)
+        end = time.monotonic() + STEERING_S
+        while time.monotonic() < end:
+            for report in self.orders.service(self._wish):
+                if report.steering_degrees is not None:
+                    angle = report.steering_degrees
+                if report.inhibit == "protective stop":
+                    raise self._steering_fault(report, degrees - before, angle - before)
+                if abs(angle - degrees) <= STEERING_ERROR_DEGREES:
+                    return
+            if not self.link.connected:
+                raise FailError("the connection was lost", "Check cable and power.")
+        raise FailError(
+            f"the steering is at {angle:.1f} degrees instead of {degrees:.1f} degrees",
+            "Check that no end stop is reached, and that the steering turns freely.",
+        )
+
+    @staticmethod
+    def _steering_fault(report: Report, ordered: float, moved: float) -> FailError:
+        if report.stop_cause != "steering fault":
+            return FailError(f"protective stop: {cause(report)}", "Remove the cause.")
+        side = "left" if ordered > 0 else "right"
+        text = f"steering fault: ordered to the {side}, angle changed by {moved:+.1f} degrees"
+        if (moved if ordered < 0 else -moved) > AGAINST_DEGREES:
+            return FailError(f"{text}: the steering turns against the order", STEERING_ADVICE)
+        return FailError(
+            f"{text}: the steering does not follow",
+            "Check the supply and the cables of the steering motor and its driver, and that the "
+            "steering turns freely.",
+        )
 
     def _wheel(self, number: int) -> str:
         name = WHEELS[number]
         self._do(f"watch {number}", f"watch the {name} wheel: it turns for {WHEEL_S:g} s")
         self._arm()
-        before = self._observe(Wish(), 0.3)[-1]
+        before = self._observe(self.rest, 0.3)[-1]
         wish = Wish.of(Quantity.TENSION, WHEEL_VOLTS, wheels=(number,))
         reports = self._observe(wish, WHEEL_S)
         if isinstance(self._operator, SimulatedOperator):
             self._operator.watch(number)
-        reports += self._observe(Wish(), 0.3)
+        reports += self._observe(self.rest, 0.3)
         saw = self._operator.sees_forward(number, name, self.idle)
         motion = Motion.of(number, before, reports, saw)
         fault = motion.fault()
@@ -554,7 +660,7 @@ class BringUp:
         velocity = reports[-1].wheels[0].velocity_rpm
         self._wish = wish
         if velocity is None or velocity < REST_RPM:
-            self._wish = Wish()
+            self._wish = self.rest
             raise FailError("the wheel does not turn")
 
     def _at_rest(self, begin: float, what: str) -> str:
@@ -576,7 +682,7 @@ class BringUp:
             self._wait(lambda report: report.stop, "the robot reports no stop")
             seen = self._at_rest(begin, "the stop")
         finally:
-            self._wish = Wish()
+            self._wish = self.rest
         self._arm()
         return seen
 
@@ -589,7 +695,7 @@ class BringUp:
             )
             seen = self._at_rest(begin, "the emergency stop")
         finally:
-            self._wish = Wish()
+            self._wish = self.rest
         self._do("estop release", "release the emergency stop")
         self._observe(self._wish, 0.5)
         acknowledge(self.orders)
@@ -693,7 +799,7 @@ def perform(bring_up: BringUp, record: Record) -> None:
             print(f"   {outcome.verdict.upper()}: {outcome.seen}")
             if outcome.advice:
                 print(f"   next: {outcome.advice}")
-        bring_up.orders.end(Wish())
+        bring_up.orders.end(bring_up.rest)
     except BaseException:
         bring_up.orders.stop()
         raise

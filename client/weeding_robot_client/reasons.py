@@ -17,7 +17,7 @@ CAUSES = {
     "missing measurement": "a measured value is missing",
     "Hall signals": "too many Hall edges of a wheel are implausible: check its cable",
     "reversal": "a wheel could not change its direction in time",
-    "clock lost": "the clock of the microcontroller was lost",
+    "clock lost": "the clock of the microcontroller was lost, or did not start",
 }
 NOT_MOVING = "The robot does not move:"
 # The key is the cause of a protective stop.
@@ -27,7 +27,7 @@ CHECKS = {
 }
 ACTIONS = {
     "no order": "Send orders: ./wr drive, or the remote control.",
-    "not armed": "Send neutral orders for 0.5 s: ./wr arm, or press no key in ./wr drive.",
+    "not armed": "Send neutral orders for 0.5 s, then drive at once: ./wr drive does both.",
     "protective stop": "Remove the cause, then acknowledge: ./wr acknowledge, or key a in "
     "./wr drive.",
 }

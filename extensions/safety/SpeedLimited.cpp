@@ -10,8 +10,8 @@ namespace {
 
 // Factors for the permitted change of the voltage in a cycle. Their values are the rounded gains of
 // the velocity control.
-constexpr std::int32_t kPerVelocity = 21;      // [mV] for each rpm below the speed limit
-constexpr std::int32_t kPerAcceleration = 47;  // [mV] for each rpm of change in a cycle
+constexpr std::int32_t kPerVelocity = 21;      // [mV per rpm] below the speed limit
+constexpr std::int32_t kPerAcceleration = 47;  // [mV per rpm] of change in a cycle
 constexpr std::int32_t kTenths = 10;
 
 // Returns an assumed voltage for a wheel whose voltage is unknown. This voltage is lower than the

@@ -70,7 +70,7 @@ enum class StopCause : std::uint8_t {
   MissingMeasurement = 8,  ///< a value is missing or constant too long, or stored data are damaged
   HallSignals = 9,         ///< too many Hall edges of a wheel are implausible
   Reversal = 10,           ///< a wheel could not change its orientation in time
-  ClockLost = 11           ///< the clock failed, and the clock monitor reset the microcontroller
+  ClockLost = 11           ///< the clock failed or did not start
 };
 
 /// @brief State of the safety functions in one control cycle.

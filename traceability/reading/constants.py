@@ -49,7 +49,8 @@ def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
         parsed = number_of(part)
         if parsed is not None:
             number, unit = parsed
-            yield f".{member.spelling}", number, unit or unit_in(member.referenced.raw_comment)
+            unit = unit or unit_on_line(cursor) or unit_in(member.referenced.raw_comment)
+            yield f".{member.spelling}", number, unit
 
 
 def value_of(cursor: Cursor) -> Cursor | None:
@@ -112,13 +113,20 @@ def unit_of_type(value: Cursor) -> str:
 def unit_beside(cursor: Cursor) -> str:
     """Returns the unit that a comment states for a constant. The comment is above the constant or
     at the end of its source line."""
-    if stated := unit_in(cursor.raw_comment):
-        return stated
+    return unit_in(cursor.raw_comment) or unit_on_line(cursor)
+
+
+def unit_on_line(cursor: Cursor) -> str:
+    """Returns the unit that a comment at the end of the source line states for a constant."""
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line
     start = SourceLocation.from_position(unit, file, line, 1)
     end = SourceLocation.from_position(unit, file, line + 1, 1)
     tokens = unit.get_tokens(extent=SourceRange.from_locations(start, end))
-    texts = [token.spelling for token in tokens if token.kind == TokenKind.COMMENT]
+    texts = [
+        token.spelling
+        for token in tokens
+        if token.kind == TokenKind.COMMENT and token.location.line == line
+    ]
     return unit_in(texts[0] if texts else None)
 
 

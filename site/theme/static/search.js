@@ -11,7 +11,7 @@
     ("a about an and any are as at be been by could did do does doing each for from get given gets got had " +
       "happen happens has have here how i if in into is it its just kind look made make may me much must my " +
       "need needs of on or our shall should so than that the their them then there these they thing this those " +
-      "through to want was way we were what when where which who whose why will with work works would you your").split(" "),
+      "through to want was way we were what when where which who whose will with work works would you your").split(" "),
   );
   /* The weight of a group is less than 1 if readers seldom search for its entries. All other groups have the weight
      1. */

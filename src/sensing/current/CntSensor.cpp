@@ -13,8 +13,8 @@ namespace {
 
 // The 4096 steps of the converter cover 3300 mV. The sensor outputs 0.1 mV per mA. Therefore the
 // range of the converter is 33000 mA.
-constexpr std::int32_t kMilliamperes = 33000;
-constexpr std::int32_t kRange = 4096;
+constexpr std::int32_t kMilliamperes = 33000;  // [mA]
+constexpr std::int32_t kRange = 4096;          // [steps of the converter]
 
 // Greatest mean that counts as a measurement [mA]. The range of the converter ends at 16.5 A in
 // each direction.

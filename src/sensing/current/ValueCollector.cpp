@@ -15,9 +15,9 @@ constexpr std::int32_t kZeroTolerance = kFullScale / 20;
 
 // Number of steps of the converter in 15 A. The sensor outputs 0.1 mV per mA, and the range of
 // 3300 mV has 4096 steps. 1861 steps are 14.993 A, and 1862 steps are 15.002 A.
-constexpr std::int32_t kGreatest = 15000 * 4096 / 33000;
+constexpr std::int32_t kGreatest = 15000 * 4096 / 33000;  // [steps of 8.06 mA]
 
-constexpr std::uint32_t kTripSamples = 5;
+constexpr std::uint32_t kTripSamples = 5;  // [samples]
 
 }  // namespace
 

@@ -22,7 +22,7 @@ constexpr Velocity kMoving{300};
 
 // Greatest permitted number of implausible edges in a cycle. One short disturbance on the wire of a
 // sensor causes two implausible edges.
-constexpr std::uint32_t kMaxImplausible = 3;
+constexpr std::uint32_t kMaxImplausible = 3;  // [edges per cycle]
 
 // The velocity of one turn in a microsecond is 600000000 [0.1 rpm]. The velocity of one edge in a
 // microsecond is this number divided by the number of edges per turn.

@@ -8,7 +8,7 @@ namespace {
 
 // docs/wheel_control.rst derives these values.
 constexpr std::int32_t kWinding = SystemConstants::instance().winding();
-constexpr PiGains kGains{.proportional = 0, .integral = kWinding / 2};
+constexpr PiGains kGains{.proportional = 0, .integral = kWinding / 2};  // [uV per mA]
 constexpr std::int32_t kThousand = 1000;
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kDecay = 637;  // [1/1000] part of a deviation that remains after a cycle
 constexpr std::int32_t kMean = 806;   // [1/1000] mean of the remaining part during a cycle
-constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
+constexpr PiGains kGains{.proportional = 4650, .integral = 2094};  // [uV per 0.1 rpm]
 
 // Lost edges make the measured velocity too low. The velocity is doubtful when the motor induces
 // more voltage than this velocity explains, and the tolerances of supply, winding and motor

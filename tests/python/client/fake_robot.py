@@ -25,6 +25,8 @@ RPM_PER_VOLT = 12.0
 COUNTS_PER_TURN = 60
 NONE, NO_ORDER, STOP, NOT_ARMED, PROTECTIVE_STOP = range(5)
 EMERGENCY_STOP = 1
+STEERING_FAULT = 2
+DEAD_BAND = 15
 
 
 @dataclass
@@ -62,7 +64,10 @@ class FakeRobot:
     noise: bytes = b""
     silent: bool = False
     has_safety: bool = True
-    angle: int = 0
+    angle: int = 0  # position of the steering [0.01 degree]
+    steering_speed: int = 50  # greatest turn in a cycle [0.01 degree]
+    steering_reversed: bool = False
+    steering_stuck: bool = False
     enable: str = "pc"
     transmitter: bool = True
     # If true, the receiver repeats the last pulses when the transmitter is off.
@@ -194,7 +199,7 @@ class FakeRobot:
             self._source, read = 0, True
         self.rc_stop = self.enable == "stop" or (not self.transmitter and not self.hold_last)
         if self.estop and self.estop_wired:
-            self.latched = EMERGENCY_STOP
+            self.latched = self.latched or EMERGENCY_STOP
         held = self.stop or self.rc_stop or self.latched or not live
         if held or commands & 2:
             self.armed, self._neutral_since = False, None
@@ -204,8 +209,22 @@ class FakeRobot:
             moves = live and (self.armed or not self.has_safety) and self._source == 1
             scale = {0: 0.1, 1: RPM_PER_VOLT / 1000, 2: 0.0}[points[2 * number]]
             wheel.step(points[2 * number + 1] * scale if moves else 0.0, CYCLE_S)
+        if live and self.armed and self._source == 1:
+            self._steer(values[2])
         if self.connected and not self.silent:
             self._send(0x82, self._cycle, self._report(read, values))
+
+    def _steer(self, target: int) -> None:
+        """Turns the steering. Latches a fault if it does not follow."""
+        away = target - self.angle
+        if abs(away) <= DEAD_BAND:
+            return
+        if self.steering_reversed or self.steering_stuck:
+            if self.steering_reversed:
+                self.angle += self.steering_speed if away < 0 else -self.steering_speed
+            self.latched = self.latched or STEERING_FAULT
+        else:
+            self.angle += max(-self.steering_speed, min(self.steering_speed, away))
 
     def _inhibit(self) -> int:
         if not self.has_safety:

@@ -23,7 +23,7 @@ from weeding_robot_client.operators import Control, OperatorError, SimulatedOper
 pytestmark = pytest.mark.runs_tools
 
 ROOT = Path(__file__).parents[3]
-STEPS = 19
+STEPS = 20
 STEPS_OF_RC = 4
 WHEEL_0 = "wheel 0, front left"
 
@@ -157,6 +157,68 @@ def test_a_wheel_that_is_connected_wrongly_is_found_out(
     wheel = step(record, "wheel 1, front right")
     assert finding in wheel.seen
     assert wheel.advice
+
+
+@pytest.mark.parametrize(
+    ("fault", "finding"),
+    [
+        ("steering_reversed", "the steering turns against the order"),
+        ("steering_stuck", "the steering does not follow"),
+    ],
+)
+def test_a_steering_that_is_connected_wrongly_is_found_before_a_wheel_turns(
+    mcu: Any, control: Path, images: Path, fault: str, finding: str
+) -> None:
+    mcu.angle = 80
+    setattr(mcu, fault, True)
+    record = go(mcu, control, images, has_rc=False, last=WHEEL_0)
+    failed = [name for name, verdict in verdicts(record).items() if verdict != "pass"]
+    assert failed == ["steering", WHEEL_0]
+    steering = step(record, "steering")
+    assert "ordered to the left" in steering.seen
+    assert finding in steering.seen
+    assert "steering motor" in steering.advice
+    assert not mcu.latched
+
+
+def test_a_steering_that_misses_its_angle_fails(
+    mcu: Any, control: Path, images: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(bring_up, "STEERING_S", 0.3)
+    mcu.steering_speed = 1
+    record = go(mcu, control, images, has_rc=False, last="steering")
+    assert "instead of 5.0 degrees" in step(record, "steering").seen
+
+
+def test_the_front_wheels_must_turn_as_the_reported_angle(
+    mcu: Any, control: Path, images: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(SimulatedOperator, "confirm", lambda _, text, __: "Did the" not in text)
+    steering = step(go(mcu, control, images, has_rc=False, last="steering"), "steering")
+    assert steering.verdict == "fail"
+    assert "the front wheels do not" in steering.seen
+    assert "exchange the two leads of one winding" in steering.advice
+
+
+def test_the_steering_gets_no_order_to_turn_before_its_step(
+    mcu: Any, control: Path, images: Path
+) -> None:
+    mcu.angle = -310
+    mcu.steering_stuck = True
+    record = go(mcu, control, images, last="wheels off the ground")
+    assert record.passed, verdicts(record)
+    assert mcu.armed
+    assert {frame.payload[6:8] for frame in mcu.of_kind(0x04)} <= {
+        (0).to_bytes(2, "little"),
+        (-310).to_bytes(2, "little", signed=True),
+    }
+
+
+def test_an_earlier_protective_stop_does_not_hide_the_emergency_stop(
+    mcu: Any, control: Path, images: Path
+) -> None:
+    mcu.latched = 2  # steering fault
+    assert go(mcu, control, images, has_rc=False, last="emergency stop").passed
 
 
 def test_only_the_wheel_of_the_step_gets_1_volt(mcu: Any, control: Path, images: Path) -> None:

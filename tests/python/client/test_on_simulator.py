@@ -259,6 +259,16 @@ def test_a_bring_up_finds_a_wheel_that_is_connected_wrongly(
     assert finding in failed["wheel 1, front right"]
 
 
+def test_a_bring_up_finds_a_steering_that_does_not_follow(
+    robot: Path, world: Control, images: Path
+) -> None:
+    world.do("fault stall")
+    record = brought_up(robot, world, images)
+    failed = {step.step: step.seen for step in record.steps if step.verdict == "fail"}
+    assert list(failed) == ["steering"]
+    assert "the steering does not follow" in failed["steering"]
+
+
 def test_a_bring_up_finds_a_receiver_without_fail_safe(
     robot: Path, world: Control, images: Path
 ) -> None:

@@ -49,6 +49,52 @@ def test_the_reasons_in_reports_are_messages(tmp_path: Path) -> None:
     assert (message.text, message.code) == ("Send orders: ./wr drive.", None)
 
 
+CLIENT = """
+def open_link(path: Path) -> int:
+    try:
+        return Link(path)
+    except BusyError:
+        print(f"{path} is in use.", file=sys.stderr)
+        print("End that program, and try again.", file=sys.stderr)
+        return BUSY
+
+
+def watch(self) -> None:
+    print(f"\\r\\x1b[Kno connection on {self.path}, trying", end="")
+    print("not a message")
+    return later
+"""
+ORDERS = """
+def arm(reason: str) -> str:
+    return reason or "The robot reads no order of the PC."
+"""
+SHELL = """
+give_up "$root cannot be written" \\
+    "Copy the project to a folder that you may write."
+echo "wr: there is no command '$1'" >&2
+usage >&2
+exit 2
+"""
+
+
+def test_printed_and_returned_messages_of_the_client(tmp_path: Path) -> None:
+    found = texts_of(tmp_path, CLIENT, "client/weeding_robot_client/options.py")
+    assert [(message.text, message.code, message.line) for message in found] == [
+        ("no connection on …, trying", None, 12),
+        ("… is in use. End that program, and try again.", 5, 6),
+    ]
+    (message,) = texts_of(tmp_path / "more", ORDERS, "client/weeding_robot_client/orders.py")
+    assert message.text == "The robot reads no order of the PC."
+
+
+def test_messages_of_the_shell_script(tmp_path: Path) -> None:
+    (tmp_path / "wr").write_text(SHELL, encoding="utf-8")
+    assert [(message.text, message.code) for message in messages(tmp_path)] == [
+        ("… cannot be written. Copy the project to a folder that you may write.", 3),
+        ("there is no command '…'", 2),
+    ]
+
+
 def test_each_message_of_the_project_has_one_anchor() -> None:
     found = messages(Path(__file__).parents[3])
     assert len(found) > 100

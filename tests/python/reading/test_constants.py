@@ -22,6 +22,10 @@ constexpr Angle milliseconds(int count) { return Angle(count * 1000); }
 inline constexpr int kMost = 128;
 inline constexpr int kWhole = kMost + 2;
 inline constexpr int kRate = 1'000;  // [Hz]
+inline constexpr int kPlain = 5;
+
+// Greatest speed of something else [rpm].
+
 enum class Kind : unsigned char { First = 0x01, Last = 0x82 };
 struct Gains {
   int proportional = 0;  ///< part of the error [mV]
@@ -39,6 +43,7 @@ struct Limits {
   static int changed;
 };
 constexpr Gains kGains{.proportional = 5, .integral = 7};
+constexpr Gains kOther{.proportional = 5, .integral = 7};  // [mV per rpm]
 }  // namespace wr
 """
 
@@ -63,6 +68,7 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
         ("Limits::kMost", 128, ""),
         ("kWhole", 130, ""),
         ("kRate", 1000, "Hz"),
+        ("kPlain", 5, ""),
         ("Kind::First", 1, ""),
         ("Kind::Last", 0x82, ""),
         ("Limits::most", 3200, "0.1 rpm"),
@@ -71,6 +77,8 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
         ("Limits::kNear", 25, "0.01 degree"),
         ("kGains.proportional", 5, "mV"),
         ("kGains.integral", 7, ""),
+        ("kOther.proportional", 5, "mV per rpm"),
+        ("kOther.integral", 7, "mV per rpm"),
     ],
 )
 def test_a_constant_has_its_value_and_unit(

@@ -28,7 +28,7 @@ WITHOUT_FILE = {
     f"sim --board --trace {NONE}.csv --cycles 1": "make the folder",
     "impact src/none.hpp": "name a file of the project",
     f"flash --image {NONE}.bin": "./wr firmware",
-    f"flash --bluetooth-key {NONE}.key": "xxd -p",
+    f"flash --bluetooth-key {NONE}.key": "od -An -tx1",
     f"bench --port {NONE}": "connect the board",
     f"drive --script {NONE}": "--script",
     f"monitor --link {NONE}": "--link",
