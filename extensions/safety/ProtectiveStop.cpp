@@ -40,6 +40,8 @@ void ProtectiveStop::stand(std::uint32_t cycle) {
 }
 
 void ProtectiveStop::recover(std::uint32_t cycle) {
+  // The operator saw the present stop, but no opening of the contact that caused no stop yet.
+  const bool unseen = !latched() && emergencyStop_.opened();
   cause_ = StopCause::None;
   wheel_ = Protection::kNoWheel;
   memory_.save({});
@@ -47,7 +49,7 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  if (emergencyStop_.open()) {
+  if (emergencyStop_.open() || unseen) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
 }

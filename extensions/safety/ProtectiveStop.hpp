@@ -50,7 +50,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   void stand(std::uint32_t cycle) override;
 
   /// @brief Releases the protective stop, and forwards the acknowledgement. If the contact of the
-  /// emergency-stop circuit is open, latches a protective stop again.
+  /// emergency-stop circuit is open, or has opened without causing a protective stop yet, latches a
+  /// protective stop.
   /// @param cycle number of the cycle
   /// @satisfies FR-291
   /// @isr{no}

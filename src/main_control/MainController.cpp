@@ -79,11 +79,17 @@ ControlData& MainController::getData() {
 void MainController::applyControl() {
   const std::optional<SetPoints>& setPoints = data_.setPoints();
   const bool stopped = data_.stopped();
-  if (stopped || !setPoints || (setPoints->acknowledge && !setPoints->neutral())) {
+  if (stopped || !setPoints) {
     holdSystems();
   } else if (setPoints->acknowledge) {
-    systems_.acknowledge(data_.cycle());
-    data_.saveHeld(true);
+    // A waiting cycle does not repeat the acknowledgement: it would also release a fault that
+    // occurred after the order.
+    if (setPoints->neutral() && !setPoints->repeated) {
+      systems_.acknowledge(data_.cycle());
+      data_.saveHeld(true);
+    } else {
+      holdSystems();
+    }
   } else {
     systems_.control(*setPoints, data_.cycle());
     data_.saveHeld(false);

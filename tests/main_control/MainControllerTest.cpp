@@ -106,6 +106,16 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
+/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last. It
+/// holds the control systems.
+/// @verifies FR-299
+TEST_F(MainControllerTest, FR299_AWaitingCycleDoesNotAcknowledge) {
+  data.saveSetPoints({.acknowledge = true});
+  data.beginCycle(Instant(1));
+  controller.applyControl();
+  EXPECT_EQ(system.calls, kHeld);
+}
+
 /// @brief If any mode reports a stop, the control systems are held. The operation state still runs
 /// in every cycle.
 /// @verifies FR-21

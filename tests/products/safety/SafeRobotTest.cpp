@@ -278,6 +278,25 @@ TEST_F(SafeRobot, FR271_AShortPressStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
+/// @brief The PC acknowledges, and then sends no order. An emergency stop that is pressed between
+/// the next two cycles stops the robot, although the acknowledgement is still the last order.
+/// @verifies FR-271
+/// @verifies FR-299
+TEST_F(SafeRobot, FR271_AShortPressAfterAnAcknowledgementStops) {
+  armByPc();
+  order(5, 0);
+  line.send(pc.order({.id = 1, .acknowledge = true}));
+  cycle();
+  EXPECT_EQ(protection().cause, StopCause::None);
+  const Instant pulse = line.world.nextPulse();
+  line.world.runUntil(pulse + milliseconds(-95));
+  line.robot().setEmergencyStop(plant::EmergencyStop::Brake);
+  line.world.runUntil(pulse + milliseconds(-5));
+  line.robot().setEmergencyStop(plant::EmergencyStop::Released);
+  cycle();
+  EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
+}
+
 /// @brief A reset does not release the protective stop that an emergency stop has caused. After the
 /// reset, the robot stays at rest until the remote control acknowledges the stop.
 /// @verifies FR-291

@@ -314,6 +314,23 @@ TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
+/// @brief A short opening of the contact has caused no protective stop yet. An acknowledgement that
+/// is read in the next cycle causes this stop. The next acknowledgement releases it.
+/// @verifies FR-271
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR271_AnOpeningThatCausedNoStopIsNotAcknowledged) {
+  contact.set(true);
+  for (int tick = 0; tick < 3; ++tick) {
+    watch.sample();
+  }
+  contact.set(false);
+  watch.sample();
+  acknowledge(stop);
+  EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
+  acknowledge(stop);
+  EXPECT_EQ(protection(stop).cause, StopCause::None);
+}
+
 /// @brief An acknowledgement does not release the protective stop while the contact of the
 /// emergency stop is open.
 /// @verifies FR-271

@@ -261,7 +261,7 @@ void UsualDesign::control() {
   held_ = stop_ || countNoMsg_ > kN || !setPoints_;
   if (!held_ && setPoints_->acknowledge) {
     held_ = true;
-    if (setPoints_->neutral()) {
+    if (setPoints_->neutral() && orderRead_) {
       release(wheel);
     }
   }
