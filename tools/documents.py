@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, TextIO
 from tools.steps import FailureError, Steps, stoppable
 from traceability.exports.revision import revision_of, write_revision
 from traceability.reading.build_evidence import git
+from traceability.reading.plain_constants import plain_constants
 from traceability.reading.results import RESULTS, read_json
 from traceability.schema import Finding, Place
 from traceability.whole_file import write_whole
@@ -207,7 +208,7 @@ class Pages:
     def stay(self, model: Model) -> bool:
         """Returns whether the pages need not be built, because their links and warnings cannot have
         changed."""
-        self.linked = linked_by(model, self.texts)
+        self.linked = linked_by(self.root, model, self.texts)
         last = self.root / LINKED
         same = self.keep and last.exists() and last.read_text(encoding="utf-8") == self.linked
         (self.root / CURRENT).unlink(missing_ok=True)
@@ -222,13 +223,13 @@ class Pages:
             write_whole(self.root / LINKED, self.linked)
 
 
-def linked_by(model: Model, texts: str) -> str:
+def linked_by(root: Path, model: Model, texts: str) -> str:
     """Returns a hash of everything that a link of a page can depend on: the texts and the names."""
     names: list[object] = [texts, sorted(model.files)]
     names += [[module.name, *(m.id for m in module.methods)] for module in model.modules.values()]
     names += [list(model.requirements), list(model.tests), list(model.patterns)]
     names += [list(model.machines), list(model.safety.goals), list(model.safety.hazards)]
-    names += [sorted(model.constants), sorted(model.logic_modules)]
+    names += [sorted(model.constants), sorted(plain_constants(root)), sorted(model.logic_modules)]
     return hashlib.sha256(json.dumps(names).encode()).hexdigest()
 
 

@@ -7,7 +7,7 @@ import os
 import re
 from pathlib import Path
 
-KEY_AT = 0x410
+KEY_AT = 0x410  # in the flash [address]
 KEY_BYTES = 16
 ERASED = b"\xff" * KEY_BYTES
 ADVICE = (

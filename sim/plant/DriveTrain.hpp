@@ -30,10 +30,10 @@ class DriveTrain {
  public:
   static constexpr double kRatio = 10.0;       ///< turns of the motor per turn of the wheel
   static constexpr double kEfficiency = 0.85;  ///< efficiency of the gear
-  static constexpr double kRadius = 0.272;     ///< radius of the wheel, m
+  static constexpr double kRadius = 0.272;     ///< radius of the wheel [m]
   static constexpr double kCoggingPeriods =
       90.0;  ///< number of cogging periods per turn of the motor
-  static constexpr double kSlipStiffness = 3000.0;  ///< stiffness of the tyre, N for a slip of 1
+  static constexpr double kSlipStiffness = 3000.0;  ///< stiffness of the tyre [N], for a slip of 1
   static constexpr double kRelaxation = 0.1;        ///< distance in which the tyre's force builds
                                                     ///< up, m
   static constexpr double kTyreDamping = 500.0;     ///< damping of the tyre, N s/m

@@ -19,14 +19,14 @@ inline constexpr std::size_t kWheels = 4;
 /// real motor, two values differ from the values that the firmware assumes. The resistance differs
 /// by 5 %, and the torque constant differs by 4 %.
 struct MotorParameters {
-  double resistance = 1.42;      ///< ohm, winding, cable and driver
-  double inductance = 1.5e-3;    ///< H
-  double constant = 0.52;        ///< V s/rad and N m/A
-  double friction = 0.04;        ///< N m, while the motor turns
-  double staticFriction = 0.06;  ///< N m, at rest
-  double damping = 0.5e-3;       ///< N m s/rad
-  double cogging = 0.02;         ///< N m, greatest torque of the magnets
-  double rotorInertia = 1.5e-3;  ///< kg m^2
+  double resistance = 1.42;      ///< winding, cable and driver [ohm]
+  double inductance = 1.5e-3;    ///< [H]
+  double constant = 0.52;        ///< [V s/rad], and the same number in N m/A
+  double friction = 0.04;        ///< while the motor turns [N m]
+  double staticFriction = 0.06;  ///< at rest [N m]
+  double damping = 0.5e-3;       ///< [N m s/rad]
+  double cogging = 0.02;         ///< greatest torque of the magnets [N m]
+  double rotorInertia = 1.5e-3;  ///< [kg m^2]
   double wheelInertia = 0.28;    ///< kg m^2, for a disc of 7.5 kg
 };
 
@@ -41,10 +41,10 @@ struct CurrentSensorParameters {
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
   std::array<CurrentSensorParameters, kWheels> currentSensors{};
-  double mass = 175.0;              ///< kg, from the robot's public description
-  double yawInertia = 85.0;         ///< kg m^2, for a box of 2.0 m by 1.4 m with this mass
-  double supply = 24.0;             ///< V, of the battery without load
-  double batteryResistance = 0.03;  ///< ohm, of two lead batteries, cable and fuse
+  double mass = 175.0;              ///< from the robot's public description [kg]
+  double yawInertia = 85.0;         ///< for a box of 2.0 m by 1.4 m with this mass [kg m^2]
+  double supply = 24.0;             ///< of the battery without load [V]
+  double batteryResistance = 0.03;  ///< of two lead batteries, cable and fuse [ohm]
   double rollingResistance = 0.04;  ///< fraction of the weight, while the robot rolls on a meadow
   double staticResistance = 0.05;   ///< fraction of the weight, while the robot is at rest
   double angleGain = 1.0;           ///< factor of the nominal 80 degrees over 3.3 V

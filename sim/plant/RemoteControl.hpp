@@ -53,7 +53,7 @@ class RemoteControl {
   static constexpr std::chrono::milliseconds kPeriod{20};
   static constexpr std::chrono::microseconds kMiddle{1500};
   static constexpr std::chrono::microseconds kDeflection{500};
-  static constexpr std::int64_t kJitter = 2;  ///< us
+  static constexpr std::int64_t kJitter = 2;  ///< [us]
 
   /// @brief Moves the sticks and switches the transmitter on, or switches it off. The change takes
   /// effect with the next pulses.

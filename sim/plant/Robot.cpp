@@ -12,11 +12,11 @@ constexpr int kParts = 5;  // number of parts of a step
 constexpr double kPartSeconds = 2e-4;
 constexpr double kStepSeconds = 1e-3;
 
-constexpr double kCurrentNoise = 0.05;  // A
-constexpr double kAngleNoise = 0.05;    // degrees
+constexpr double kCurrentNoise = 0.05;  // [A]
+constexpr double kAngleNoise = 0.05;    // [degree]
 constexpr double kMisplacement =
-    0.03;  // greatest displacement of a sensor, as a fraction of the distance between two edges
-constexpr double kJitter = 5'000;  // ns
+    0.03;  // greatest displacement of a sensor [fraction] of the distance between two edges
+constexpr double kJitter = 5'000;  // [ns]
 
 constexpr double kDegreesPerEdge = 90.0;  // electrical degrees
 constexpr std::chrono::nanoseconds kGlitch{30'000};
@@ -25,7 +25,7 @@ constexpr std::chrono::nanoseconds kGlitch{30'000};
 constexpr double kOpenShare = 0.05;
 constexpr double kNoPower =
     0.05;  // W; the power that noise and rounding cause is less than this limit
-constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes
+constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes [s]
 
 // Purposes of the random numbers.
 constexpr std::uint32_t kForCurrent = 0;

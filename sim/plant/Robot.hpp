@@ -74,11 +74,10 @@ enum class EmergencyStop : std::uint8_t {
 class Robot {
  public:
   static constexpr double kGravity = 9.81;   ///< m/s^2
-  static constexpr double kReference = 3.3;  ///< V; full scale of the converters
-  static constexpr double kMiddle = 1.65;    ///< V; the sensors have this voltage without current,
-                                             ///< and with the steering straight ahead
-  static constexpr double kPerAmpere = 0.1;  ///< V/A of the current sensors
-  static constexpr double kAngleRange = 80.0;  ///< degrees over the whole scale
+  static constexpr double kReference = 3.3;  ///< full scale of the converters [V]
+  static constexpr double kMiddle = 1.65;    ///< of the sensors without current, straight ahead [V]
+  static constexpr double kPerAmpere = 0.1;  ///< [V/A] of the current sensors
+  static constexpr double kAngleRange = 80.0;  ///< [degree] over the whole scale
   static constexpr std::chrono::milliseconds kStep{1};
 
   /// @brief Puts the nominal robot on the ground, at rest.

@@ -5,11 +5,11 @@ namespace wr::plant {
 /// @brief The steering device with its stepper motor, gear, end stops and switches.
 class SteeringGear {
  public:
-  static constexpr double kStep = 0.05;  ///< degrees
+  static constexpr double kStep = 0.05;  ///< [degree]
   static constexpr int kLastStep =
       680;  ///< number of steps from the middle to a mechanical limit, which is at 34 degrees
   static constexpr double kSwitch =
-      33.5;  ///< angle at which the switch of an end stop opens, degrees
+      33.5;  ///< angle at which the switch of an end stop opens [degree]
 
   /// @brief Switches the current of the motor on or off.
   /// @param enabled false: steps are lost

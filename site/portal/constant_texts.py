@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import ast
 import html
+import operator
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 
 from portal.links import Links
 from traceability.model.design_model import Model
+from traceability.reading.plain_constants import PlainConstant, plain_constants
 from traceability.schema import Constant
 
 # Unit in the code -> (number, unit on a page): one unit on a page is this number of units in the
 # code.
-SHOWN = {
+SHOWN: dict[str, tuple[float, str]] = {
     "0.01 degree": (100, "degree"),
     "0.1 rpm": (10, "rpm"),
     "0.01 %": (100, "%"),
@@ -19,31 +25,102 @@ SHOWN = {
     "mA": (1000, "A"),
     "mOhm": (1000, "ohm"),
     "1/1000": (1000, ""),
+    "fraction": (0.01, "%"),
 }
 # Unit -> (number, larger unit): one larger unit is this number of units. A text shows the larger
 # unit when the value is a whole number of larger units.
-LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
+LONGER = {
+    "ns": (1000, "us"),
+    "us": (1000, "ms"),
+    "ms": (1000, "s"),
+    "Hz": (1_000_000, "MHz"),
+}
+HEXADECIMAL = "address"  # unit of a number that is shown in hexadecimal digits
+PLURALS = ("degree", "byte", "step", "cycle")
+ROLE = re.compile(r":constant:`([^`]+)`")
+NAME = re.compile(r"[A-Za-z_]\w*(?:(?:::|\.)\w+)*")
+UNIT = re.compile(r" \[([^\]]+)\]$")
+OPERATIONS = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
+Constants = Mapping[str, Constant | PlainConstant]
 
 
-def constant_text(constant: Constant) -> str:
+def constant_text(constant: Constant | PlainConstant) -> str:
     """Returns the value and the unit, as in ``100 ms``."""
-    number, unit = float(constant.number), constant.unit.partition(" per ")[0]
+    return number_text(float(constant.number), constant.unit)
+
+
+def number_text(number: float, unit: str) -> str:
+    unit = unit.partition(" per ")[0]
+    if unit == HEXADECIMAL:
+        return f"0x{int(number):X}"
     steps, unit = SHOWN.get(unit, (1, unit))
     number /= steps
     while unit in LONGER and number and number % LONGER[unit][0] == 0:
         steps, unit = LONGER[unit]
         number /= steps
-    if unit == "degree" and abs(number) > 1:
-        unit = "degrees"
-    return f"{number:.15g} {unit}".strip()
+    if unit in PLURALS and abs(number) > 1:
+        unit += "s"
+    return f"{number:.12g} {unit}".strip()
 
 
-def constant_links(model: Model, links: Links) -> dict[str, str]:
-    """Returns for each constant its text in HTML."""
+def constant_links(model: Model, links: Links, root: Path) -> dict[str, str]:
+    """Returns for each constant its text in HTML, and also for each formula on a page in ``docs``.
+
+    A formula such as ``2 * kFirst / kSecond [ms]`` consists of constants, numbers and operations.
+    The unit of its result is in square brackets. The constants have the values and the units of the
+    code.
+    """
+    constants: Constants = {**plain_constants(root), **model.constants}
     texts = {}
-    for name, constant in model.constants.items():
-        text = html.escape(constant_text(constant).replace(" ", "\N{NO-BREAK SPACE}"))
-        text = text.replace("^2", "<sup>2</sup>")
+    for name, constant in constants.items():
+        text = in_html(constant_text(constant))
         address = links.source(constant.place)
         texts[name] = f'<a href="{address}" title="{name}">{text}</a>' if address else text
-    return texts
+    return texts | dict(formulas(root, constants))
+
+
+def formulas(root: Path, constants: Constants) -> Iterator[tuple[str, str]]:
+    for path in sorted((root / "docs").glob("*.rst")):
+        for role in ROLE.findall(path.read_text(encoding="utf-8")):
+            formula = " ".join(role.split())
+            if formula not in constants and (number := value_of(formula, constants)) is not None:
+                unit = UNIT.search(formula)
+                text = in_html(number_text(number, unit[1] if unit else ""))
+                yield formula, f'<span title="{html.escape(formula)}">{text}</span>'
+
+
+def value_of(formula: str, constants: Constants) -> float | None:
+    """Returns the value of a formula. Returns None if the formula contains an unknown name, or is
+    not valid."""
+    names: list[str] = []
+
+    def replaced(match: re.Match[str]) -> str:
+        names.append(match[0])
+        return f"_{len(names) - 1}"
+
+    text = NAME.sub(replaced, UNIT.sub("", formula))
+    try:
+        return evaluated(ast.parse(text, mode="eval").body, [constants[name] for name in names])
+    except (KeyError, SyntaxError, ValueError, ZeroDivisionError):
+        return None
+
+
+def evaluated(node: ast.expr, values: list[Constant | PlainConstant]) -> float:
+    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
+        return node.value
+    if isinstance(node, ast.Name):
+        return float(values[int(node.id[1:])].number)
+    if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
+        left, right = evaluated(node.left, values), evaluated(node.right, values)
+        return float(OPERATIONS[type(node.op)](left, right))
+    raise ValueError(f"this is not a formula: {ast.unparse(node)}")
+
+
+def in_html(text: str) -> str:
+    text = html.escape(text.replace(" ", "\N{NO-BREAK SPACE}"))
+    return re.sub(r"\^(\d)", r"<sup>\1</sup>", text)

@@ -282,7 +282,7 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
             for name in items
         },
         "pattern": {name: str(names.pat(name)) for name in model.patterns},
-        "constant": constant_links(model, links),
+        "constant": constant_links(model, links, portal.root),
         "check": {name: str(names.check(name)) for name in portal.checks},
         "test": {name: str(names.test(name)) for name in model.tests},
         "source": {

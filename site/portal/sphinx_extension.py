@@ -30,7 +30,8 @@ class NameRole(SphinxRole):
         self.targets = targets
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        target = self.targets.get(self.text.removesuffix("()"))
+        name = " ".join(self.text.split())  # a formula may be longer than a line
+        target = self.targets.get(name.removesuffix("()"))
         if target is None:
             text = f"unknown target: there is no {self.name} {self.text!r}"
             LOGGER.warning(text, location=self.get_location())

@@ -25,7 +25,16 @@ from portal.pin_map import pin_map
 from portal.portal import SITE, Page, Portal
 from portal.sphinx_extension import NAMES
 from portal.sphinx_warnings import WarningCollector
-from portal.tables import COMMANDS, DEBIAN, PRODUCTS, command_table, package_table, product_table
+from portal.tables import (
+    COMMANDS,
+    DEBIAN,
+    PRODUCTS,
+    ROOMS,
+    command_table,
+    package_table,
+    product_table,
+    room_table,
+)
 from portal.writing import remove_others, write_changed
 from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
@@ -82,6 +91,7 @@ INCLUDED = (
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
+    (ROOMS, "rooms.inc", room_table),
 )
 FRAME = "frame.txt"  # file with the layout and the navigation that surround each body
 INDEX = "search_index.js"

@@ -13,7 +13,12 @@ from traceability.reading.products import LIST, listed
 COMMANDS = Path("wr")
 DEBIAN = Path("setup/debian.txt")
 PRODUCTS = LIST
+ROOMS = Path("sim/CMakeLists.txt")
 COMMAND = re.compile(r"^  ([a-z-]+) +(.+)$", re.MULTILINE)
+# A folder of the simulator: the comment above it, its name, and the libraries that it links.
+ROOM = re.compile(r"((?:^ *#.*\n)+) *add_room\((\w+) (?:STATIC|OBJECT) ?([^)]*)\)", re.MULTILINE)
+EACH_ROOM = re.compile(r"^ *add_room\(", re.MULTILINE)
+ROOM_LIBRARY = "sim_"  # begin of the name of the library of a folder
 PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
 
 
@@ -37,6 +42,33 @@ def product_table(root: Path) -> str:
         for product in listed(root)
     )
     return list_table((30, 34, 36), ("product", "its composition", "its parts"), rows)
+
+
+def room_table(root: Path) -> str:
+    """Returns the table of the folders of the simulator, each with its content and with the
+    libraries that it links."""
+    text = (root / ROOMS).read_text(encoding="utf-8")
+    rooms = [match.groups() for match in ROOM.finditer(text)]
+    if len(rooms) != len(EACH_ROOM.findall(text)):
+        raise ValueError(f"{ROOMS}: a folder has no comment directly above add_room")
+    rows = (
+        (f"``{name}``", first_sentence(comment), linked(links)) for comment, name, links in rooms
+    )
+    return list_table((18, 52, 30), ("folder", "content", "linked libraries"), rows)
+
+
+def first_sentence(comment: str) -> str:
+    words = [word for word in comment.split() if word != "#"]
+    return " ".join(words).partition(". ")[0].removesuffix(".")
+
+
+def linked(libraries: str) -> str:
+    """Returns the names of linked libraries. The name of a folder is marked as code."""
+    names = (
+        f"``{name.removeprefix(ROOM_LIBRARY)}``" if name.startswith(ROOM_LIBRARY) else name
+        for name in libraries.replace("CLI11::", "").split()
+    )
+    return ", ".join(names) or "nothing"
 
 
 def list_table(widths: Iterable[int], heads: Iterable[str], rows: Iterable[tuple[str, ...]]) -> str:

@@ -1,5 +1,5 @@
-"""arch-*: each module that the architecture names exists, and the code contains each connection
-that the architecture declares."""
+"""arch-*: each module that the architecture names exists, the elements agree with the connections,
+and the code contains each connection that the architecture declares."""
 
 from __future__ import annotations
 
@@ -8,10 +8,17 @@ from collections.abc import Iterator
 from traceability.model.architecture import is_outside
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
-from traceability.schema import Finding, Place
+from traceability.schema import ArchitectureElement, Finding, Place
+
+# kinds of the elements that act: their modules have connections
+ACTING = ("controller", "process", "sensor", "event")
+PHYSICAL = "physical"
+# kind of an element -> its end of the physical connections
+PHYSICAL_ENDS = {"process": "source", "sensor": "target"}
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _elements(model, facts)
     names: list[tuple[str, Place]] = []
     for element in model.architecture:
         names += [(name, element.place) for name in element.modules]
@@ -44,3 +51,46 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
             yield Finding(connection.place, "arch-code", text)
+
+
+def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds elements whose modules contradict the groups and the connections."""
+    connected = {name for each in model.connections for name in (each.source, each.target)}
+    connected.update(name for group in model.groups for name in group.modules)
+    acting = [element for element in model.architecture if element.kind in ACTING]
+    owners: dict[str, str] = {}
+    for element in acting:
+        for name in element.modules:
+            owner = owners.setdefault(name, element.name)
+            if name not in model.modules:
+                continue
+            if name not in connected:
+                text = f"no connection and no group contains {name}, a module of {element.name}"
+                yield _wrong(element, name, text, facts)
+            elif owner != element.name:
+                text = f"{name} is a module of {owner} and of {element.name}"
+                yield _wrong(element, name, text, facts)
+    for kind, end in PHYSICAL_ENDS.items():
+        yield from _physical(model, kind, end, facts)
+
+
+def _physical(model: Model, kind: str, end: str, facts: Facts) -> Iterator[Finding]:
+    """Finds physical connections that do not begin at a process or do not end at a sensor, and
+    processes without a physical connection."""
+    elements = [element for element in model.architecture if element.kind == kind]
+    modules = {name for element in elements for name in element.modules}
+    ends = {getattr(each, end): each for each in model.connections if each.kind == PHYSICAL}
+    for name, connection in ends.items():
+        if elements and name in model.modules and name not in modules:
+            place = facts.declared.entries.line_in(connection.place, name)
+            text = f"{name} has a physical connection, but is not a module of a {kind}"
+            yield Finding(place, "arch-module", text)
+    if kind == "process":
+        for element in elements:
+            if element.modules and not ends.keys() & set(element.modules):
+                text = f"no physical connection begins at a module of {element.name}"
+                yield Finding(element.place, "arch-module", text)
+
+
+def _wrong(element: ArchitectureElement, name: str, text: str, facts: Facts) -> Finding:
+    return Finding(facts.declared.entries.line_in(element.place, name), "arch-module", text)

@@ -408,11 +408,14 @@ _FIXED = [
     ),
     Check(
         "arch-module",
-        "The architecture names modules that exist",
+        "The architecture names modules that exist and are connected",
         "Every module that design/architecture.toml names in an element, a group or a connection "
-        "exists. Every connector that a connection names exists as an element.",
-        "The check cannot judge whether the named modules are the right modules for the element.",
-        "correct the name.",
+        "exists. Every connector that a connection names exists as an element. A module of a "
+        "controller, process, sensor or event is in a connection or a group, and is a module of "
+        "only one of them. Each physical connection begins at a module of a process, and ends at a "
+        "module of a sensor. Each process has a physical connection.",
+        "The check cannot judge whether two connected modules belong to the same element.",
+        "correct the name, or the connection.",
     ),
     Check(
         "arch-code",
@@ -553,7 +556,8 @@ _FIXED = [
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application. Each event refers to an operation of the State. The "
         "states, the event and the requirement of each transition exist. A method of the old state "
-        "or of the new state serves the requirement. Each event occurs in a transition. If a state "
+        "or of the new state serves the requirement. An operation of the event, or a method of the "
+        "action, serves it, too. Each event occurs in a transition. If a state "
         "has several transitions at the same event, guards distinguish these transitions. If a "
         "transition contains a number with a unit, such as 2 s, a requirement of the transition "
         "states the same number.",
@@ -736,7 +740,9 @@ _FIXED = [
         "req-attribute",
         "Requirements have level, product and method",
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
-        "names of products that exist. It has one @method of verification: test, analysis, "
+        "names of products that exist. A product is named if it contains all modules that satisfy "
+        "the requirement. If it contains none of these modules, it is not named. The requirement "
+        "has one @method of verification: test, analysis, "
         "measurement or inspection. If the method is test, the @verifies of a test names the "
         "requirement. If the method is measurement or analysis, the requirement has @evidence, or "
         "the @verifies of a test names it.",

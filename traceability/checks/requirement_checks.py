@@ -20,7 +20,7 @@ from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
 from traceability.reading.ast_facts import ANY_CLASS, BodyFact
 from traceability.reading.gtest_cases import read_tests, unknown_macros
 from traceability.reading.image_record import TOTALS, read_image
-from traceability.reading.products import PRODUCTS
+from traceability.reading.products import DIFFERENT, HAS, PRODUCTS
 from traceability.reading.source_facts import Facts
 from traceability.schema import (
     HOST,
@@ -106,9 +106,29 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
             wrong.append("no @product (all, or names of products)")
         unknown = set(requirement.products) - {"all", *PRODUCTS}
         wrong += [f"a @product {name}, which does not exist" for name in sorted(unknown)]
+        wrong += _wrong_products(requirement)
         for words in wrong:
             text = f"{requirement.id} has {words}"
             yield Finding(requirement.place, "req-attribute", text)
+
+
+def _wrong_products(requirement: Requirement) -> list[str]:
+    """Returns the errors in the products of a functional requirement. The modules that satisfy the
+    requirement determine the products."""
+    modules = {method.split("::")[0] for method in requirement.satisfied_by}
+    if not modules or not requirement.id.startswith("FR-") or not requirement.products:
+        return []
+    named = set(PRODUCTS) if "all" in requirement.products else set(requirement.products)
+    contained = {name: {m for m in modules if m not in DIFFERENT or m in HAS[name]} for name in HAS}
+    return [
+        f"no @product {name}, which contains all modules that satisfy it"
+        for name in sorted(HAS.keys() - named)
+        if contained[name] == modules
+    ] + [
+        f"the @product {name}, which contains no module that satisfies it"
+        for name in sorted(HAS.keys() & named)
+        if not contained[name]
+    ]
 
 
 def _has_way(requirement: Requirement) -> bool:

@@ -147,6 +147,16 @@ def _asked_for(
         for requirement in requirements
         if not any(method.split("::")[0] in family for method in _serving(requirement))
     ]
+    problems += [
+        (
+            f"the transition {words(step)} names {requirement.id}, but neither "
+            f"{machine.events[step.event]} nor the action serves this requirement",
+            "name the requirement that demands the transition, or tag the method",
+            requirement.id,
+        )
+        for requirement in requirements
+        if step.event in machine.events and not _serves_event(requirement, step, machine)
+    ]
     fix = "write a number that the requirement states"
     return problems + [
         (
@@ -157,6 +167,16 @@ def _asked_for(
         for part in (step.event, step.guard, step.action)
         for figure in _not_asked(part, requirements)
     ]
+
+
+def _serves_event(requirement: Requirement, step: Transition, machine: StateMachine) -> bool:
+    """Returns whether an operation of the event of a transition, or a method of its action, serves
+    a requirement."""
+    operation, actions = machine.events[step.event], machine.actions.get(step.action, [])
+    return any(
+        method.rpartition("::")[2] == operation or method in actions
+        for method in _serving(requirement)
+    )
 
 
 def _serving(requirement: Requirement) -> list[str]:

@@ -16,6 +16,7 @@ from traceability.model.design_model import Model
 from traceability.model.evidence import read_evidence
 from traceability.reading.comments import Comments
 from traceability.reading.declared_safety import read_sources
+from traceability.reading.products import PRODUCTS
 from traceability.schema import PaperPlace, Place
 
 WHERE = Place("design/paper.toml", 1)
@@ -48,6 +49,38 @@ def test_an_attribute_has_a_known_value(
     model = changed(tmp_path, **{name: value})
     facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
     assert [one.text for one in _attributes(model, facts)] == [says] * bool(says)
+
+
+@pytest.mark.parametrize(
+    ("methods", "products", "says"),
+    [
+        (["Wheel::set"], ["all"], []),
+        (
+            ["Wheel::set"],
+            sorted(PRODUCTS.keys() - {"weeding_robot_pc"}),
+            ["no @product weeding_robot_pc, which contains all modules that satisfy it"],
+        ),
+        (["RC::read"], ["weeding_robot", "weeding_robot_paper", "weeding_robot_warning"], []),
+        (
+            ["RC::read"],
+            ["weeding_robot", "weeding_robot_paper"],
+            ["no @product weeding_robot_warning, which contains all modules that satisfy it"],
+        ),
+        (
+            ["EnableSwitch::read"],
+            ["weeding_robot", "weeding_robot_pc"],
+            ["the @product weeding_robot_pc, which contains no module that satisfies it"],
+        ),
+        (["EnableSwitch::read", "RC::read", "Wheel::set"], ["weeding_robot"], []),
+        ([], ["weeding_robot"], []),
+    ],
+)
+def test_the_products_agree_with_the_modules_that_satisfy_a_requirement(
+    tmp_path: Path, methods: list[str], products: list[str], says: list[str]
+) -> None:
+    model = changed(tmp_path, satisfied_by=methods, products=products)
+    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
+    assert [one.text for one in _attributes(model, facts)] == [f"FR-1 has {text}" for text in says]
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from weeding_robot_client.link import BusyError, Link
+from weeding_robot_client.link import HELLO_EVERY_S, BusyError, Link
 from weeding_robot_client.messages import Order, Quantity, Report, WheelSetPoint
 
 HELLO, CONFIRM, KEEP_ALIVE, ORDER = 0x01, 0x02, 0x03, 0x04
@@ -88,6 +88,15 @@ def test_hello_is_repeated_until_it_is_answered(mcu: Any) -> None:
         assert serve_until(link, lambda: len(mcu.of_kind(HELLO)) >= 2, 3.0)
         mcu.silent = False
         first_report(link)
+
+
+def test_every_third_hello_is_for_a_robot_that_accepts_only_version_1(mcu: Any) -> None:
+    mcu.silent = True
+    now = itertools.count(step=HELLO_EVERY_S)  # Each reading of the clock permits the next Hello.
+    with Link(mcu.path, clock=lambda: float(next(now))) as link:
+        assert serve_until(link, lambda: len(mcu.of_kind(HELLO)) >= 7)
+    versions = [frame.version for frame in mcu.of_kind(HELLO)[:7]]
+    assert versions == [2, 2, 1, 2, 2, 1, 2]
 
 
 def test_a_silent_robot_is_lost_and_found_again(mcu: Any) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from portal.constant_texts import constant_text
+from portal.constant_texts import constant_text, formulas
 from traceability.schema import Constant, Place
 
 
@@ -24,7 +26,46 @@ from traceability.schema import Constant, Place
         (4650, "uV per unit of the error", "4.65 mV"),
         (637, "1/1000", "0.637"),
         (60, "", "60"),
+        (0x410, "address", "0x410"),
+        (16, "byte", "16 bytes"),
     ],
 )
 def test_a_constant_is_shown_in_the_unit_of_a_reader(number: int, unit: str, text: str) -> None:
     assert constant_text(Constant(number, unit, Place("src/Limits.hpp", 7))) == text
+
+
+CONSTANTS = {
+    "Times::kCycle": Constant(100, "ms", Place("src/Times.hpp", 1)),
+    "kMost": Constant(4, "", Place("src/Times.hpp", 2)),
+}
+
+
+@pytest.mark.parametrize(
+    ("formula", "text"),
+    [
+        ("2 * Times::kCycle [ms]", "200 ms"),
+        ("(kMost + 1) * Times::kCycle [ms]", "500 ms"),
+        ("kMost * 5 *\n  Times::kCycle [ms]", "2 s"),
+        ("Times::kCycle / kMost", "25"),
+        ("kMost - 1", "3"),
+    ],
+)
+def test_a_formula_of_a_page_is_computed_from_constants(
+    tmp_path: Path, formula: str, text: str
+) -> None:
+    ((name, shown),) = formulas_of(tmp_path, formula).items()
+    assert name == " ".join(formula.split())
+    assert f">{text}<" in shown.replace("\N{NO-BREAK SPACE}", " ")
+
+
+@pytest.mark.parametrize("formula", ["kOther + 1", "kMost +", "kMost ** 2", "kMost / 0", "kMost"])
+def test_a_formula_with_an_unknown_name_or_operation_has_no_text(
+    tmp_path: Path, formula: str
+) -> None:
+    assert formulas_of(tmp_path, formula) == {}
+
+
+def formulas_of(root: Path, formula: str) -> dict[str, str]:
+    (root / "docs").mkdir()
+    (root / "docs" / "page.rst").write_text(f"It has :constant:`{formula}` here.\n")
+    return dict(formulas(root, CONSTANTS))

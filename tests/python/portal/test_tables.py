@@ -3,11 +3,15 @@
 import csv
 from pathlib import Path
 
+import pytest
+
 from portal.tables import (
     COMMANDS,
     DEBIAN,
+    ROOMS,
     command_table,
     package_table,
+    room_table,
 )
 
 USAGE = """\
@@ -45,3 +49,24 @@ def test_each_package_is_a_row_and_no_comment_is(tmp_path: Path) -> None:
         ["g++", "compiles"],
         ["lib-1.2", "optional: a, b"],
     ]
+
+
+def test_each_folder_of_the_simulator_has_its_content_and_its_links(tmp_path: Path) -> None:
+    (tmp_path / ROOMS).parent.mkdir()
+    (tmp_path / ROOMS).write_text(
+        "function(add_room name kind)\nendfunction()\n\n"
+        "# The physics of the\n# robot. It is exact.\nadd_room(plant STATIC)\n"
+        "  # Programs.\n  add_room(programs OBJECT sim_plant CLI11::CLI11)\n"
+    )
+    rows = room_table(tmp_path).split("   * - ")[2:]
+    assert [row.split() for row in rows] == [
+        ["``plant``", "-", "The", "physics", "of", "the", "robot", "-", "nothing"],
+        ["``programs``", "-", "Programs", "-", "``plant``,", "CLI11"],
+    ]
+
+
+def test_a_folder_of_the_simulator_needs_a_comment(tmp_path: Path) -> None:
+    (tmp_path / ROOMS).parent.mkdir()
+    (tmp_path / ROOMS).write_text("# Physics.\nadd_room(plant STATIC)\n\nadd_room(web STATIC)\n")
+    with pytest.raises(ValueError, match="no comment"):
+        room_table(tmp_path)

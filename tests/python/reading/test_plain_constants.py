@@ -1,0 +1,67 @@
+"""The constants of the simulator and of the Python programs."""
+
+from __future__ import annotations
+
+import pytest
+
+from traceability.reading.plain_constants import PlainConstant, plain_constants
+
+HEADER = """\
+struct Wheel {
+  static constexpr double kRadius = 0.272;  ///< radius [m]
+  static constexpr int kLast =
+      680;  ///< number of steps
+  static constexpr std::chrono::milliseconds kPeriod{20};
+  static constexpr Clock::duration kLate = std::chrono::seconds(2);
+  double mass = 175.0;  ///< [kg]
+  double computed = 2 * kRadius;
+};
+constexpr int kTwice = 1;
+"""
+PROGRAM = """\
+KEY_AT = 0x410  # in the flash [address]
+DEAD_MAN_S = 0.3
+NAME = "drive"
+ON = True
+SUM = KEY_AT + 1
+"""
+
+
+@pytest.fixture(scope="module")
+def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, PlainConstant]:
+    root = tmp_path_factory.mktemp("project")
+    plant, tools = root / "sim" / "plant", root / "tools"
+    plant.mkdir(parents=True)
+    tools.mkdir()
+    (plant / "Wheel.hpp").write_text(HEADER)
+    (plant / "Wheel.cpp").write_text("constexpr int kTwice = 2;\n")
+    (tools / "key.py").write_text(PROGRAM)
+    return plain_constants(root)
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "unit", "line"),
+    [
+        ("plant::Wheel::kRadius", 0.272, "m", 2),
+        ("plant::Wheel::kLast", 680, "", 3),
+        ("plant::Wheel::kPeriod", 20, "ms", 5),
+        ("plant::Wheel::kLate", 2, "s", 6),
+        ("plant::Wheel::mass", 175, "kg", 7),
+        ("key.KEY_AT", 0x410, "address", 1),
+        ("key.DEAD_MAN_S", 0.3, "s", 2),
+    ],
+)
+def test_a_constant_has_its_value_and_unit(
+    constants: dict[str, PlainConstant], name: str, number: float, unit: str, line: int
+) -> None:
+    found = constants[name]
+    assert (found.number, found.unit, found.place.line) == (number, unit, line)
+
+
+@pytest.mark.parametrize(
+    "name", ["plant::Wheel::computed", "plant::Wheel::kTwice", "key.NAME", "key.ON", "key.SUM"]
+)
+def test_a_constant_without_a_single_number_is_left_out(
+    constants: dict[str, PlainConstant], name: str
+) -> None:
+    assert name not in constants

@@ -1,0 +1,91 @@
+"""Reads the constants of the simulator (C++) and of the Python programs from their source texts. A
+constant is read only if its value is one number."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from traceability.reading.constants import unit_in
+from traceability.schema import Place
+from traceability.sources import files_below
+
+SIMULATOR = "sim"
+PROGRAMS = ("client/weeding_robot_client", "tools")
+_NUMBER = r"-?\d[\d']*(?:\.\d+)?(?:e[+-]?\d+)?"
+# A constant such as `constexpr double kSwitch = 33.5;  ///< [degree] angle`, or the initial value
+# of a public data member such as `double mass = 175.0;  ///< [kg]`.
+_CPP = re.compile(
+    r"^ *(?:(?:inline |static )*constexpr )?(?P<type>[\w:]+) (?P<name>\w*[A-Za-z0-9])"
+    rf"(?: =\s+(?:(?P<made>[\w:]+)\()?|\{{\s*)(?P<number>{_NUMBER})[UF]?[)}}]?;(?P<comment>[^\n]*)",
+    re.MULTILINE,
+)
+_CHRONO = {
+    "nanoseconds": "ns",
+    "microseconds": "us",
+    "milliseconds": "ms",
+    "seconds": "s",
+}
+# End of a Python name -> unit
+_ENDS = {"S": "s", "RPM": "rpm", "DEGREES": "degree", "VOLTS": "V", "AMPERES": "A", "BYTES": "byte"}
+
+
+@dataclass(frozen=True)
+class PlainConstant:
+    """A constant outside the firmware."""
+
+    number: float
+    unit: str
+    place: Place
+
+
+def plain_constants(root: Path) -> dict[str, PlainConstant]:
+    """Returns the constants by their names: ``folder::File::name`` for a constant in a folder of
+    the simulator, ``file.NAME`` for a constant of a Python program. A name is left out if it has
+    more than one value."""
+    values: dict[str, list[PlainConstant]] = {}
+    for path in files_below(root, (SIMULATOR, *PROGRAMS), (".hpp", ".cpp", ".py")):
+        read = _of_python if path.suffix == ".py" else _of_cpp
+        for name, constant in read(path, str(path.relative_to(root))):
+            values.setdefault(name, []).append(constant)
+    return {
+        name: found[0]
+        for name, found in values.items()
+        if len({(value.number, value.unit) for value in found}) == 1
+    }
+
+
+def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
+    text = path.read_text(encoding="utf-8")
+    for match in _CPP.finditer(text):
+        unit = unit_in(match["comment"]) or next(
+            (_CHRONO[word] for word in _words(match) if word in _CHRONO), ""
+        )
+        place = Place(file, text.count("\n", 0, match.start("name")) + 1)
+        number = float(match["number"].replace("'", ""))
+        yield (
+            f"{path.parent.name}::{path.stem}::{match['name']}",
+            PlainConstant(number, unit, place),
+        )
+
+
+def _words(match: re.Match[str]) -> list[str]:
+    return [(match[group] or "").rpartition("::")[2] for group in ("type", "made")]
+
+
+def _of_python(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    for node in ast.parse(text).body:
+        if not (isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)):
+            continue
+        name, value = node.targets[0].id, node.value
+        number = value.value if isinstance(value, ast.Constant) else None
+        if isinstance(number, (int, float)) and not isinstance(number, bool):
+            comment = lines[node.lineno - 1].partition("#")[2]
+            unit = unit_in(comment) or _ENDS.get(name.rpartition("_")[2], "")
+            constant = PlainConstant(float(number), unit, Place(file, node.lineno))
+            yield f"{path.stem}.{name}", constant
