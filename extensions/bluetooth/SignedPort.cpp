@@ -153,12 +153,18 @@ bool SignedPort::accept() {
   return true;
 }
 
-// Sends a challenge only if there is space for two frames of the greatest size. Otherwise the
-// challenges after many wrong frames would fill the transmit buffer, and the robot could not send
-// other frames.
+// Sends a challenge only if there is space for two frames of the greatest size, with counter and
+// tag. Otherwise the challenges after many wrong frames would fill the transmit buffer, and the
+// robot could not send other frames. Before the first challenge, also sends a zero byte, which ends
+// a frame that the last reset may have interrupted.
 void SignedPort::challenge() {
-  if (port_.free() < 2 * FrameEncoder::kMaxBytes) {
+  if (port_.free() < 2 * received_.size()) {
     return;
+  }
+  if (!challenged_) {
+    constexpr std::array<std::uint8_t, 1> kEnd{0};
+    port_.write(kEnd);
+    challenged_ = true;
   }
   std::array<std::uint8_t, sizeof(std::uint64_t) + sizeof(std::uint32_t)> payload{};
   std::ranges::copy(littleEndian<sizeof(std::uint64_t)>(*nonce_), payload.begin());

@@ -100,6 +100,7 @@ class SignedPort final : public SerialPort {
   std::size_t given_ = 0;           // number of bytes of this frame that read() has returned
   std::uint32_t lastReceived_ = 0;  // counter of the last accepted frame
   std::uint32_t lastSent_ = 0;      // counter of the last sent frame
+  bool challenged_ = false;         // a challenge was sent since the start
 };
 
 }  // namespace wr

@@ -36,10 +36,19 @@ constexpr auto divideBy(std::uint32_t divider, unsigned lowest) {
 constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) | divideBy(5, 16);
 
 // Greatest number of reads of the status register in one step of startClock(). If the step is not
-// complete after these reads, it has failed. One read takes less than 20 periods of the core clock.
-// Even at the slow clock after reset, nominally 20.9 MHz, all four steps together take much less
-// time than the watchdog time-out.
-constexpr std::uint32_t kMaxClockPolls = 20'000;
+// complete after these reads, it has failed. One read takes at least 8 and at most 20 periods of
+// the core clock: the access to the register takes at least 2 periods, and the other instructions
+// of the loop take at least 6. The core uses the internal FLL or the external clock. Even if three
+// steps take 20 ms each, the fourth step fails before the watchdog time-out.
+constexpr std::uint32_t kMaxClockPolls = 125'000;
+constexpr std::uint64_t kMinPeriods = 8;
+constexpr std::uint64_t kMaxPeriods = 20;
+static_assert(kExternalClock >= K64Board::kFastestClockAfterReset &&
+                  kMaxClockPolls * kMinPeriods * 1000 >= std::uint64_t{20} * kExternalClock,
+              "even the fastest kMaxClockPolls reads take at least 20 ms");
+static_assert(kMaxClockPolls * kMaxPeriods * 1000 <=
+                  std::uint64_t{125} * K64Board::kSlowestClockAfterReset,
+              "even the slowest kMaxClockPolls reads take at most 125 ms");
 
 using Status = decltype(mcg::S)::Bits;
 

@@ -71,6 +71,12 @@ class RobotWithDevice final : public ProductRobot {
  public:
   RobotWithDevice() : ProductRobot("weeding_robot_pc_bluetooth") {}
 
+  // Resets the board, and runs it until the robot has started again.
+  void restart() {
+    board().reset(emulator::Reset::Pin);
+    board().runUntil(board().now() + std::chrono::milliseconds(20));
+  }
+
   // Connects the PC and the device.
   void connectBoth() {
     connect();
@@ -110,11 +116,6 @@ class RobotWithDevice final : public ProductRobot {
     board().receiveOn(kBluetoothPort, frames_.order(order));
   }
 
- private:
-  void send(const scenario::Bytes& frame) {
-    board().receiveOn(kBluetoothPort, device_.sign(frame));
-  }
-
   // Returns the number of this start. The robot's answer to a frame without a tag contains this
   // number.
   std::uint64_t challenge() {
@@ -129,6 +130,11 @@ class RobotWithDevice final : public ProductRobot {
       number |= std::uint64_t{body.at(3 + byte)} << (8 * byte);
     }
     return number;
+  }
+
+ private:
+  void send(const scenario::Bytes& frame) {
+    board().receiveOn(kBluetoothPort, device_.sign(frame));
   }
 
   SigningDevice device_;
@@ -207,6 +213,21 @@ TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
     EXPECT_EQ(robot.report().mode, kPc);
   }
   robot.commandByPc();
+}
+
+/// @brief After a reset the challenge contains another number than before. The two halves of a
+/// number are different.
+/// @verifies FR-264
+TEST(ProductWithBluetooth, FR264_EachStartHasAnotherNumber) {
+  RobotWithDevice robot;
+  robot.connect();
+  const std::uint64_t first = robot.challenge();
+  robot.restart();
+  robot.connect();
+  const std::uint64_t second = robot.challenge();
+  EXPECT_NE(first >> 32U, second >> 32U);
+  EXPECT_NE(first & 0xFFFFFFFFU, second & 0xFFFFFFFFU);
+  EXPECT_NE(second >> 32U, second & 0xFFFFFFFFU);
 }
 
 /// @brief The product with Bluetooth follows signed orders that it receives over the second

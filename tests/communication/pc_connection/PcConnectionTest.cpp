@@ -296,6 +296,20 @@ TEST_F(PcConnectionTest, FR31_OnlyTheLastSessionIsOffered) {
   EXPECT_FALSE(connection.connected());
 }
 
+/// @brief A Hello ends the validity of the newest Welcome, even if the port has no room for another
+/// Welcome.
+/// @verifies FR-31
+/// @verifies FR-245
+TEST_F(PcConnectionTest, FR31_AHelloWithoutAWelcomeEndsTheOffer) {
+  send(kHello);
+  const std::size_t before = sent().size();
+  port.room = 3;
+  send(kHello);
+  EXPECT_EQ(sent().size(), before);
+  expectCounted(&LinkCounts::unexpected, 1, [&] { send(kConfirm, {1}); });
+  EXPECT_FALSE(connection.connected());
+}
+
 /// @brief A Confirm still connects the PC if its last byte arrives 1 s after the clock pulse of the
 /// cycle that sent the Welcome. A later cycle may read the Confirm.
 /// @verifies FR-31

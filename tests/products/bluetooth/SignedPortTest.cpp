@@ -231,14 +231,27 @@ TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   }
 }
 
-/// @brief A challenge is sent only when there is space for two frames. After the challenge, there
-/// is still space for one frame.
+/// @brief A zero byte precedes the first challenge, because a reset may have interrupted a frame.
+/// The next challenge follows without a zero byte.
+/// @verifies FR-247
+TEST_F(SignedPortTest, FR247_TheFirstChallengeFollowsAZeroByte) {
+  line.arrive(frames.hello());
+  EXPECT_TRUE(given().empty());
+  const scenario::Bytes first = line.takeSent();
+  EXPECT_EQ(first.at(0), 0);
+  line.arrive(frames.hello());
+  EXPECT_TRUE(given().empty());
+  EXPECT_EQ(line.takeSent(), scenario::Bytes(first.begin() + 1, first.end()));
+}
+
+/// @brief A challenge is sent only when there is space for two frames of the greatest size, with
+/// counter and tag. After the challenge, there is still space for one frame.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   FakeSerialPort port;
   SignedPort narrow(port, kSharedKey, random);
   for (const std::size_t missing : {std::size_t{1}, std::size_t{0}}) {
-    port.room = 2 * FrameEncoder::kMaxBytes - missing;
+    port.room = 2 * (FrameEncoder::kMaxBytes + SignedPort::kTrailer) - missing;
     port.received = frames.hello();
     EXPECT_TRUE(given(narrow).empty());
     EXPECT_EQ(port.sent.empty(), missing > 0);

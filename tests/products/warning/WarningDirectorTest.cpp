@@ -32,6 +32,18 @@ class WarningRobot : public ProductFixture {
   WarningDirector director{poolBuilder, builder, warning};
 };
 
+// The product with the warning, before its first order.
+class WarningRobotBeforeOrders : public ProductFixture {
+ protected:
+  WarningRobotBeforeOrders() {
+    begin(director);
+    connect();
+  }
+
+  host::HostDigitalOutput warning;
+  WarningDirector director{poolBuilder, builder, warning};
+};
+
 /// @brief The director builds the control systems and starts them.
 /// @verifies FR-78
 TEST_F(WarningRobot, FR78_ControlSystemsAreBuiltAndStarted) {
@@ -55,6 +67,20 @@ TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_FALSE(warning.isOn());
   EXPECT_EQ(cycleWithPc().state, kReconnecting);
   EXPECT_FALSE(warning.isOn());
+}
+
+/// @brief Before the first order, the lamp is on in the waiting state before the last waiting state,
+/// and the robot is held.
+/// @verifies FR-152
+TEST_F(WarningRobotBeforeOrders, FR152_TheLampBeforeTheFirstOrderMovesNothing) {
+  bool warned = false;
+  for (int failed = 0; failed < kWaitingCycles + 2; ++failed) {
+    const scenario::PcReport report = cycleWithPc();
+    EXPECT_EQ(warning.isOn(), report.state == kWaitingK);
+    EXPECT_TRUE(report.held());
+    warned = warned || warning.isOn();
+  }
+  EXPECT_TRUE(warned);
 }
 
 /// @brief A message ends the warning immediately. The next failed reads are counted again from 1.
