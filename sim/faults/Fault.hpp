@@ -64,7 +64,7 @@ struct Fault {
 }
 
 /// @brief Longest time of observation [ms]. FR-227 detects a drift of the angle sensor by 0.5
-/// degrees per second within 6.8 s. A slower drift may be detected after the observation. If Hall
+/// degrees per second within 6.9 s. A slower drift may be detected after the observation. If Hall
 /// edges are lost, it takes seconds until the number of implausible edges reaches the limit of
 /// FR-279.
 inline constexpr int kLongestWindow = 7000;

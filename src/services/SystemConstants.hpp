@@ -104,7 +104,7 @@ class SystemConstants {
 
   /// @brief Returns the velocity below which a wheel counts as slow. At this velocity the motor
   /// induces 2.1 V. In a short-circuited motor this voltage causes a current of 1.4 A. A wheel with
-  /// a short-circuited motor stays slow on slopes of up to 11 %.
+  /// a short-circuited motor stays slow on slopes of up to 10 %.
   /// @return velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-87
   /// @satisfies FR-89

@@ -70,7 +70,16 @@ bool Wheel::isCutOff() const {
 }
 
 void Wheel::release() {
-  trip_.store(Trip::None);
+  switch (trip_.load()) {
+    case Trip::None:
+    case Trip::Tripped:
+      break;
+    case Trip::Decaying:
+    case Trip::Braking:
+    case Trip::Off:
+      trip_.store(Trip::None);
+      break;
+  }
 }
 
 void Wheel::enableDriver(Trip permitted) {

@@ -70,12 +70,14 @@ class Wheel final {
   [[nodiscard]] Command& cutOff();
 
   /// @brief Checks whether the overcurrent trip has acted.
-  /// @return true from the execution of cutOff() to release()
+  /// @return true from the execution of cutOff() until release() resets the trip
   /// @satisfies FR-89
   /// @isr{yes}
   [[nodiscard]] bool isCutOff() const;
 
-  /// @brief Resets the overcurrent trip. The next setTension() or stop() enables the driver.
+  /// @brief Resets the overcurrent trip. The next setTension() or stop() enables the driver. Before
+  /// the first stop() after a trip, this function does nothing: the current has not decayed, and no
+  /// report shows the trip yet.
   /// @satisfies FR-89
   /// @isr{no}
   void release();

@@ -130,6 +130,34 @@ TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
+/// @brief A second after the motor was switched on, the controller subtracts 0.05 degrees from the
+/// stored difference, in both directions. The limit of 3.00 degrees then applies to the rest.
+/// @verifies FR-227
+TEST_F(DirControllerTest, FR227_EachSecondForgets5Hundredths) {
+  for (const std::int32_t side : {1, -1}) {
+    DirControllerFixture::switchOn();
+    measured += side * 300;
+    ordered = measured;
+    for (int i = 0; i < 105; ++i) {
+      tick();
+      ASSERT_EQ(state(), SteeringState::Holding) << side << " " << i;
+    }
+    measured += side * 5;
+    ordered = measured;
+    tick();
+    EXPECT_EQ(state(), SteeringState::Holding) << side;
+    measured += side;
+    ordered = measured;
+    tick();
+    EXPECT_EQ(state(), SteeringState::Fault) << side;
+    control.target.write({.release = true}, control.clock.now() + Microseconds(1));
+    control.clock.advance(milliseconds(1));
+    control.controller.tick(feedback);
+    ASSERT_EQ(state(), SteeringState::Off);
+    feedback.ready = false;
+  }
+}
+
 /// @brief During a turn, a single active end stop is not a fault. Both end stops together are a
 /// fault.
 /// @verifies FR-226
@@ -237,6 +265,33 @@ TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   control.clock.advance(Microseconds(1));
   control.controller.tick(feedback);
   EXPECT_EQ(state(), SteeringState::Fault);
+}
+
+/// @brief If both the order and the position are old, the steering is switched off and is not in
+/// fault.
+/// @verifies FR-109
+/// @verifies FR-110
+TEST_F(DirControllerTest, FR109_FR110_WithoutOrdersAnOldPositionIsNoFault) {
+  switchOn();
+  control.clock.advance(milliseconds(301));
+  control.controller.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Off);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief If both end stops become active when the order is already old, the steering is switched
+/// off and is not in fault.
+/// @verifies FR-109
+/// @verifies FR-226
+TEST_F(DirControllerTest, FR109_FR226_WithoutOrdersBothEndStopsAreNoFault) {
+  switchOn();
+  control.clock.advance(milliseconds(301));
+  measure(measured);
+  feedback.leftEnd = true;
+  feedback.rightEnd = true;
+  control.controller.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Off);
+  EXPECT_FALSE(powered());
 }
 
 /// @brief A release in the tick of the fault does not end the fault, because the release was sent

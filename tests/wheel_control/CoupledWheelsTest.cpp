@@ -20,7 +20,7 @@ void expectShared(const CoupledWheels& robot) {
   EXPECT_NEAR(robot.tension(0), others, std::abs(others) * 0.1);
 }
 
-/// @brief Wheel 0 has no Hall edges for 0.4 s. Beginning 2.9 s after the end of this gap, its
+/// @brief Wheel 0 has no Hall edges for four cycles. Beginning 2.9 s after the end of this gap, its
 /// voltage stays within 10 % of the voltage of the other wheels.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_WheelsDoNotFightAfterLostEdges) {
@@ -40,7 +40,7 @@ TEST(CoupledWheels, FR224_WheelsDoNotFightAfterLostEdges) {
   }
 }
 
-/// @brief While wheel 0 has no Hall edges for 0.4 s, wheel 1 is at most 5 % faster than ordered.
+/// @brief While wheel 0 has no Hall edges for four cycles, wheel 1 is at most 5 % faster than ordered.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_LostEdgesDoNotSpeedUpTheRobot) {
   CoupledWheels robot;

@@ -246,6 +246,33 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   }
 }
 
+/// @brief Only for an order of voltage, a voltage of up to 3.2 V is always counted fully. For an
+/// order of current or velocity, a sixteenth is counted if the load keeps the wheel at rest.
+/// @verifies FR-91
+TEST_F(WheelControllerTest, FR91_AHeldWheelWithoutAVoltageOrderHasTime) {
+  struct Case {
+    WheelSetPoint setPoint;
+    Velocity velocity;     // measured velocity
+    std::int32_t tension;  // voltage at the output [mV]
+    int cycles;
+  };
+  for (const auto& [setPoint, velocity, tension, cycles] :
+       {Case{currentOf(2000), Velocity(), 3000, 241},
+        Case{velocityOf(500), Velocity(500), 2618, 276},
+        Case{tensionOf(3000), Velocity(), 3000, 15}}) {
+    ControlledWheel one;
+    one.control(setPoint, velocity, Current(2000));
+    int needed = 0;
+    while (!one.controller.blind() && needed < 1000) {
+      ASSERT_EQ(one.controller.applied(), Tension(tension));
+      one.measure(velocity, Current(2000));
+      one.controller.control(setPoint, one.measured());
+      ++needed;
+    }
+    EXPECT_NEAR(needed, cycles, 1) << tension;
+  }
+}
+
 /// @brief A wheel that was stopped because it has no motion feedback stays stopped until the
 /// release. Neither a motion nor a halt ends the stop.
 /// @verifies FR-91
@@ -330,6 +357,37 @@ TEST_F(WheelControllerTest, FR91_TheCountFalls) {
     EXPECT_FALSE(controller.blind()) << cycle;
     controlStanding(tensionOf(7000));
   }
+  EXPECT_TRUE(controller.blind());
+}
+
+/// @brief The sum of voltage times time also falls by 2 V s per second while the velocity order is
+/// 0, even if the voltage is above 2 V.
+/// @verifies FR-91
+TEST_F(WheelControllerTest, FR91_TheCountFallsWithAVelocityOrderOfZero) {
+  for (int cycle = 0; cycle < 6; ++cycle) {
+    control(velocityOf(500), Velocity(200), Current(3000));  // the load needs a voltage
+  }
+  const auto standAt = [this](std::int16_t velocity) {
+    measure(Velocity(), Current());
+    controller.control(velocityOf(velocity), measured());
+  };
+  std::int32_t sum = 0;
+  while (sum < 25000) {
+    sum += controller.applied()->count();
+    standAt(500);
+  }
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    ASSERT_GT(controller.applied(), Tension(2000));
+    standAt(0);
+  }
+  sum = std::max(sum - 10 * 2000, 0);
+  ASSERT_LT(sum + controller.applied()->count(), 45000);
+  while (sum + controller.applied()->count() < 45000) {
+    sum += controller.applied()->count();
+    standAt(500);
+    EXPECT_FALSE(controller.blind());
+  }
+  standAt(500);
   EXPECT_TRUE(controller.blind());
 }
 
@@ -437,6 +495,18 @@ TEST_F(WheelControllerTest, FR222_TheWaitBeginsAgain) {
   }
 }
 
+/// @brief A change of the ordered quantity does not restart the waiting time of a reversal.
+/// @verifies FR-222
+TEST_F(WheelControllerTest, FR222_AnotherQuantityContinuesTheWait) {
+  control(tensionOf(2000), Velocity(1000));
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    control(cycle < 15 ? tensionOf(-5000) : velocityOf(-1000), Velocity(900));
+    EXPECT_FALSE(controller.reversalLate()) << cycle;
+  }
+  control(velocityOf(-1000), Velocity(900));
+  EXPECT_TRUE(controller.reversalLate());
+}
+
 /// @brief A reversal waits even if the velocity order against the orientation is only 0.1 rpm, or
 /// the demand against the orientation is only 0.5 V. With a velocity order of 0 or a smaller
 /// demand, no reversal waits.
@@ -522,6 +592,22 @@ TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
   controller.driverOff();
   control(velocityOf(1000), Velocity(100), Current(3500));
   EXPECT_EQ(controller.applied(), Tension(5236));
+}
+
+/// @brief Two calls that are more than 50 ms apart belong to two cycles: the second call ends the
+/// time in which the current decays, and the motor brakes. After 50 ms or less the driver stays
+/// off.
+/// @verifies FR-221
+TEST_F(WheelControllerTest, FR221_CallsOfTwoCycles) {
+  for (const int distance : {50, 51}) {
+    ControlledWheel one;
+    one.control(tensionOf(5000));
+    one.wheel.cutOff().execute();
+    one.controller.driverOff();
+    one.time.advance(milliseconds(distance));
+    one.controller.driverOff();
+    EXPECT_EQ(one.enable.isOn(), distance > 50) << distance;
+  }
 }
 
 /// @brief After an overcurrent trip, the voltage rises from 0.

@@ -155,10 +155,27 @@ TEST_F(WheelTest, FR221_TripWinsBeforeBraking) {
   EXPECT_FALSE(output.on);
 }
 
+/// @brief A release before the first stop after a trip has no effect: the current of the motor has
+/// not decayed.
+/// @verifies FR-89
+/// @verifies FR-221
+TEST_F(WheelTest, FR89_FR221_ReleaseWaitsForTheFirstStop) {
+  wheel.setTension(Tension(5000));
+  wheel.cutOff().execute();
+  wheel.release();
+  EXPECT_TRUE(wheel.isCutOff());
+  wheel.setTension(Tension(5000));
+  wheel.stop();
+  EXPECT_FALSE(enable.isOn());
+  wheel.release();
+  EXPECT_FALSE(wheel.isCutOff());
+}
+
 /// @brief A release alone does not switch the driver on. The next voltage switches the driver on.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   wheel.cutOff().execute();
+  wheel.stop();
   wheel.release();
   EXPECT_FALSE(wheel.isCutOff());
   EXPECT_FALSE(enable.isOn());

@@ -20,6 +20,10 @@ constexpr Velocity kMaxVelocity{6000};
 // A wheel that turns at least this fast cannot come to rest within a cycle.
 constexpr Velocity kMoving{300};
 
+bool isMoving(Velocity velocity) {
+  return velocity >= kMoving || velocity <= -kMoving;
+}
+
 // Greatest permitted number of implausible edges in a cycle. One short disturbance on the wire of a
 // sensor causes two implausible edges.
 constexpr std::uint32_t kMaxImplausible = 3;  // [edges per cycle]
@@ -59,6 +63,7 @@ Instant VelSensor::measure() {
   unclear_ = record.unclear;
   reversals_ = record.reversals;
   if (measured && sufficient) {
+    velocityBefore_ = velocity_;
     velocity_ = *measured;
     pipe_.write(*measured, now);
   }
@@ -75,7 +80,7 @@ std::uint16_t VelSensor::rejectedEdges() const {
 }
 
 bool VelSensor::plausible(const HallRecord& record) const {
-  const bool moving = velocity_ >= kMoving || velocity_ <= -kMoving;
+  const bool moving = isMoving(velocity_) || isMoving(velocityBefore_);
   const std::uint32_t reversals = moving ? record.reversals - reversals_ : 0;
   return record.unclear - unclear_ + reversals <= kMaxImplausible;
 }

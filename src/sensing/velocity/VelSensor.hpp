@@ -42,7 +42,8 @@ class VelSensor final {
   /// the moment of the measurement. The velocity is 0 when no edge occurred for 500 ms.
   /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases:
   /// (1) The function rejects the velocity. (2) More than 3 edges of the cycle were unclear. (3)
-  /// The wheel turned at 30 rpm or more, and unclear edges and reversals together were more than 3.
+  /// One of the last two velocities that were written was 30 rpm or more, and unclear edges and
+  /// reversals together were more than 3.
   /// @return time of the measurement
   /// @isr{no}
   /// @satisfies FR-120
@@ -99,7 +100,8 @@ class VelSensor final {
   HallCount position_{};         // position at the last measurement
   std::uint32_t unclear_ = 0;    // unclear edges at the previous measurement
   std::uint32_t reversals_ = 0;  // reversals at the previous measurement
-  Velocity velocity_{};          // velocity of the previous measurement
+  Velocity velocity_{};          // newest written velocity
+  Velocity velocityBefore_{};    // the written velocity before velocity_
 };
 
 }  // namespace wr

@@ -49,7 +49,8 @@ Tension Reverse::apply(Tension demand, Velocity velocity) {
     if (applied_ == Tension() && brakedCycles_ < kBrakedCycles) {
       ++brakedCycles_;
     }
-    resume(stop_.apply(applied_, velocity));
+    applied_ = stop_.apply(applied_, velocity);
+    BehaviourDecorator::resume(applied_);
     return applied_;
   }
   setOrientation_.execute(demand);
@@ -62,6 +63,7 @@ Tension Reverse::apply(Tension demand, Velocity velocity) {
 
 void Reverse::resume(Tension applied) {
   applied_ = applied;
+  slowCycles_ = 0;
   BehaviourDecorator::resume(applied);
 }
 

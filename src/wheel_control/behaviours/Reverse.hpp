@@ -38,7 +38,8 @@ class Reverse final : public BehaviourDecorator {
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Records the present voltage, which must fall to 0 before the orientation changes.
+  /// @brief Records the present voltage, which must fall to 0 before the orientation changes. The
+  /// next change of the orientation again needs two slow cycles in a row.
   /// @param applied voltage of the wheel [mV], positive forwards
   /// @satisfies FR-87
   /// @isr{no}

@@ -266,6 +266,21 @@ TEST_F(CurrentTest, FR128_FiveInARow) {
   }
 }
 
+/// @brief Samples beyond 15 A count in a row even if their direction alternates. A tick without a
+/// sample does not restart the count.
+/// @verifies FR-128
+TEST_F(CurrentTest, FR128_EitherDirectionCounts) {
+  ticks(64, 2048);
+  tick(2048 + 1862);
+  tick(2048 - 1862);
+  tick(2048 + 1862);
+  tick(std::nullopt);
+  tick(2048 - 1862);
+  EXPECT_EQ(overcurrent.executions, 0);
+  tick(2048 + 1862);
+  EXPECT_EQ(overcurrent.executions, 1);
+}
+
 /// @brief One sample within 15 A restarts the count of samples that are too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_NotInARow) {

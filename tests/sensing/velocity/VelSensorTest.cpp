@@ -295,6 +295,34 @@ TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   }
 }
 
+/// @brief A sensor fails at any time of a cycle, while the wheel turns at 90 rpm or more. From
+/// the second cycle on, no velocity is written.
+/// @verifies FR-220
+TEST_F(VelSensorTest, FR220_SensorThatFailsWithinACycle) {
+  for (const int rpm : {90, 95, 100, 105, 109, 150, 300, -100}) {
+    for (int phase = 0; phase < 10; ++phase) {
+      for (int failsAfter = 0; failsAfter < 100; ++failsAfter) {  // [ms]
+        TurningWheel one;
+        one.turn(rpm, Microseconds(1000 * phase));
+        for (int cycle = 0; cycle < 5; ++cycle) {
+          one.turn(rpm, kCycle);
+          one.measure();
+        }
+        one.turn(rpm, milliseconds(failsAfter));
+        one.deadB = true;
+        one.turn(rpm, kCycle - milliseconds(failsAfter));
+        one.measure();
+        const Instant failed = one.time.now();
+        for (int cycle = 0; cycle < 3; ++cycle) {
+          one.turn(rpm, kCycle);
+          one.measure();
+        }
+        ASSERT_LE(one.pipe.read()->at, failed) << rpm << " " << phase << " " << failsAfter;
+      }
+    }
+  }
+}
+
 /// @brief A short disturbance on the wire of one sensor causes two implausible edges. The velocity
 /// stays valid. Two disturbances in one cycle make the velocity invalid for this cycle.
 /// @verifies FR-220
@@ -377,6 +405,34 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   wheel.turn(0, kCycle);
   wheel.velocity.measure();
   EXPECT_NE(wheel.pipe.read()->at, wheel.time.now());
+}
+
+/// @brief While a wheel turns, unclear edges and reversals count together. Two unclear edges and two
+/// reversals in a cycle make the velocity invalid.
+/// @verifies FR-220
+TEST_F(VelSensorTest, FR220_UnclearEdgesAndReversalsCountTogether) {
+  for (const bool unclear : {false, true}) {
+    for (const bool reversals : {false, true}) {
+      TurningWheel one;
+      for (int cycle = 0; cycle < 5; ++cycle) {
+        one.turn(100, kCycle);
+        one.measure();
+      }
+      one.turn(100, milliseconds(25));
+      if (unclear) {
+        one.show(one.phase() ^ 3U);
+        one.show(one.phase());
+      }
+      if (reversals) {
+        one.edge(-1);
+        one.edge(1);
+      }
+      one.turn(100, milliseconds(75));
+      one.measure();
+      EXPECT_EQ(one.velocity.rejectedEdges(), (unclear ? 2 : 0) + (reversals ? 2 : 0));
+      EXPECT_EQ(one.pipe.read()->at != one.time.now(), unclear && reversals);
+    }
+  }
 }
 
 /// @brief Simultaneous changes of both levels in earlier cycles do not make a velocity invalid.

@@ -104,6 +104,10 @@ bool isSlow(Velocity velocity, Velocity slow = kConstants.slow()) {
   return velocity < slow && velocity > -slow;
 }
 
+bool isMoving(Velocity velocity) {
+  return velocity >= kMoving || velocity <= -kMoving;
+}
+
 std::uint32_t get16(std::span<const std::uint8_t> bytes, std::size_t at) {
   return bytes[at] | static_cast<std::uint32_t>(bytes[at + 1]) << 8U;
 }
@@ -284,6 +288,13 @@ void UsualDesign::release(const WheelMeasurements& wheel) {
   reversalLate_ = false;
   waitingCycles_ = 0;
   if (wheel.velocity && isSlow(*wheel.velocity)) {
+    releaseTrip();
+  }
+}
+
+// The driver stays off until the first cycle after the trip has reported the trip.
+void UsualDesign::releaseTrip() {
+  if (trip_.load() != Trip::None && trip_.load() != Trip::Tripped) {
     trip_.store(Trip::None);
   }
 }
@@ -740,6 +751,7 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
   }
   measuredAt_ = now;
   if (measured && plausible(record)) {
+    writtenBefore_ = velocity_;
     velocity_ = *measured;
     velocityAt_ = now;
   }
@@ -747,7 +759,7 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
 }
 
 bool UsualDesign::plausible(const HallRecord& record) const {
-  const bool moving = velocity_ >= kMoving || velocity_ <= -kMoving;
+  const bool moving = isMoving(velocity_) || isMoving(writtenBefore_);
   const std::uint32_t reversals = moving ? record.reversals - seenHall_.reversals : 0;
   return record.unclear - seenHall_.unclear + reversals <= kMostImplausible;
 }
@@ -944,6 +956,7 @@ void UsualDesign::apply(Tension demand, Velocity velocity) {
 }
 
 void UsualDesign::lower() {
+  slowCycles_ = 0;
   const Tension before = applied_.value_or(Tension());
   const Tension left = before - std::clamp(before, -kFall, kFall);
   setTension(left);
@@ -959,6 +972,7 @@ void UsualDesign::driverOff() {
     trip_.store(Trip::Braking);
     enableDriver(Trip::Braking);
   }
+  slowCycles_ = 0;
   waitingCycles_ = 0;
   resetAlgorithms();
   applied_.reset();

@@ -109,6 +109,7 @@ class UsualDesign {
   void lower();
   [[nodiscard]] bool plausible(const HallRecord& record) const;
   void release(const WheelMeasurements& wheel);
+  void releaseTrip();
   void watchMotion(const WheelSetPoint& setPoint, HallCount position, Current current);
   void watchReversal(const WheelSetPoint& setPoint, Tension demand);
   [[nodiscard]] bool doubtful(Velocity velocity, Current current);
@@ -186,6 +187,7 @@ class UsualDesign {
   std::int32_t seenCount_ = 0;
   HallRecord seenHall_;
   Velocity velocity_{};
+  Velocity writtenBefore_{};
   std::optional<Instant> velocityAt_;
   CurrentRecord seenCurrent_;
   Current meanCurrent_{};

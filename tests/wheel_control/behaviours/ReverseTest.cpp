@@ -81,6 +81,17 @@ TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
 }
 
+/// @brief A halt interrupts the count of slow cycles.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_AHaltInterruptsTheSlowCycles) {
+  apply(-5000, 100);
+  reverse.resume(Tension());
+  apply(-5000, 390);
+  EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 0);
+  apply(-5000, 390);
+  EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
+}
+
 /// @brief If a wheel turns in the direction of the demand for two cycles, its orientation changes,
 /// at any speed. While the wheel turns against the demand, its orientation does not change.
 /// @verifies FR-87

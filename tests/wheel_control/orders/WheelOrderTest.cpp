@@ -190,6 +190,9 @@ TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   wheel.cutOff().execute();
+  haltWheel.execute(work);
+  time.advance(milliseconds(200));
+  work.at = time.now();
   work.release = true;
   haltWheel.execute(work);
   EXPECT_TRUE(work.measured.cutOff);
@@ -200,6 +203,33 @@ TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   }
   ControlledWheel::measure(Velocity(-399), Current());
   haltWheel.execute(work);
+  EXPECT_FALSE(work.measured.cutOff);
+}
+
+/// @brief An acknowledgement in the first cycle after a trip does not release the trip. The driver
+/// stays off, and the cycle reports the trip. An acknowledgement in the next cycle releases the
+/// trip.
+/// @verifies FR-89
+/// @verifies FR-94
+/// @verifies FR-221
+TEST_F(WheelOrderTest, FR89_FR94_FR221_AcknowledgementInTheFirstCycleAfterATrip) {
+  ControlledWheel::measure(Velocity(), Current());
+  controller.control(tensionOf(12000), measured());
+  wheel.cutOff().execute();
+  time.advance(milliseconds(1));
+  work.at = time.now();
+  work.release = true;
+  haltWheel.execute(work);
+  EXPECT_FALSE(enable.isOn());
+  EXPECT_EQ(output(), Tension(0));
+  EXPECT_EQ(work.applied, std::nullopt);
+  EXPECT_TRUE(work.measured.cutOff);
+  ControlledWheel::measure(Velocity(), Current());
+  work.at = time.now();
+  haltWheel.execute(work);
+  EXPECT_TRUE(enable.isOn());
+  EXPECT_EQ(output(), Tension(0));
+  EXPECT_EQ(work.applied, Tension(0));
   EXPECT_FALSE(work.measured.cutOff);
 }
 
