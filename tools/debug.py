@@ -59,7 +59,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         nargs="?",
         metavar="TEST",
         help="a test, e.g. RcBufferTest.FR53_MiddleSetsZero, a test of the tools, e.g. "
-        "tests/python/x.py::test_y, or the file of a scenario (default: the robot in real "
+        "tests/python/FILE.py::TEST, or the file of a scenario (default: the robot in real "
         "time, with its PC link)",
     )
     parser.add_argument(

@@ -24,6 +24,7 @@ from traceability.exports.revision import (
 from traceability.reading.build_evidence import git
 from traceability.reading.comparison_record import Comparison, Difference, write_comparison
 from traceability.sources import DESIGN
+from weeding_robot_client.exit_codes import DONE
 
 PAGE = "differences.html"
 SYNTAX = Path("build/model/cache")
@@ -41,7 +42,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "in build/revisions. Lists all files that differ. The content of files marked "
         "'not followed', such as Python sources and pages, is not compared. The next "
         "portal shows the differences on a page. Reading a commit for the first time "
-        "takes up to half a minute. The exit code is 0 with and without differences.",
+        f"takes up to half a minute. The exit code is {DONE} with and without differences.",
     )
     parser.add_argument("first", metavar="REV1", help="a commit, a branch or a tag")
     parser.add_argument(

@@ -102,7 +102,7 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path, texts: str, *, keep: bool) -> int:
-    """Runs the process. Returns the exit code 0 if no step failed, even with findings. Otherwise,
+    """Runs the process. Returns 0 if no step failed, even with findings. Otherwise,
     returns INCOMPLETE.
     """
     steps = Steps(root, len(PARTS))

@@ -19,6 +19,7 @@ from tools.radio_key import KeyFileError, write_keyed
 from tools.steps import FailureError, MissingError, Steps, log_of, need_file, run
 from tools.tasks import K64_FIRMWARE, graph
 from traceability.reading.products import image_of
+from weeding_robot_client.exit_codes import MISSING
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe on the FRDM-K64F
@@ -45,7 +46,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "flash",
         description="Builds the firmware image for the K64, checks that it would not lock the "
         "chip, and writes it into a FRDM-K64F. The command uses pyOCD or OpenOCD, or copies the "
-        "image to the drive of the board. The exit code 3 means that no board, "
+        f"image to the drive of the board. The exit code {MISSING} means that no board, "
         "or no file of the given name, was found.",
     )
     parser.add_argument(

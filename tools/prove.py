@@ -11,6 +11,7 @@ from tools.steps import MissingError
 from tools.tasks import graph
 from traceability.reading.declared import read_declared
 from traceability.reading.task_record import PROOFS
+from weeding_robot_client.exit_codes import MISSING
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -20,7 +21,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "composition in design/proofs/robot.pml. Proves the properties of "
         "design/proofs/properties.toml with the model checker Spin. The results are in "
         "build/results/proofs.json and on the page Proofs of the portal. The exit code "
-        "3 means that Spin or a C compiler is missing.",
+        f"{MISSING} means that Spin or a C compiler is missing.",
     )
     parser.add_argument(
         "properties",

@@ -12,6 +12,7 @@ from tools.lock import only_one
 from tools.steps import FailureError, MissingError, need_file
 from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BOARD, graph
 from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_image_of
+from weeding_robot_client.exit_codes import FOUND
 from weeding_robot_client.options import positive
 
 PROGRAM = "weeding_robot_host"
@@ -24,7 +25,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds the firmware for this computer and runs it in real time. Its PC link "
         "is a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends "
         "the firmware. With --board, builds the firmware image for the K64 and runs "
-        "this image on the virtual K64. The exit code 4 means that the virtual K64 found a fault.",
+        f"this image on the virtual K64. The exit code {FOUND} means that the virtual K64 found a "
+        "fault.",
     )
     parser.add_argument(
         "--board", action="store_true", help="run the firmware image for the K64 on the virtual K64"

@@ -119,10 +119,11 @@ TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
 # Inputs of the test of the checks. They are the sources, the checks and the seeded faults.
 SEEDED = (
     *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs", "README.md"),
-    *(*BUILD_FILES, *TOOLS),
+    *("CONTRIBUTING.md", *BUILD_FILES, *TOOLS),
 )
-# The pages show all hand-written texts.
-SHOWN = (*SEEDED, "CHANGELOG.md", "CONTRIBUTING.md", "site", "setup", "wr")
+# The pages show all hand-written texts. The checks also read the settings of the editor and of the
+# automatic runs.
+SHOWN = (*SEEDED, "CHANGELOG.md", "site", "setup", "wr", ".ci", ".github", ".vscode")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),

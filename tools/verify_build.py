@@ -19,6 +19,7 @@ from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.results import RESULTS, RUNS, read_json
 from traceability.schema import HOST
 from traceability.sources import file_hash
+from weeding_robot_client.exit_codes import FAILED
 
 RECORD = RESULTS / JSON
 IMAGES_ONLY = ("firmware",)
@@ -31,8 +32,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Clones the present commit into a new folder, and builds and tests it there. "
         "Then compares this build with the build in this folder: each firmware image "
         "byte by byte, the verdict on each requirement, and the result of each test on each "
-        "target. Randomised tests get the seed of the first run. The exit code is 1 if "
-        "the builds differ. The command takes as long as a first build.",
+        "target. Randomised tests get the seed of the first run. The exit code is "
+        f"{FAILED} if the builds differ. The command takes as long as a first build.",
     )
     parser.add_argument(
         "--images", action="store_true", help="compare only the firmware images of the K64"

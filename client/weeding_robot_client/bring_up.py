@@ -35,7 +35,7 @@ ROOT = Path(__file__).resolve().parents[2]
 DEFAULT_FOLDER = ROOT / "build" / "bring-up"
 DEFAULT_CONTROL = ROOT / "build" / "sim-control"
 IMAGES = ROOT / "build" / "k64"
-DESCRIPTION = """\
+DESCRIPTION = f"""\
 Guides you step by step through the checks of a new robot: port, connection, firmware image, reset
 cause, inputs, end stops, remote control, emergency stop. Then the program turns the steering a few
 degrees to the left and to the right, and turns one wheel at a time with 1 V. It detects a reversed
@@ -46,7 +46,7 @@ turns until the step for the emergency stop has passed and you have confirmed th
 off the ground. Ctrl-C stops the robot. The program writes the result to a record with the present
 date, in JSON and in Markdown.
 
-Exit code 1: a step failed or was skipped."""
+Exit code {FAILED}: a step failed or was skipped."""
 
 PROBE_VENDOR = 0x0D28  # USB vendor of the debug probe, which provides the board's serial port
 SUPPLY_VOLTS = (21.0, 29.0)

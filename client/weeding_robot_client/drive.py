@@ -32,7 +32,7 @@ lost or the program is suspended, the program orders the robot to stop.
 
 {keyboard.HELP}
 
-Exit code 1: no connection, not armed, stopped or interrupted."""
+Exit code {FAILED}: no connection, not armed, stopped or interrupted."""
 EPILOG = HELP
 
 

@@ -12,19 +12,19 @@ from weeding_robot_client.options import add_link, open_capture, open_link, open
 from weeding_robot_client.orders import Orders, connect, not_connected
 from weeding_robot_client.script import Wish
 
-ARM = """\
+ARM = f"""\
 Sends neutral orders (all wheels at 0) until the robot reports that it is armed. Shows the reason
 while the robot is not armed. Releases an earlier stop that the PC ordered. The robot needs
 neutral orders for 0.5 s. A program that drives must then send orders, because the robot does not
 stay armed without orders.
 
-Exit code 1: not armed, or no connection."""
-ACKNOWLEDGE = """\
+Exit code {FAILED}: not armed, or no connection."""
+ACKNOWLEDGE = f"""\
 Acknowledges the latched protective stop. The robot stays at rest and releases its latched faults.
 Remove the cause first, and release a stop of the remote control: while it is in force, an
 acknowledgement has no effect. Afterwards, the program arms the robot, as ./wr arm does.
 
-Exit code 1: not armed, or no connection."""
+Exit code {FAILED}: not armed, or no connection."""
 
 
 def run_arm(options: argparse.Namespace) -> int:

@@ -46,6 +46,11 @@ CODES = {
 }
 
 
+def codes_by_name() -> dict[str, int]:
+    """Returns the exit codes of ./wr by their names."""
+    return {name: code for name, code in vars(exit_codes).items() if name.isupper()}
+
+
 @dataclass(frozen=True)
 class Message:
     """A message of a command: its text, its exit code, and the source line that contains it."""

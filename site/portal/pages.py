@@ -29,7 +29,7 @@ from portal.measured_pages import (
     usual_design,
     virtual_k64,
 )
-from portal.messages import messages
+from portal.messages import codes_by_name, messages
 from portal.module_page import module_page
 from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
@@ -372,7 +372,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
         lambda _: {},
     ),
     "architecture": lambda _: {"wide": True},
-    "messages": lambda portal: {"messages": messages(portal.root)},
+    "messages": lambda portal: {"messages": messages(portal.root), "codes": codes_by_name()},
     "changes": made_changes,
     "structure": structure,
     "secrets": lambda portal: {**groups(portal), "hidden_names": hidden_names},

@@ -11,7 +11,7 @@ from pathlib import Path
 from portal.constant_texts import constant_links
 from portal.frame_tables import expanded
 from portal.links import ROOT, paper_anchor
-from portal.messages import messages
+from portal.messages import codes_by_name, messages
 from portal.module_page import ancestors
 from portal.names import views_of
 from portal.page_words import parts_of
@@ -283,6 +283,7 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
         },
         "pattern": {name: str(names.pat(name)) for name in model.patterns},
         "constant": constant_links(model, links, portal.root),
+        "exit": {name: str(code) for name, code in codes_by_name().items()},
         "check": {name: str(names.check(name)) for name in portal.checks},
         "test": {name: str(names.test(name)) for name in model.tests},
         "source": {

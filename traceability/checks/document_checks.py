@@ -5,7 +5,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.checks.link_checks import missing_commands, missing_parts, missing_paths
+from traceability.checks.link_checks import missing_parts
+from traceability.checks.list_checks import wrong_counts
+from traceability.checks.option_checks import literal_exit_codes, missing_options
+from traceability.checks.path_checks import missing_paths
 from traceability.model.design_model import Model
 from traceability.reading.comments import TAGS
 from traceability.reading.source_facts import Facts
@@ -17,7 +20,7 @@ READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "
 
 def check(_model: Model, facts: Facts) -> list[Finding]:
     findings = [Finding(place, "syntax-error", text) for place, text in facts.syntax.errors]
-    for find in (missing_paths, missing_commands, missing_parts):
+    for find in (missing_paths, missing_options, literal_exit_codes, missing_parts, wrong_counts):
         findings += find(facts.root)
     for problem in facts.declared.entries.problems:
         findings.append(Finding(problem.place, "design-entry", problem.text, problem.fix))

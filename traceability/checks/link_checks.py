@@ -1,4 +1,4 @@
-"""link-site: the built site has no dead link. link-doc: the files, commands, programs and pins that
+"""link-site: the built site has no dead link. link-doc: the products, programs and pins that
 hand-written pages name exist."""
 
 from __future__ import annotations
@@ -18,25 +18,24 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from traceability.model.design_model import Model
+from traceability.reading.change_kits import PATCH
 from traceability.reading.products import LIST, listed
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
 
-PAGES = ("README.md", "docs")
-# Matches the path of a project file that is in backticks or is the target of a link.
-NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
+PAGES = ("README.md", "CONTRIBUTING.md", "changes", "docs", "ports")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in a style sheet
-COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
 # A folder of the build. A file directly in the folder build is left out.
 BUILT = re.compile(r"(?<![\w/.-])build/(\w+)\b(?![.]\w)")
 PRESETS = "CMakePresets.json"
+FUNCTIONS = "sim/emulator/PinFunctions.hpp"
+FUNCTION = re.compile(r"\bk(\w+)Pins\{\{(.*?)\}\};", re.DOTALL)
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
 # A key in a sentence, or in the first column of a table of keys.
 KEY = re.compile(r"\bkey ``(\w)``|^(?:\w+, )?(\w)  +\w")
-HELP = '"--help"'  # this option exists for every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
@@ -44,7 +43,6 @@ CACHE = "pages-cache/links"  # path of the cache, in the folder that contains th
 # If at most this number of pages changed, one process reads them. Several processes would not be
 # faster.
 FEW = 100
-SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
 
@@ -235,39 +233,9 @@ class Texts:
         return self.lines[file]
 
 
-def missing_paths(root: Path) -> Iterator[Finding]:
-    """Finds names of files and folders that do not exist, in the pages of docs/, in the README and
-    in the texts of design/."""
-    names, suffixes = ("README.md", "docs", "design"), (".md", ".rst", ".toml")
-    for place, line in lines_below(root, names, suffixes):
-        if place.file.endswith(".toml") and line.startswith("#"):
-            continue
-        for named in filter(None, sum(NAMED.findall(line), ())):
-            top, name = named.split("/")[0], root / named
-            in_list = place.file.endswith("README.md") and named.endswith("/")
-            is_path = (root / top).is_dir() or name.suffix in SOURCES or in_list
-            if is_path and top != "build" and not name.exists():
-                yield Finding(place, "link-doc", f"there is no {named}")
-
-
-def missing_commands(root: Path) -> Iterator[Finding]:
-    """Finds commands of ./wr and options of these commands that do not exist, in the pages of docs/
-    and in the README."""
-    code = "".join(
-        path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
-    )
-    fix = "name a command that ./wr --help lists"
-    for place, line in lines_below(root, PAGES if code else (), (".md", ".rst")):
-        for command, options in COMMAND.findall(line):
-            after = line if place.file.endswith(".md") else options
-            words = [command, *re.findall(r"(?<![\w-])--[a-z][a-z-]*", after)]
-            for word in [word for word in words if f'"{word}"' not in code + HELP]:
-                yield Finding(place, "link-doc", f"./wr has no {word}", fix)
-
-
 def missing_parts(root: Path) -> Iterator[Finding]:
     """Finds names of products, programs, folders of the build, keys and pins that do not exist, in
-    the pages of docs/ and in the README."""
+    the pages of docs/ and in the other hand-written pages."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     targets, keys, folders = _targets(root), _keys(root), _built(root)
@@ -281,7 +249,11 @@ def missing_parts(root: Path) -> Iterator[Finding]:
             for key in found
             if key and key not in keys
         ]
-        wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
+        wrong += [
+            f"pin {name} in use"
+            for name in PIN.findall(line)
+            if name not in pins | _pins_of_port(root, place.file)
+        ]
         for name in wrong:
             yield Finding(place, "link-doc", f"there is no {name}")
 
@@ -290,8 +262,25 @@ def _pins(root: Path) -> set[str]:
     """Returns the pins that src/k64/pins.hpp lists or names in comments."""
     path = root / "src" / "k64" / "pins.hpp"
     text = path.read_text(encoding="utf-8") if path.exists() else ""
-    rows = {f"PT{port}{number}" for port, number in re.findall(r"Port::([A-E]), (\d+)", text)}
-    return rows.union(PIN.findall(text))
+    return _rows(text).union(PIN.findall(text))
+
+
+def _rows(text: str) -> set[str]:
+    return {f"PT{port}{number}" for port, number in re.findall(r"Port::([A-E]), (\d+)", text)}
+
+
+def _pins_of_port(root: Path, file: str) -> set[str]:
+    """Returns the pins that the README of a port can name: the pins of its patch, and the
+    pins that the microcontroller has for the peripherals in the README."""
+    patch, functions = (root / file).with_name(PATCH), root / FUNCTIONS
+    if not (file.startswith("ports/") and patch.exists() and functions.exists()):
+        return set()
+    pins = _rows(patch.read_text(encoding="utf-8"))
+    readme = (root / file).read_text(encoding="utf-8")
+    for name, rows in FUNCTION.findall(functions.read_text(encoding="utf-8")):
+        if re.search(rf"\b{name.upper()}\d", readme):
+            pins |= {f"PT{port}{number}" for port, number in re.findall(r"'(\w)', (\d+)", rows)}
+    return pins
 
 
 def _keys(root: Path) -> set[str]:

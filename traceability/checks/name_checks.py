@@ -1,6 +1,7 @@
 """doc-name: each name of the code in a text exists in the code or in the paper.
 
-A text is a comment of the code, a literal of a page of docs/, or a text of design/.
+A text is a comment of the code, a literal of a page of docs/, or a text of design/. Each test that
+a page or a text of design/ names exists, too.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -25,6 +27,16 @@ IN_COMMENT = re.compile(
 )
 IN_PAGE = re.compile(r"``([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``")
 IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
+PAGES = (".md", ".rst", ".toml")
+IN_PAGES = ("README.md", "CONTRIBUTING.md", "docs", "design", "changes", "ports")
+# A test is SUITE.TEST. A name in capitals, such as an enumerator of Python, is not a test.
+TEST = re.compile(r"(?<![\w./:])([A-Z]\w*)\.([A-Z]\w*[a-z]\w*)(?![\w(/])")
+OF_REQUIREMENT = re.compile(r"N?FR\d+_")
+# "RC derives from Mode": both names can be literals or links.
+DERIVES = re.compile(
+    r"\b([A-Z]\w+)`{0,2}\s+derives\s+from\s+(?::module:)?`{0,2}([A-Z]\w+)(?![\w:])"
+)
+FILTER = re.compile(r"--gtest_filter='([^']+)'")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
 PLACEHOLDER = "Class"  # In docs/, Class::method is an example that represents any method.
@@ -77,6 +89,39 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
                 text,
                 "write the name that the code has now",
             )
+    yield from _tests(model, facts.root)
+    yield from _derivations(facts)
+
+
+def _tests(model: Model, root: Path) -> Iterator[Finding]:
+    """Finds names of tests, and filters of tests, that no test has."""
+    suites = {test.suite for test in model.tests.values()}
+    for place, line in lines_below(root, IN_PAGES, PAGES):
+        if line.lstrip().startswith("+"):  # an added line of an example change
+            continue
+        names = [
+            f"{suite}.{case}"
+            for suite, case in TEST.findall(line)
+            if suite in suites or suite.endswith("Test") or OF_REQUIREMENT.match(case)
+        ]
+        names += FILTER.findall(line)
+        for name in names:
+            if not any(fnmatchcase(test, name) for test in model.tests):
+                text = f"the text names the test {name}, which does not exist"
+                yield Finding(place, "doc-name", text, "write the name of a test")
+
+
+def _derivations(facts: Facts) -> Iterator[Finding]:
+    """Finds sentences in pages that state a wrong base class of a class."""
+    for path in files_below(facts.root, IN_PAGES, PAGES):
+        text = path.read_text(encoding="utf-8")
+        for match in DERIVES.finditer(text):
+            name, base = match.groups()
+            if {name, base} <= facts.classes.keys() and base not in facts.bases_of(name):
+                line = text.count("\n", 0, match.start()) + 1
+                said = f"the text states that {name} derives from {base}, but it does not"
+                place = Place(str(path.relative_to(facts.root)), line)
+                yield Finding(place, "doc-name", said, "write the name of the base class")
 
 
 def _words(model: Model, facts: Facts) -> Words:

@@ -42,6 +42,11 @@ class Shape:
     def playing(self, role: str) -> list[str]:
         return [item.module for item in self.application.roles if item.role == role]
 
+    def any_with(self, role: str) -> str:
+        """Returns a text that names the modules with a role. If no module has the role, the text
+        names the role."""
+        return " or ".join(self.playing(role)) or f"module with the role {role}"
+
     def place(self, module: str) -> Place:
         return self.facts.classes[module].place
 
@@ -444,7 +449,7 @@ def command_invoker(shape: Shape) -> Broken:
         if commands and not calls:
             yield shape.place(invoker), f"{invoker} does not call {', '.join(commands)}"
         elif calls and not executed(shape, calls):
-            concrete = " or ".join(shape.playing("Concrete Command"))
+            concrete = shape.any_with("Concrete Command")
             yield shape.place(invoker), f"{invoker} receives no {concrete} that it can execute"
 
 
@@ -562,7 +567,7 @@ def builder_director(shape: Shape) -> Broken:
         for place, target in shape.named(director, unknown_to(shape, director)):
             yield place, f"{director} names {target}"
         if not any(owner_of(target) in builders for target, _ in shape.calls(director)):
-            yield shape.place(director), f"{director} does not call {', '.join(builders)}"
+            yield shape.place(director), f"{director} calls no {shape.any_with('Builder')}"
         for target, place in shape.calls(director):
             owner = owner_of(target)
             constructor = target.rsplit("::", 1)[-1] == owner
@@ -647,7 +652,8 @@ def serializer_used(shape: Shape) -> Broken:
         for body in operations:
             owners = {owner_of(target) for target in shape.calls_from(body.id, element)}
             if not owners.intersection(abstractions):
-                yield body.place, f"{body.id} calls no {' or '.join(abstractions)}"
+                called = " or ".join(abstractions) or "module with the role Reader or Writer"
+                yield body.place, f"{body.id} calls no {called}"
 
 
 def together(*clauses: Callable[[Shape], Broken]) -> Callable[[Shape], Broken]:

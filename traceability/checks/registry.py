@@ -118,7 +118,9 @@ _FIXED = [
         "doc-warning",
         "Documentation comments and pages without warnings",
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
-        "a parameter. Each tag is defined in this project. Each link has a target.",
+        "a parameter. Each tag is defined in this project. Each link has a target. If the sentence "
+        "before a list on a page states the number of the items, the list has this number of "
+        "items.",
         _TEXT_BLIND,
         "correct the comment or the page as the message explains.",
     ),
@@ -127,8 +129,9 @@ _FIXED = [
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
         "in the paper. The texts are comments of the code, literals in the pages of docs/, and "
-        "texts of design/. `paper-stale` checks the names in design/concordance.toml, and "
-        "`pattern-change` the names in design/changes.toml.",
+        "texts of design/. Each test that a page or a text of design/ names exists. If a page "
+        "states that a class derives from another class, it does. `paper-stale` checks the names "
+        "in design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed.",
         "write the name that the code has now.",
@@ -849,10 +852,13 @@ _FIXED = [
     ),
     Check(
         "req-unknown",
-        "Tags name requirements that exist",
+        "Tags and texts name requirements that exist",
         "Every @satisfies and @verifies names one requirement of requirements/. Every requirement "
-        "that a transition of a state machine or a metric in design/closed_loop.toml names exists.",
-        "The check does not find a tag that names an existing, but wrong requirement.",
+        "that a transition of a state machine or a metric in design/closed_loop.toml names exists. "
+        "Every id of a requirement, hazard, safety goal or assumption in a comment, a page, a text "
+        "of design/ or another text exists.",
+        "The check does not find an id that exists, but is wrong. It does not read the tests of "
+        "the tools, because these tests name ids that do not exist.",
         "correct the id.",
     ),
     Check(
@@ -1083,11 +1089,14 @@ _FIXED = [
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target. Every path of a file in a page of docs/, in the "
-        "README or in a text of design/ exists. Each command of ./wr that a page or the README "
-        "names exists with its options. The products, test programs, folders of the build, used "
-        "pins and keys that a page or the README names exist too.",
-        "The check cannot judge whether the link has the right target.",
+        "Every reference in docs/ has a target. Every path that begins with a folder of the "
+        "project exists, in a page, a requirement, a comment, a text of design/ or another text. "
+        "Each command of ./wr that a page names exists with its options. An option without a "
+        "command is an option of a command or a program that the page names. The products, test "
+        "programs, folders of the build, used pins and keys that a page names exist too. Pages and "
+        "help texts insert the exit codes.",
+        "The check cannot judge whether the link has the right target. It does not find the option "
+        "of another command that the page also names.",
         "correct the target.",
     ),
     Check(

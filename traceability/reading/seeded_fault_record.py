@@ -28,7 +28,8 @@ SOURCES = (
         "tools",
         "client",
     ),
-    *("README.md", "CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake"),
+    *("README.md", "CONTRIBUTING.md"),
+    *("CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake"),
 )
 
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from traceability.checks.link_checks import check, dead_links, missing_paths
+from traceability.checks.link_checks import check, dead_links
+from traceability.checks.path_checks import missing_paths
 from traceability.model.design_model import Model
 
 
@@ -83,3 +84,25 @@ def test_paths_of_the_project_that_pages_name_exist(tmp_path: Path) -> None:
         ("README.md", 3, "there is no docs/none.rst"),
         ("docs/page.rst", 1, "there is no src/gone.hpp"),
     ]
+
+
+def test_all_texts_name_paths_of_the_project_that_exist(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "src/there.hpp": '#include "src/none.hpp"\n// See src/gone.hpp, src/there.hpp.\n',
+            "requirements/a.dox": "@source decision: docs/gone.rst, and/or docs/*.rst.\n",
+            "docs/page.rst": "``.github/workflows/ci.yml`` and ``build/made.txt``\n",
+            ".github/workflows/check.yml": "",
+            "tools/run.py": 'PAGE = "docs/page"  # docs/FILE.rst, /home/src/x.hpp\n',
+            "ports/can/README.md": "`can.cpp`, `port/can.cpp`, `port/none.cpp`.\n",
+            "ports/can/port/can.cpp": "",
+        },
+    )
+    found = {(one.place.file, one.text) for one in missing_paths(tmp_path)}
+    assert found == {
+        ("docs/page.rst", "there is no .github/workflows/ci.yml"),
+        ("ports/can/README.md", "there is no port/none.cpp"),
+        ("requirements/a.dox", "there is no docs/gone.rst"),
+        ("src/there.hpp", "there is no src/gone.hpp"),
+    }

@@ -3,25 +3,80 @@ checks find all other names."""
 
 from pathlib import Path
 
-from traceability.checks.link_checks import (
-    missing_commands,
-    missing_parts,
-    missing_paths,
-)
+from traceability.checks.link_checks import missing_parts
+from traceability.checks.option_checks import literal_exit_codes, missing_options
+from traceability.checks.path_checks import missing_paths
+
+NONE = "no command or program that this page names has the option"
 
 
-def test_commands_options_and_folders_that_are_missing_are_found(tmp_path: Path) -> None:
-    (tmp_path / "tools").mkdir()
-    (tmp_path / "tools" / "sim.py").write_text('add_parser("sim")\nadd("--board")\n')
-    readme = tmp_path / "README.md"
-    readme.write_text(
-        "./wr sim --board  # runs, or --bord\n./wr sim --help\n./wr fly --high\n| `lost/` |\n"
-    )
-    assert [finding.text for finding in missing_commands(tmp_path)] == [
-        "./wr has no --bord",
-        "./wr has no fly",
-        "./wr has no --high",
+TOOL = """
+def add(commands):
+    parser = commands.add_parser("sim", description="Runs it; see --bord.")
+    parser.add_argument("--board", help="with --gdb")
+    add_gdb(parser)
+
+def add_gdb(parser):
+    parser.add_argument("--gdb")
+"""
+CLIENT = """
+def add(commands):
+    entries = {"drive": (add_options, 1), "stop": (print, 2)}
+    for name, entry in entries.items():
+        commands.add_parser(name)
+
+def add_options(parser):
+    "Adds them, as ``git --stat``."
+    parser.add_argument("--csv")
+"""
+PROGRAM = """#include "sim/programs/Link.hpp"
+app.add_option_function<std::vector<int>>(
+    "--level", settings.level);
+"""
+
+
+def test_commands_and_options_that_are_missing_are_found(tmp_path: Path) -> None:
+    files = {
+        "tools/sim.py": TOOL,
+        "client/commands.py": CLIENT,
+        "sim/programs/wr_board.cpp": PROGRAM,
+        "sim/programs/Link.hpp": 'app.add_flag("--link", link);',
+        "README.md": "./wr sim --board  # runs, or --gbd\n./wr sim --help\n./wr fly --high\n",
+        "CONTRIBUTING.md": "`./wr drive --csv FILE` and `./wr stop --csv`\n",
+        "docs/page.rst": "``wr_board`` has ``--level`` and ``--link NAME``, not ``--csv``.\n",
+        "docs/any.rst": "``--csv FILE --csw``, ``cmake --preset x``\n",
+        "design/answers.toml": "# of ./wr and\n[[a]]\n`--csv`: ./wr sim\n"
+        "[[b]]\n`--csv`: ./wr drive",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    found = [
+        (one.place.file, one.place.line, one.text.replace(NONE, "*"))
+        for one in missing_options(tmp_path)
     ]
+    assert found == [
+        ("tools/sim.py", 3, "no command has the option --bord"),
+        ("CONTRIBUTING.md", 1, "./wr stop has no --csv"),
+        ("README.md", 1, "* --gbd"),
+        ("README.md", 3, "./wr has no fly"),
+        ("design/answers.toml", 3, "* --csv"),
+        ("docs/any.rst", 1, "* --csw"),
+        ("docs/page.rst", 1, "* --csv"),
+    ]
+
+
+def test_an_exit_code_that_is_a_number_is_found(tmp_path: Path) -> None:
+    (tmp_path / "docs").mkdir()
+    page = "It ends with exit code 5.\nThe exit code is then :exit:`FOUND`, or exit code\n"
+    (tmp_path / "docs" / "page.rst").write_text(page)
+    (found,) = literal_exit_codes(tmp_path)
+    assert (found.place.line, found.text) == (1, "the exit code 5 is not inserted")
+
+
+def test_a_folder_that_is_missing_is_found(tmp_path: Path) -> None:
+    (tmp_path / "tools").mkdir()
+    (tmp_path / "README.md").write_text("`lost/` |\n")
     assert [finding.text for finding in missing_paths(tmp_path)] == ["there is no lost/"]
 
 

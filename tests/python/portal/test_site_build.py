@@ -15,6 +15,7 @@ from tests.python.portal.page_reader import Shown, read_page
 from traceability.checks.link_checks import dead_links
 from traceability.model.design_model import Model
 from traceability.schema import Finding, Place
+from weeding_robot_client import exit_codes
 
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it.")
@@ -90,13 +91,20 @@ def test_the_inventory_has_the_elements_of_the_design(site: Site) -> None:
 def test_an_unknown_name_in_a_hand_written_page_is_found_in_each_run(site: Site) -> None:
     (site.root / "docs" / "tour.rst").write_text(
         "Tour\n====\n\nText.\n\n"
-        "See :module:`Nobody`, :requirement:`FR-99`, :test:`RcTest.Gone`, :constant:`kGone`\n"
-        "and :ref:`nowhere`.\n"
+        "See :module:`Nobody`, :requirement:`FR-99`, :test:`RcTest.Gone`, :constant:`kGone`,\n"
+        ":exit:`LATE` and :ref:`nowhere`.\n"
     )
     for _ in range(2):
         warnings = site.build().warnings
         assert {(w.place.file, w.check) for w in warnings} == {("docs/tour.rst", "link-doc")}
-        assert len(warnings) == 5
+        assert len(warnings) == 6
+
+
+def test_an_exit_code_is_inserted(site: Site) -> None:
+    page = site.root / "docs" / "tour.rst"
+    page.write_text("Tour\n====\n\nThe exit code is :exit:`BUSY`.\n")
+    assert site.build().warnings == []
+    assert f"The exit code is {exit_codes.BUSY}." in (site.html / "docs/tour.html").read_text()
 
 
 def test_a_label_that_another_page_lost_is_found(site: Site) -> None:

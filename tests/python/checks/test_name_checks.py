@@ -1,0 +1,34 @@
+"""The check finds tests and base classes that a page names and that do not exist."""
+
+from pathlib import Path
+
+from tests.python.model.small_tree import write_tree
+from traceability.checks import name_checks
+from traceability.model.build import build
+
+PAGE = """\
+Working.WaitsWithoutMessage and Working.WaitsWithMessage, ``--gtest_filter='*Waits*'`` or
+``--gtest_filter='*FR16*'``. Wish.of(Working.STATE), NoTest.Waits, Other.FR15_Waits.
++ Working.NewTest
+:module:`Working` derives
+from :module:`Waiting`. ``PC`` derives from :module:`Mode`, RC derives from RC::Mode.
+"""
+
+
+def test_a_test_or_a_base_class_that_does_not_exist_is_found(tmp_path: Path) -> None:
+    root = write_tree(tmp_path)
+    page = root / "docs" / "page.rst"
+    page.parent.mkdir(exist_ok=True)
+    page.write_text(PAGE)
+    model, facts = build(root)
+    found = [(one.place.line, one.text) for one in name_checks.check(model, facts)]
+    missing = "the text names the test {}, which does not exist"
+    assert [each for each in found if "test" in each[1]] == [
+        (1, missing.format("Working.WaitsWithMessage")),
+        (2, missing.format("NoTest.Waits")),
+        (2, missing.format("Other.FR15_Waits")),
+        (2, missing.format("*FR16*")),
+    ]
+    derives = "the text states that Working derives from Waiting, but it does not"
+    assert (4, derives) in found
+    assert sum("derives" in text for _, text in found) == 1

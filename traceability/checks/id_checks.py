@@ -1,0 +1,34 @@
+"""req-unknown: each id of a requirement, hazard, safety goal or assumption in a text exists."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from traceability.model.design_model import Model
+from traceability.reading.project_texts import text_lines
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding
+
+IDS = {
+    "requirement": r"N?FR-\d+",
+    "hazard": r"HZ-\d+",
+    "safety goal": r"SG-\d+",
+    "assumption": r"AU-\d+",
+}
+ID = re.compile(rf"(?<![\w-])({'|'.join(IDS.values())})(?!\w)")
+# Entries of TOML files and tags. If they name an id that does not exist, other findings report it.
+ENTRY = re.compile(r'"[A-Z]+-\d+"|@(?:satisfies|verifies|goal) [A-Z]+-\d+')
+
+
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    safety = model.safety
+    ids = {*model.requirements, *safety.hazards, *safety.goals, *safety.assumptions}
+    for place, line in text_lines(facts.root):
+        for name in ID.findall(ENTRY.sub("", line)) if "-" in line else ():
+            if name not in ids:
+                yield Finding(place, "req-unknown", f"there is no {_kind(name)} {name}")
+
+
+def _kind(name: str) -> str:
+    return next(kind for kind, ids in IDS.items() if re.fullmatch(ids, name))
