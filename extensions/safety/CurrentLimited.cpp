@@ -22,22 +22,20 @@ CurrentLimited::CurrentLimited(WheelAlgorithm& wrapped) : wrapped_(wrapped) {}
 
 Tension CurrentLimited::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
   const Tension demand = wrapped_.calculate(setPoint, feedback);
-  if (!applied_) {
+  if (!feedback.applied) {
     return demand;
   }
-  const Tension most = *applied_ + across(kMaxCurrent - feedback.current);
-  const Tension least = *applied_ + across(-kMaxCurrent - feedback.current);
+  const Tension most = *feedback.applied + across(kMaxCurrent - feedback.current);
+  const Tension least = *feedback.applied + across(-kMaxCurrent - feedback.current);
   return std::clamp(demand, least, most);
 }
 
 void CurrentLimited::applied(Tension tension) {
   wrapped_.applied(tension);
-  applied_ = tension;
 }
 
 void CurrentLimited::reset() {
   wrapped_.reset();
-  applied_.reset();
 }
 
 }  // namespace wr

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "units/quantities.hpp"
 #include "wheel_control/algorithms/WheelAlgorithm.hpp"
@@ -25,30 +24,26 @@ class CurrentLimited final : public WheelAlgorithm {
   /// @param wrapped algorithm that computes the voltage without this limit
   explicit CurrentLimited(WheelAlgorithm& wrapped);
 
-  /// @brief Computes the limited voltage. If no voltage was applied since the last reset(), there
-  /// is no limit.
+  /// @brief Computes the limited voltage. If the present voltage of the wheel is unknown, there is
+  /// no limit.
   /// @param setPoint set-point in the unit of the wrapped algorithm
-  /// @param feedback measurements of the wheel
+  /// @param feedback measurements and present voltage of the wheel
   /// @return voltage for the wheel [mV].
   /// @satisfies FR-296
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Records the voltage that was applied to the wheel, and passes it to the wrapped
-  /// algorithm.
+  /// @brief Passes the voltage that was applied to the wheel to the wrapped algorithm.
   /// @param tension voltage of the wheel [mV]
-  /// @satisfies FR-296
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Clears the recorded voltage, and resets the wrapped algorithm.
-  /// @satisfies FR-296
+  /// @brief Resets the wrapped algorithm.
   /// @isr{no}
   void reset() override;
 
  private:
   WheelAlgorithm& wrapped_;
-  std::optional<Tension> applied_;  // last voltage that was applied to the wheel
 };
 
 }  // namespace wr

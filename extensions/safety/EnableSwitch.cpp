@@ -21,6 +21,9 @@ constexpr Microseconds kLifetime = milliseconds(200);  // greatest age of a vali
 // PC and drive.
 constexpr std::uint8_t kAcknowledgements = 3;
 
+// Time after this sequence in which orders acknowledge faults. A later fault needs a new sequence.
+constexpr Microseconds kAcknowledgeTime = milliseconds(1000);
+
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
 
 bool fresh(Instant at, Instant now) {
@@ -35,7 +38,7 @@ EnableSwitch::EnableSwitch(Mode& wrapped, const Signals& signals)
 void EnableSwitch::serve() {
   const Instant now = signals_.timebase.now();
   takePosition(now);
-  advanceSequence();
+  advanceSequence(now);
   if (position_ == Position::Stop || unattended(now)) {
     stopped_ = true;
   } else if (!deflected(now)) {
@@ -97,15 +100,26 @@ bool EnableSwitch::stopConfirmed() {
 
 // Records how far the switch has moved through the positions stop, PC and drive. Only an operator
 // moves the switch through the position PC: when the radio link returns, the output of the receiver
-// changes directly from stop to drive.
-void EnableSwitch::advanceSequence() {
-  if (position_ == Position::Stop) {
+// changes directly from stop to drive. A gap of the pulses ends the sequence, because the switch
+// was not in the position stop.
+void EnableSwitch::advanceSequence(Instant now) {
+  const std::optional<Stamped<Microseconds>> pulse = signals_.enable.read();
+  if (now - drivenAt_ > kAcknowledgeTime) {
+    acknowledgements_ = 0;
+  }
+  if (!pulse || !fresh(pulse->at, now)) {
+    sequence_ = Sequence::None;
+    acknowledgements_ = 0;
+  } else if (position_ == Position::Stop) {
     sequence_ = Sequence::Stopped;
     acknowledgements_ = 0;
   } else if (position_ == Position::Pc) {
     sequence_ = sequence_ == Sequence::None ? Sequence::None : Sequence::Passed;
   } else {
-    acknowledgements_ = sequence_ == Sequence::Passed ? kAcknowledgements : acknowledgements_;
+    if (sequence_ == Sequence::Passed) {
+      acknowledgements_ = kAcknowledgements;
+      drivenAt_ = now;
+    }
     sequence_ = Sequence::None;
   }
 }

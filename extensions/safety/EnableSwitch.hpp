@@ -18,8 +18,8 @@ namespace wr {
 /// position and the velocity stick is not deflected. If the switch was in the position "stop" only
 /// between two cycles, a stop is latched in the second cycle. In the position "PC" the orders of
 /// the remote control are not read. When an operator moves the switch from stop through PC to
-/// drive, the next orders acknowledge latched faults. If the pulses do not change for more than 2 s
-/// while the remote control moves the robot, a stop is latched.
+/// drive, the next orders within 1 s acknowledge latched faults. If the deflections do not change
+/// for more than 2 s while the remote control moves the robot, a stop is latched.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.
@@ -59,8 +59,8 @@ class EnableSwitch final : public ModeDecorator {
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
-  /// @brief Reads the order of the remote control. The first three orders after the switch
-  /// positions stop, PC, drive acknowledge latched faults.
+  /// @brief Reads the order of the remote control. The first three orders without a stop after the
+  /// switch positions stop, PC, drive acknowledge latched faults, if they are read within 1 s.
   /// @param mCtrl main controller that receives the set-points
   /// @satisfies FR-288
   /// @isr{no}
@@ -87,7 +87,7 @@ class EnableSwitch final : public ModeDecorator {
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
   void takePosition(Instant now);
   [[nodiscard]] bool stopConfirmed();
-  void advanceSequence();
+  void advanceSequence(Instant now);
   [[nodiscard]] bool deflected(Instant now);
   [[nodiscard]] bool unattended(Instant now);
 
@@ -96,6 +96,7 @@ class EnableSwitch final : public ModeDecorator {
   Position position_ = Position::Stop;
   Instant confirmedAt_{};  // time of the newest pulse that confirmed a stop
   Sequence sequence_ = Sequence::None;
+  Instant drivenAt_{};                 // time at which the sequence was complete
   std::uint8_t acknowledgements_ = 0;  // number of following orders that acknowledge faults
   bool stopped_ = true;
 };

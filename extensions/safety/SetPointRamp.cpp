@@ -61,12 +61,12 @@ std::int32_t unloadedVelocity(Tension tension) {
 }
 
 // Returns the voltage for this cycle: the ordered voltage, limited to the permitted change of the
-// present voltage.
+// present voltage. A voltage on the other side of 0 is limited as if the present voltage were 0.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
-      applied < Tension() ? applied + kMaxFallPerCycle : applied + kMaxRisePerCycle;
+      std::min(applied + kMaxFallPerCycle, std::max(applied, Tension()) + kMaxRisePerCycle);
   const Tension least =
-      applied > Tension() ? applied - kMaxFallPerCycle : applied - kMaxRisePerCycle;
+      std::max(applied - kMaxFallPerCycle, std::min(applied, Tension()) - kMaxRisePerCycle);
   return std::clamp(order, least, most);
 }
 
@@ -101,30 +101,35 @@ void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
 
 void SetPointRamp::stand(std::uint32_t cycle) {
   ramped_ = {};
+  other_ = {};
   share_ = kFullScale;
   wrapped().stand(cycle);
 }
 
 void SetPointRamp::recover(std::uint32_t cycle) {
   ramped_ = {};
+  other_ = {};
   share_ = kFullScale;
   wrapped().recover(cycle);
 }
 
-// Sets the velocity at which the ramp begins after an order of voltage or current. The ramp begins
-// at the lower of two velocities: the measured velocity, and the velocity that the present voltage
-// causes without load. If the ramp began at a greater velocity, the voltage would jump. If the two
-// velocities have opposite directions, the ramp begins at 0.
+// Sets the velocity at which the ramp begins after an order of voltage or current. The first cycle
+// with an order of velocity also does this, because it needs the present values. The
+// ramp begins at the lower of two velocities: the measured velocity, and the velocity that the
+// present voltage causes without load. If the ramp began at a greater velocity, the voltage would
+// jump. If the two velocities have opposite directions, the ramp begins at 0.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    if (!isVelocity(setPoints.wheels[wheel])) {
+    const bool other = !isVelocity(setPoints.wheels[wheel]);
+    if (other || other_[wheel]) {
       const std::int32_t velocity =
           measurements.wheels[wheel].velocity.value_or(Velocity()).count();
       const std::int32_t unloaded = unloadedVelocity(outputs.tensions[wheel].value_or(Tension()));
       constexpr std::int32_t kNone = 0;
       ramped_[wheel] = std::clamp(unloaded, std::min(velocity, kNone), std::max(velocity, kNone));
     }
+    other_[wheel] = other;
   }
 }
 

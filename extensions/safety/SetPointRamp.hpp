@@ -57,6 +57,8 @@ class SetPointRamp final : public OrderStageDecorator {
   Measurements measurements_;  // measurements of the present cycle
   Outputs outputs_;
   std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
+  // Whether the previous set-point of each wheel was a voltage or a current.
+  std::array<bool, kWheelCount> other_{};
   // [0.1 rpm] Magnitude of the velocity of each wheel in the previous cycle.
   std::array<std::int32_t, kWheelCount> velocities_{};
   // [0.001] Factor of all set-points. This factor falls while a wheel is too fast.

@@ -195,12 +195,14 @@ bool WheelSupervision::deviates(const Balance& balance) {
 }
 
 bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
-  const std::uint16_t before = rejected_.value_or(measured.rejectedEdges);
+  const std::uint32_t before = rejected_.value_or(measured.rejectedEdges);
   rejected_ = measured.rejectedEdges;
   const bool driven = tension_.value_or(Tension()) != Tension();
   const bool turns = magnitude(measured.velocity.value_or(velocity_)) >= kTurning;
-  const std::int32_t edges =
-      std::min(kHalves * (measured.rejectedEdges - before), kRejectedOfCycle);
+  // The number of edges can overflow. The difference cannot overflow, because it is small.
+  const std::uint32_t added =
+      std::min<std::uint32_t>(measured.rejectedEdges - before, kRejectedOfCycle / kHalves);
+  const std::int32_t edges = kHalves * static_cast<std::int32_t>(added);
   const bool counts = driven && (turns || edges == kRejectedOfCycle);
   const std::int32_t counted = rejecting_ + (counts ? edges : 0) - 1;
   rejecting_ = static_cast<std::uint8_t>(std::clamp<std::int32_t>(counted, 0, kRejectedEdges));

@@ -74,7 +74,7 @@ class WheelSupervision final {
   void record(std::optional<Tension> applied, const WheelSetPoint* followed);
 
   std::optional<Tension> tension_;         // voltage during the cycle that ends
-  std::optional<std::uint16_t> rejected_;  // number of implausible Hall edges up to the last cycle
+  std::optional<std::uint32_t> rejected_;  // number of implausible Hall edges up to the last cycle
   Velocity velocity_{};                    // velocity of the previous cycle
   std::optional<Current> current_;         // current of the previous cycle
   std::uint8_t equalCycles_ = 0;

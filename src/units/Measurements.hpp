@@ -19,7 +19,7 @@ struct WheelMeasurements {
   bool cutOff = false;              ///< the overcurrent trip has removed the voltage from the wheel
   bool blind = false;               ///< the wheel has voltage, but its Hall sensors show no motion
   bool reversalLate = false;        ///< the wheel could not change its orientation in time
-  std::uint16_t rejectedEdges = 0;  ///< number of implausible Hall edges since start, at most 65535
+  std::uint32_t rejectedEdges = 0;  ///< number of implausible Hall edges since start, modulo 2^32
 
   /// @brief Clears each value separately, because the assignment of a new object would take more
   /// time.

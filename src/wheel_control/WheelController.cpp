@@ -46,7 +46,8 @@ WheelController::WheelController(const Parts& parts)
 void WheelController::control(const WheelSetPoint& setPoint, const WheelMeasurements& measured) {
   watchMotion(setPoint, measured);
   if (measured.velocity && measured.current && !blind_ && !reversalLate_) {
-    follow(setPoint, {.velocity = *measured.velocity, .current = *measured.current});
+    follow(setPoint,
+           {.velocity = *measured.velocity, .current = *measured.current, .applied = applied_});
   } else {
     lower();
   }

@@ -236,7 +236,10 @@ void writeConditions(Writer& writer, const Measurements& measurements) {
   writer.writeU8({.name = FieldName::BlindWheels},
                  wheelBits(measurements, &WheelMeasurements::blind));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeU16({.name = FieldName::RejectedEdges}, measurements.wheels[wheel].rejectedEdges);
+    constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint16_t>::max();
+    writer.writeU16(
+        {.name = FieldName::RejectedEdges},
+        static_cast<std::uint16_t>(std::min(measurements.wheels[wheel].rejectedEdges, kMaxCount)));
   }
 }
 

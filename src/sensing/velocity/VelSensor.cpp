@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 #include "functions/arguments/BaseArguments.hpp"
 #include "functions/arguments/RangeArguments.hpp"
@@ -74,9 +73,8 @@ HallCount VelSensor::position() const {
   return position_;
 }
 
-std::uint16_t VelSensor::rejectedEdges() const {
-  constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::min(unclear_ + reversals_, kMaxCount));
+std::uint32_t VelSensor::rejectedEdges() const {
+  return unclear_ + reversals_;
 }
 
 bool VelSensor::plausible(const HallRecord& record) const {

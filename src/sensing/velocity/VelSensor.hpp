@@ -59,10 +59,10 @@ class VelSensor final {
   [[nodiscard]] HallCount position() const;
 
   /// @brief Returns the number of implausible edges up to the last measurement.
-  /// @return number since start, at most 65535
+  /// @return number since start, modulo 2^32
   /// @isr{no}
   /// @satisfies FR-123
-  [[nodiscard]] std::uint16_t rejectedEdges() const;
+  [[nodiscard]] std::uint32_t rejectedEdges() const;
 
  private:
   /// @brief Checks whether a velocity can be measured in spite of the implausible edges since the

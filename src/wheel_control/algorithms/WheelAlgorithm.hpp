@@ -1,16 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "units/quantities.hpp"
 
 namespace wr {
 
-/// @brief Measured values of a wheel, for its control.
+/// @brief Measured values and present voltage of a wheel, for its control.
 /// @datatype
 struct WheelFeedback {
-  Velocity velocity{};  ///< mean velocity of the cycle that ends, at the motor shaft
-  Current current{};    ///< mean current of the cycle that ends
+  Velocity velocity{};               ///< mean velocity of the cycle that ends, at the motor shaft
+  Current current{};                 ///< mean current of the cycle that ends
+  std::optional<Tension> applied{};  ///< present voltage of the wheel; nothing if it is unknown
 };
 
 /// @brief A rule for the voltage of a wheel.

@@ -355,6 +355,17 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
   }
 }
 
+/// @brief The count of rejected Hall edges in the report stops at 65535.
+/// @verifies FR-69
+TEST(ReportMessage, FR69_TheCountOfRejectedEdgesStops) {
+  ReportData data;
+  data.measurements.wheels[1].rejectedEdges = 0x1'0003;
+  data.measurements.wheels[2].rejectedEdges = 0xFFFF'FFFF;
+  const Bytes bytes = written(data);
+  EXPECT_EQ(u16(bytes, 102), 0xFFFFU);
+  EXPECT_EQ(u16(bytes, 104), 0xFFFFU);
+}
+
 /// @brief Each count of processor cycles has a separate 32-bit field in the report.
 /// @verifies FR-160
 /// @verifies FR-302

@@ -252,6 +252,55 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
+/// @brief If the pulses are missing while the switch is in the position "PC", a later change from
+/// "PC" to "drive" causes no acknowledgement. The same is true for a remote control that is
+/// switched on in the position "PC".
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_AGapInThePositionPcDoesNotAcknowledge) {
+  mode.serve();
+  signals(kPcPulse);
+  signals(kDrivePulse);
+  EXPECT_FALSE(acknowledges());
+  signals(kStopPulse);
+  signals(kPcPulse);
+  time.advance(milliseconds(5000));
+  mode.serve();
+  EXPECT_TRUE(mode.stopOrdered());
+  signals(kPcPulse);
+  signals(kDrivePulse);
+  EXPECT_FALSE(mode.stopOrdered());
+  EXPECT_FALSE(acknowledges());
+}
+
+/// @brief A gap of the pulses ends an acknowledgement.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
+  signals(kStopPulse);
+  signals(kPcPulse);
+  signals(kDrivePulse);
+  time.advance(milliseconds(201));
+  mode.serve();
+  signals(kDrivePulse);
+  EXPECT_FALSE(mode.stopOrdered());
+  EXPECT_FALSE(acknowledges());
+}
+
+/// @brief Orders acknowledge for 1 s after the sequence of the switch, also if the switch was in the
+/// position "PC" in this time. Later orders do not acknowledge.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_TheAcknowledgementExpires) {
+  for (const int cycles : {10, 11, 20}) {
+    signals(kStopPulse);
+    signals(kPcPulse);
+    signals(kDrivePulse);
+    for (int cycle = 1; cycle < cycles; ++cycle) {
+      signals(cycle == 5 ? kPcPulse : kDrivePulse);
+    }
+    signals(kDrivePulse);
+    EXPECT_EQ(acknowledges(), cycles == 10) << cycles;
+  }
+}
+
 /// @brief If the pulses order a motion and vary by at most 8 us, the remote control orders a stop
 /// after 2 s. It does not order the stop earlier.
 /// @verifies FR-289
@@ -302,6 +351,17 @@ TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
         signals(changed ? kDrivePulse + 9 : kDrivePulse, 1500);
         break;
     }
+    EXPECT_FALSE(mode.stopOrdered()) << cycles;
+  }
+}
+
+/// @brief In the position "PC" the remote control does not move the robot. Its pulses need not
+/// change, even if the stick is deflected.
+/// @verifies FR-289
+TEST_F(EnableSwitchTest, FR289_InThePositionPcNoChangeIsNecessary) {
+  signals(kPcPulse, 0);
+  for (int cycles = 0; cycles < 40; ++cycles) {
+    signals(kPcPulse, 1500);
     EXPECT_FALSE(mode.stopOrdered()) << cycles;
   }
 }

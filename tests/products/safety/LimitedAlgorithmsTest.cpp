@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "safety/CurrentLimited.hpp"
 #include "safety/LimitedAlgorithms.hpp"
 #include "safety/SpeedLimited.hpp"
+#include "wheel_control/ControlledWheel.hpp"
 
 namespace wr::test {
 namespace {
@@ -20,8 +23,8 @@ class DirectAlgorithm final : public WheelAlgorithm {
   int resets = 0;
 };
 
-WheelFeedback measured(int rpm, int milliamperes) {
-  return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes)};
+WheelFeedback measured(int rpm, int milliamperes, std::optional<Tension> applied = std::nullopt) {
+  return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes), .applied = applied};
 }
 
 /// @brief At 12 A, the voltage of a wheel does not rise. At 10 A, it rises by at most 2 V, because
@@ -33,19 +36,54 @@ TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   CurrentLimited limited(direct);
   EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
   for (const int sign : {1, -1}) {
-    limited.applied(Tension(sign * 6000));
-    EXPECT_EQ(direct.voltage, Tension(sign * 6000));
-    const auto demand = static_cast<std::int16_t>(sign * 20000);
-    EXPECT_EQ(limited.calculate(demand, measured(50, sign * 12000)), Tension(sign * 6000));
-    EXPECT_EQ(limited.calculate(demand, measured(50, sign * 10000)), Tension(sign * 8000));
-    EXPECT_EQ(limited.calculate(demand, measured(50, sign * 14000)), Tension(sign * 4000));
-    EXPECT_EQ(limited.calculate(static_cast<std::int16_t>(sign * 7999), measured(50, sign * 10000)),
-              Tension(sign * 7999));
-    EXPECT_EQ(limited.calculate(0, measured(50, sign * 11000)), Tension(0));
+    const auto next = [&](int ordered, int amperes) {
+      return limited.calculate(static_cast<std::int16_t>(sign * ordered),
+                               measured(50, sign * 1000 * amperes, Tension(sign * 6000)));
+    };
+    EXPECT_EQ(next(20000, 12), Tension(sign * 6000));
+    EXPECT_EQ(next(20000, 10), Tension(sign * 8000));
+    EXPECT_EQ(next(20000, 14), Tension(sign * 4000));
+    EXPECT_EQ(next(7999, 10), Tension(sign * 7999));
+    EXPECT_EQ(next(0, 11), Tension(0));
   }
+  limited.applied(Tension(6000));
+  EXPECT_EQ(direct.voltage, Tension(6000));
   limited.reset();
   EXPECT_EQ(direct.resets, 1);
-  EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
+}
+
+/// @brief A wheel that was halted, or whose measurement was missing for one cycle, still has a known
+/// voltage. The limit of the current begins at this voltage. The same is true after a change of the
+/// ordered quantity. Without a known voltage there is no limit.
+/// @verifies FR-296
+TEST(CurrentLimitedTest, FR296_AKnownVoltageIsNotForgotten) {
+  ControlledWheel parts;
+  LimitedAlgorithms algorithms;
+  WheelController controller({.velocity = parts.velocities,
+                              .current = parts.currents,
+                              .timebase = parts.time,
+                              .algorithms = algorithms.all(),
+                              .advance = parts.reverse,
+                              .stop = parts.stop,
+                              .stopWheel = parts.stopWheel});
+  const auto control = [&](const WheelSetPoint& setPoint, std::optional<Current> current) {
+    parts.measure(Velocity(300), current.value_or(Current()));
+    parts.position = parts.position + HallCount(2);
+    controller.control(setPoint,
+                       {.velocity = Velocity(300), .current = current, .position = parts.position});
+    return controller.applied().value_or(Tension());
+  };
+  EXPECT_GT(control(velocityOf(3000), Current(12000)), Tension(10000));
+  const Tension known = control(velocityOf(3000), Current(12000));
+  const Tension lowered = control(velocityOf(3000), std::nullopt);
+  EXPECT_EQ(lowered, known - Tension(2400));
+  EXPECT_EQ(control(velocityOf(3000), Current(9600)), known);
+  controller.halt();
+  EXPECT_EQ(controller.applied(), lowered);
+  EXPECT_EQ(control(velocityOf(3000), Current(9600)), known);
+  const Tension ofTension = control(tensionOf(24000), Current(12000));
+  EXPECT_LT(ofTension, known);
+  EXPECT_EQ(control(velocityOf(3000), Current(10000)), ofTension + Tension(2000));
 }
 
 /// @brief At the limit of 290 rpm, the voltage of a wheel does not rise. Above this limit, it

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 
 #include "main_control/SpySystem.hpp"
@@ -163,6 +164,33 @@ TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
   expectLatched(StopCause::Overcurrent, 2);
 }
 
+/// @brief A fault of a wheel or of the steering causes a protective stop, even while the robot is
+/// held.
+/// @verifies FR-272
+/// @verifies FR-273
+/// @verifies FR-274
+TEST_F(ProtectiveStopTest, FR272_FR274_AHeldRobotIsSupervised) {
+  const Measurements faultless = spy.measured;
+  const auto causes = [&](StopCause cause, std::uint8_t wheel) {
+    hold(stop);
+    spy.measured = faultless;
+    hold(stop);
+    EXPECT_EQ(protection(stop).cause, cause);
+    EXPECT_EQ(protection(stop).wheel, wheel);
+    acknowledge(stop);
+    hold(stop);
+    EXPECT_EQ(protection(stop).cause, StopCause::None);
+  };
+  spy.measured.wheels[2].cutOff = true;
+  causes(StopCause::Overcurrent, 2);
+  spy.measured.wheels[1].blind = true;
+  causes(StopCause::NoMotion, 1);
+  spy.measured.wheels[3].velocity = Velocity(-3301);
+  causes(StopCause::Overspeed, 3);
+  spy.measured.steeringState = SteeringState::Fault;
+  causes(StopCause::SteeringFault, Protection::kNoWheel);
+}
+
 /// @brief An open contact of the emergency-stop circuit causes a protective stop, even while the
 /// robot is held.
 /// @verifies FR-271
@@ -218,6 +246,21 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
     EXPECT_EQ(memory.stored().cause, StopCause::MissingMeasurement) << bit;
     cells = {.value = whole.value, .check = whole.check ^ (1U << bit)};
     EXPECT_EQ(memory.stored().cause, StopCause::MissingMeasurement) << bit;
+  }
+}
+
+/// @brief After each reset except power-on, the stored protective stop is unchanged.
+/// @verifies FR-291
+TEST(RetainedProtectionTest, FR291_OnlyPowerOnReleases) {
+  for (const ResetCause cause : {ResetCause::Unknown, ResetCause::PowerOn, ResetCause::LowVoltage,
+                                 ResetCause::Pin, ResetCause::Watchdog, ResetCause::ClockLost,
+                                 ResetCause::Lockup, ResetCause::Software, ResetCause::Debugger}) {
+    RetainedProtection::Cells cells{};
+    RetainedProtection memory(cells);
+    const RetainedProtection::Stop stop{.cause = StopCause::Overspeed, .wheel = 2};
+    memory.save(stop);
+    memory.begin({.cause = cause});
+    EXPECT_EQ(memory.stored() == stop, cause != ResetCause::PowerOn) << static_cast<int>(cause);
   }
 }
 
@@ -640,6 +683,65 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   }
 }
 
+/// @brief The ramp of each wheel begins at the velocity and the voltage of this wheel.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_EachWheelBeginsAtItsVoltage) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    spy.measured.wheels[wheel].velocity = Velocity(2000);
+    spy.outputs.tensions[wheel] = Tension(5236 + 1000 * static_cast<int>(wheel));
+  }
+  for (int cycles = 0; cycles < 20; ++cycles) {  // until no set-point is lowered any longer
+    order(ramp, alike(1000, WheelQuantity::Current));
+  }
+  SetPoints begin;
+  const std::array<std::int16_t, kWheelCount> expected{1000, 1190, 1381, 1572};
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    begin.wheels[wheel] = {.quantity = WheelQuantity::Velocity, .value = expected[wheel]};
+  }
+  begin.wheels[0].value = 1176;
+  order(ramp, begin);
+  for (std::size_t wheel = 1; wheel < kWheelCount; ++wheel) {
+    EXPECT_EQ(spy.applied.wheels[wheel].value, expected[wheel]) << wheel;
+  }
+  EXPECT_EQ(first(), 1176);
+}
+
+/// @brief The ramp of a set-point of voltage begins at the voltage of the same wheel.
+/// @verifies FR-295
+TEST_F(SetPointRampTest, FR295_EachWheelHasItsVoltage) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    spy.outputs.tensions[wheel] = Tension(2000 * static_cast<int>(wheel));
+  }
+  order(ramp, alike(24000, WheelQuantity::Tension));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    EXPECT_EQ(spy.applied.wheels[wheel].value, 1000 + 2000 * static_cast<int>(wheel));
+  }
+}
+
+/// @brief After orders of voltage, the ramp begins at the present voltage and the present velocity,
+/// not at the values of the previous cycle. After a hold, it begins at 0.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
+  const auto present = [&](int velocity, int tension) {
+    for (WheelMeasurements& wheel : spy.measured.wheels) {
+      wheel.velocity = Velocity(velocity);
+    }
+    spy.outputs.tensions.fill(Tension(tension));
+  };
+  present(1500, 7200);
+  order(ramp, alike(0, WheelQuantity::Tension));
+  present(1000, 4800);
+  order(ramp, alike(0));
+  EXPECT_EQ(first(), 916 - 176);
+  present(1000, 1000);
+  order(ramp, alike(0));
+  EXPECT_EQ(first(), 916 - 2 * 176);
+  order(ramp, alike(0, WheelQuantity::Tension));
+  hold(ramp);
+  order(ramp, alike(0));
+  EXPECT_EQ(first(), 0);
+}
+
 /// @brief In each cycle, the magnitude of a set-point of voltage is at most 1.0 V higher and at
 /// most 2.4 V lower than the magnitude of the voltage at the wheel.
 /// @verifies FR-295
@@ -656,6 +758,12 @@ TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   EXPECT_EQ(next(5000, 2600), 2600);
   EXPECT_EQ(next(5000, -24000), 2600);
   EXPECT_EQ(next(-5000, 24000), -2600);
+  EXPECT_EQ(next(2400, -24000), 0);
+  EXPECT_EQ(next(2000, -24000), -400);
+  for (const int applied : {100, 500, 1400}) {  // on the other side of 0
+    EXPECT_EQ(next(applied, -24000), -1000);
+    EXPECT_EQ(next(-applied, 24000), 1000);
+  }
   spy.outputs.tensions.fill(std::nullopt);
   order(ramp, alike(24000, WheelQuantity::Tension));
   EXPECT_EQ(first(), 1000);
@@ -673,7 +781,8 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   };
   for (const auto& [ordered, measured, most] :
        {Case{0, 0, 3000}, Case{100, -100, 3000}, Case{300, 0, 2800}, Case{0, -300, 2800},
-        Case{500, 0, 2600}, Case{0, 500, 2600}, Case{-3200, 0, 2400}, Case{0, 3400, 2400}}) {
+        Case{500, 0, 2600}, Case{0, 500, 2600}, Case{1850, 0, 2500}, Case{0, -3199, 2401},
+        Case{-3200, 0, 2400}, Case{0, 3400, 2400}}) {
     SetPoints curve = alike(3000);
     curve.steering = Angle(ordered);
     curve.wheels[1].value = 1500;
@@ -747,6 +856,21 @@ TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
     EXPECT_EQ(first(), 1000) << wheel;
     spy.measured.wheels[wheel].velocity = Velocity(1);
   }
+}
+
+/// @brief A wheel that is too fast backwards lowers the set-points. The set-points of voltage are
+/// lowered as those of current.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_AFastWheelLowersSetPointsBackwardsAndOfVoltage) {
+  for (const int velocity : {-1000, -3101}) {
+    spy.measured.wheels[2].velocity = Velocity(velocity);
+    order(ramp, alike(1000, WheelQuantity::Current));
+  }
+  EXPECT_EQ(first(), 940);
+  hold(ramp);
+  spy.outputs.tensions.fill(Tension(10000));
+  order(ramp, alike(10000, WheelQuantity::Tension));
+  EXPECT_EQ(first(), 9400);
 }
 
 /// @brief An acknowledgement ends the reduction of the set-points.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <numbers>
 #include <optional>
 
 #include "units/Measurements.hpp"
@@ -50,6 +51,31 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
       EXPECT_EQ(move({direction, direction, 0, direction}), std::nullopt) << cycle;
     }
     EXPECT_EQ(move({direction, direction, 0, direction}), std::uint8_t{2});
+  }
+}
+
+/// @brief At each speed up to 300 rpm (30 edges in a cycle), and at each moment of the failure, a
+/// wheel that stops moving is detected before the robot has driven 0.27 m. The circumference of a
+/// wheel with a radius of 0.272 m has 600 edges.
+/// @verifies FR-297
+TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFoundWithin27Centimetres) {
+  constexpr double kMetresPerEdge = 2 * std::numbers::pi * 0.272 / 600;
+  for (int speed = 1; speed <= 30; ++speed) {
+    for (int before = 0; before <= 20 / speed; ++before) {
+      for (int last = 0; last < speed; ++last) {
+        comparison.reset();
+        move({0, 0, 0, 0});
+        for (int cycle = 0; cycle < before; ++cycle) {
+          move({speed, speed, speed, speed});
+        }
+        int way = speed - last;  // edges since the failure
+        std::optional<std::uint8_t> found = move({speed, speed, last, speed});
+        for (; !found && way < 1000; way += speed) {
+          found = move({speed, speed, 0, speed});
+        }
+        EXPECT_LE(way * kMetresPerEdge, 0.27) << speed << ' ' << before << ' ' << last;
+      }
+    }
   }
 }
 

@@ -185,6 +185,23 @@ TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
+/// @brief A wheel that drives backwards and is too fast also causes a stop in the third cycle.
+/// @verifies FR-276
+TEST_F(SupervisedWheel, FR276_AWheelThatIsTooFastBackwardsIsACause) {
+  const double volts = -150 * 0.05236 - 1.5;
+  EXPECT_EQ(firstCause(20, measured(-165.0, -1), volts, -100), 0);
+  EXPECT_EQ(firstCause(20, measured(-165.2, -1), volts, -100), 3);
+  EXPECT_EQ(cause, StopCause::Overspeed);
+}
+
+/// @brief A wheel that begins to follow set-points is not compared before it has followed ten
+/// set-points.
+/// @verifies FR-276
+TEST_F(SupervisedWheel, FR276_TheComparisonNeedsTenSetPoints) {
+  EXPECT_EQ(firstCause(20, measured(250, 0), 250 * 0.05236, 17.6), 13);
+  EXPECT_EQ(cause, StopCause::Overspeed);
+}
+
 /// @brief The velocity is compared with the greatest of the last ten set-points.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_TheLastTenSetPointsCount) {
@@ -300,6 +317,47 @@ TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::Tracking);
 }
 
+/// @brief The permitted difference is the same for a wheel that drives backwards.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsTheSameBackwards) {
+  const WheelSetPoint followed = velocity(-60);
+  for (int number = 0; number < 4; ++number) {
+    EXPECT_EQ(wheel.examine(measured(-60, -2), Tension(-9881), &followed), StopCause::None);
+  }
+  EXPECT_EQ(wheel.examine(measured(-60, -2), Tension(-9882), &followed), StopCause::None);
+  EXPECT_EQ(wheel.examine(measured(-60, -2), Tension(-9882), &followed), StopCause::None);
+  EXPECT_EQ(wheel.examine(measured(-60, -2), Tension(-9882), &followed), StopCause::Tracking);
+}
+
+/// @brief While a wheel is halted and still has voltage, its measurements are checked too: a motor
+/// that turns its wheel in the wrong direction, a voltage that does not match, and swapped leads
+/// each cause a stop.
+/// @verifies FR-275
+/// @verifies FR-277
+/// @verifies FR-307
+TEST_F(SupervisedWheel, FR275_FR277_FR307_AHaltedWheelIsChecked) {
+  EXPECT_EQ(halted(measured(0, 2), 3.0), StopCause::None);
+  EXPECT_EQ(halted(measured(-25, 1.13), 3.0), StopCause::None);
+  EXPECT_EQ(halted(measured(-25, 1.13), 3.0), StopCause::WrongDirection);
+  wheel.reset();
+  EXPECT_EQ(halted(measured(60, 2), 9.9), StopCause::None);
+  EXPECT_EQ(halted(measured(60, 2), 9.9), StopCause::None);
+  EXPECT_EQ(halted(measured(60, 2), 9.9), StopCause::Tracking);
+  wheel.reset();
+  const auto turning = [&](int number, double amperes) {
+    WheelMeasurements values = measured(20, amperes + 0.001 * (number % 2));
+    values.position = HallCount(2 * number);
+    return halted(values, 3.0);
+  };
+  for (int number = 0; number < 50; ++number) {
+    EXPECT_EQ(turning(number, (3.0 - 20 * 0.05236) / 1.5), StopCause::None);
+  }
+  for (int number = 50; number < 60 && cause == StopCause::None; ++number) {
+    cause = turning(number, (3.0 + 20 * 0.05236) / 1.5);
+  }
+  EXPECT_EQ(cause, StopCause::Tracking);
+}
+
 /// @brief At 1.0 V, which is the voltage of the bring-up, a difference of 1.375 V between the
 /// voltage of a wheel at rest and the voltage of the motor model does not cause a stop. At 1.1 V,
 /// the permitted difference is smaller, and the same current causes a stop.
@@ -346,6 +404,9 @@ TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   EXPECT_EQ(stuckFor(50, 150, 8, 0.001), 0);
   EXPECT_GT(stuckFor(50, 18, 1.1, 0), 0);
   EXPECT_EQ(stuckFor(50, 18, 1.0, 0), 0);
+  EXPECT_EQ(stuckFor(9, -150, -8, 0), 8);
+  EXPECT_GT(stuckFor(50, -18, -1.1, 0), 0);
+  EXPECT_EQ(stuckFor(50, -18, -1.0, 0), 0);
 }
 
 /// @brief A wheel at rest without voltage has no current. A current of more than 1.0 A in two
@@ -379,15 +440,25 @@ TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   }
 }
 
+/// @brief A current that is missing causes a stop in the third cycle, as a missing velocity does.
+/// @verifies FR-278
+TEST_F(SupervisedWheel, FR278_AMissingCurrentIsACause) {
+  WheelMeasurements missing;
+  missing.velocity = Velocity(1500);
+  EXPECT_EQ(cycle(measured(150, 1), 9.354, 150), StopCause::None);
+  EXPECT_EQ(firstCause(3, missing, 9.354, 150), 3);
+  EXPECT_EQ(cause, StopCause::MissingMeasurement);
+}
+
 /// @brief A wheel with implausible Hall edges in successive cycles.
 class RejectedEdges : public SupervisedWheel {
  protected:
   // Runs cycles with the same number of implausible edges in each cycle. Returns the cause of the
   // last cycle.
-  StopCause rejected(int cycles, std::uint16_t edges, double rpm = 150, double volts = 9.354) {
+  StopCause rejected(int cycles, std::uint32_t edges, double rpm = 150, double volts = 9.354) {
     StopCause found = StopCause::None;
     for (int number = 0; number < cycles; ++number) {
-      total_ = static_cast<std::uint16_t>(total_ + edges);
+      total_ += edges;
       milliamperes_ = milliamperes_ == 0 ? 1 : 0;  // the current varies, as in a real sensor
       WheelMeasurements values = measured(rpm, 1 + milliamperes_ / 1000.0);
       values.rejectedEdges = total_;
@@ -396,14 +467,15 @@ class RejectedEdges : public SupervisedWheel {
     return found;
   }
 
+  std::uint32_t total_ = 0;
+
  private:
-  std::uint16_t total_ = 0;
   int milliamperes_ = 0;
 };
 
-/// @brief Nine implausible edges while the wheel has voltage cause a stop. In each cycle, at most
-/// five edges are added to the count, and half an edge is subtracted. Edges before the first cycle
-/// are not counted.
+/// @brief A count of nine implausible edges causes a stop, while the wheel has voltage. In each
+/// cycle, at most five edges are added to the count, and half an edge is subtracted. Edges before
+/// the first cycle are not counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 200), StopCause::None);
@@ -411,6 +483,52 @@ TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 0), StopCause::None);
   EXPECT_EQ(rejected(1, 200), StopCause::None);
   EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
+}
+
+/// @brief Half an edge is subtracted in each cycle, also in the cycle of an edge. Therefore nine
+/// edges in two cycles cause no stop, but ten edges in two cycles do.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_NineEdgesInTwoCyclesAreNoCause) {
+  EXPECT_EQ(rejected(1, 0), StopCause::None);
+  EXPECT_EQ(rejected(1, 5), StopCause::None);
+  EXPECT_EQ(rejected(1, 4), StopCause::None);
+  EXPECT_EQ(rejected(30, 0), StopCause::None);
+  EXPECT_EQ(rejected(1, 5), StopCause::None);
+  EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
+}
+
+/// @brief Implausible edges still count when their number since the start exceeds 65535, and when
+/// this number overflows.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_TheNumberSinceTheStartDoesNotMatter) {
+  for (const std::uint32_t before : {65'533U, 65'535U, 70'000U, 0xFFFF'FFFDU}) {
+    wheel.reset();
+    total_ = before;
+    EXPECT_EQ(rejected(1, 0), StopCause::None);
+    EXPECT_EQ(rejected(1, 5), StopCause::None);
+    EXPECT_EQ(rejected(1, 5), StopCause::HallSignals) << before;
+  }
+}
+
+/// @brief Implausible edges also count while the wheel drives backwards.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_EdgesCountBackwards) {
+  EXPECT_EQ(rejected(1, 0, -150, -9.354), StopCause::None);
+  EXPECT_EQ(rejected(2, 5, -150, -9.354), StopCause::HallSignals);
+  wheel.reset();
+  EXPECT_EQ(rejected(6, 2, -150, -9.354), StopCause::None);
+  EXPECT_EQ(rejected(1, 2, -150, -9.354), StopCause::HallSignals);
+}
+
+/// @brief In a cycle without a measured velocity, the velocity of the previous cycle decides whether
+/// the edges count.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_EdgesCountWithoutAVelocity) {
+  EXPECT_EQ(rejected(6, 2), StopCause::None);
+  WheelMeasurements values;
+  values.current = Current(1005);
+  values.rejectedEdges = total_ + 2;
+  EXPECT_EQ(cycle(values, 9.354, 150), StopCause::HallSignals);
 }
 
 /// @brief A lost edge causes two implausible edges. Ten lost edges per second cause a stop within
@@ -451,7 +569,7 @@ TEST_F(RejectedEdges, FR279_ACycleWithoutEdgesSubtractsHalfAnEdge) {
 TEST_F(RejectedEdges, FR279_WithoutVoltageNoneIsACause) {
   WheelMeasurements values = measured(0, 0);
   for (int number = 0; number < 5; ++number) {
-    values.rejectedEdges = static_cast<std::uint16_t>(values.rejectedEdges + 50);
+    values.rejectedEdges += 50;
     EXPECT_EQ(halted(values), StopCause::None);
   }
 }
@@ -491,7 +609,7 @@ class FaultyWheel : public SupervisedWheel {
         }
         break;
       case Fault::Edges:
-        values.rejectedEdges = static_cast<std::uint16_t>(3 * (number / multiple));
+        values.rejectedEdges = static_cast<std::uint32_t>(3 * (number / multiple));
         break;
       case Fault::EqualCurrent:
         break;

@@ -251,9 +251,7 @@ void UsualDesign::control() {
   measureCurrent();
   WheelMeasurements& wheel = measurements_.wheels[0];
   wheel.position = HallCount(hall.count);
-  constexpr std::uint32_t kMostEdges = std::numeric_limits<std::uint16_t>::max();
-  wheel.rejectedEdges =
-      static_cast<std::uint16_t>(std::min(hall.unclear + hall.reversals, kMostEdges));
+  wheel.rejectedEdges = hall.unclear + hall.reversals;
   wheel.velocity.reset();
   if (velocityAt_ && now - *velocityAt_ <= kConstants.measurementLifetime()) {
     wheel.velocity = velocity_;
@@ -368,7 +366,8 @@ void UsualDesign::sendReport() {
   payload.put8(cutOffs);
   payload.put8(blindWheels);
   for (const WheelMeasurements& wheel : measurements_.wheels) {
-    payload.put16(wheel.rejectedEdges);
+    constexpr std::uint32_t kMostEdges = std::numeric_limits<std::uint16_t>::max();
+    payload.put16(static_cast<std::uint16_t>(std::min(wheel.rejectedEdges, kMostEdges)));
   }
   payload.put32(costs_.report);
   payload.put32(costs_.awake);
