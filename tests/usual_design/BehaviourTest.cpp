@@ -316,6 +316,22 @@ TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
   EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
 }
 
+/// @brief An acknowledgement in the first cycle after a trip does not switch the driver on. This
+/// cycle reports the trip, and the acknowledgement of the next cycle ends the trip.
+TYPED_TEST(Behaviour, AnAcknowledgementWaitsForTheReportOfATrip) {
+  this->robot.commandByPc({.id = 2, .wheels = {{{1, 12000}}}});
+  this->robot.physics().setFault(plant::Fault::Block, 0, true);
+  this->robot.orderedCycles({.id = 3, .wheels = {{{1, 24000}}}}, 1);
+  ASSERT_EQ(this->robot.report().tension[0], 24000);
+  this->robot.order({.id = 4, .acknowledge = true});
+  this->robot.cycle();
+  EXPECT_EQ(this->robot.report().cutOffs, 1);
+  EXPECT_FALSE(this->robot.line.pins.wheels[0].enable.isOn());
+  this->robot.order({.id = 5, .acknowledge = true});
+  this->robot.cycle();
+  EXPECT_EQ(this->robot.report().cutOffs, 0);
+}
+
 // ---- both side by side -------------------------------------------------------------------------
 
 // Two robots on one serial line. Both robots get the same bytes.
