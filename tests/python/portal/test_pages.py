@@ -482,7 +482,7 @@ def test_the_tiles_of_the_page_of_robustness_add_up_to_the_number_of_faults(tmp_
     tiles = page.text.partition("Recorded by")[0]
     for number in (faults["cases"], *counts.values()):
         assert tiles.split().count(f"{number:,}") == 1
-    assert f"all kinds {faults['cases']} " in " ".join(page.text.split())
+    assert f"all kinds {faults['cases']:,} " in " ".join(page.text.split())
 
 
 def test_a_change_that_an_extension_makes_names_two_products(portal: Portal) -> None:
