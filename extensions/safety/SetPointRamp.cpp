@@ -113,11 +113,11 @@ void SetPointRamp::recover(std::uint32_t cycle) {
   wrapped().recover(cycle);
 }
 
-// Sets the velocity at which the ramp begins after an order of voltage or current. The first cycle
-// with an order of velocity also does this, because it needs the present values. The
-// ramp begins at the lower of two velocities: the measured velocity, and the velocity that the
-// present voltage causes without load. If the ramp began at a greater velocity, the voltage would
-// jump. If the two velocities have opposite directions, the ramp begins at 0.
+// Sets the velocity at which the ramp begins after an order of voltage or current. This happens in
+// each cycle with such an order, and in the next cycle. The ramp begins at the lower of two
+// velocities: the measured velocity, and the velocity that the present voltage causes without load.
+// If the ramp began at a greater velocity, the voltage would jump. If the two velocities have
+// opposite directions, the ramp begins at 0.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

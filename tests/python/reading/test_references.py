@@ -92,7 +92,7 @@ def chain() -> References:
         bodies.append(BodyFact(f"{name}::{name}", name, at, 9, calls=[base]))
     stub: Any = facts(flows, bodies, COMMANDS)
     stub.subclasses = {"Part": ["Stage", "Outer", "Inner", "Robot"], "Stage": ["Outer", "Inner"]}
-    stub.bases_of = lambda kind: {one for one, heirs in stub.subclasses.items() if kind in heirs}
+    stub.bases_of = lambda kind: {base for base, below in stub.subclasses.items() if kind in below}
     stub.overriders = {}
     return References(stub, bool)
 
