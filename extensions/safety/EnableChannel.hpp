@@ -30,13 +30,13 @@ struct EnableChannel {
     pin.start();
   }
 
-  Pipe<Microseconds> width;  ///< width of each pulse
+  Pipe<Microseconds> width;  ///< width of each pulse from 900 to 2100 us
   Pipe<Microseconds> stop;   ///< width of a pulse that orders a stop after another such pulse
   BasicCollector instants;   ///< stores the time of the last edge
   PeriodCollector period;    ///< measures the period of the pulses
   WidthCollector collector;  ///< measures the width of a pulse
   PulsePosition function;    ///< computes the deflection from the width of a pulse
-  EnableBuffer buffer;       ///< stores the width of each pulse
+  EnableBuffer buffer;       ///< stores the widths of the pulses
   RcPin pin;                 ///< pin of the channel
   ReadRcPin readPin;         ///< command that each edge executes
 };

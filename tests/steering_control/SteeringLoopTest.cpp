@@ -337,6 +337,28 @@ TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
+/// @brief If the sensor keeps its value from any moment of a turn on, the steering is in fault before
+/// the edge of a wheel has moved 5 cm further: 10.6 degrees at a radius of 0.27 m. At full rate the
+/// fault is detected within 320 ms.
+/// @verifies FR-111
+TEST_F(SteeringLoopTest, FR111_AStuckSensorIsFoundBeforeFiveCentimetres) {
+  constexpr int kFullRate = 1200;  // time from the order until the motor turns at full rate, ms
+  for (int stuckAfter = 70; stuckAfter < 1600; stuckAfter += 13) {
+    SteeringLoop turning;
+    turning.run(10);
+    turning.plant.steps = -640;
+    turning.run(1000);
+    turning.follow(3200);
+    turning.run(stuckAfter);
+    ASSERT_EQ(turning.state(), SteeringState::Turning) << stuckAfter;
+    const double place = turning.plant.degrees();
+    turning.input.stuckAt = place;
+    turning.run(stuckAfter > kFullRate ? 320 : 520);
+    EXPECT_EQ(turning.state(), SteeringState::Fault) << stuckAfter;
+    EXPECT_LE(turning.plant.degrees() - place, 10.6) << stuckAfter;
+  }
+}
+
 /// @brief An end stop with a broken wire counts as reached. The steering turns only away from this
 /// end stop.
 /// @verifies FR-225

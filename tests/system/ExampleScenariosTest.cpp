@@ -53,8 +53,8 @@ TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
 }
 
-/// @brief On a downhill slope of 10 %, a wheel with an order of 150 rpm is never faster than 165
-/// rpm.
+/// @brief While the slope grows from flat to 10 % downhill in 2 s, and on this slope, a wheel with an
+/// order of 150 rpm is never faster than 165 rpm.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
@@ -73,8 +73,8 @@ TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
   playWithThePapersDesign("reversal");
 }
 
-/// @brief The overcurrent trip switches a blocked wheel off. A stop order does not release the
-/// trip.
+/// @brief The overcurrent trip switches a blocked wheel off until an acknowledgement. Further orders
+/// do not switch the wheel on.
 /// @verifies FR-128
 TEST(ClosedLoopOfRobot, FR128_BlockedWheelIsCutOff) {
   playWithThePapersDesign("wheel_blocked");
