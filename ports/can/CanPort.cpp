@@ -37,10 +37,13 @@ constexpr unsigned kStandardAt = 18;
 constexpr auto CS_CODE = CS.field(0xF, kCodeAt);
 constexpr auto CS_CODE_EMPTY = CS.field(0x4, kCodeAt);
 constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
+constexpr auto CS_CODE_INACTIVE = CS.field(0x8, kCodeAt);
 constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
 
-// Buffer 0 is not used: the workaround for erratum 5829 of the controller reserves the first
-// buffer.
+// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
+// is not sent. The workaround reserves the first buffer. After each activation of a buffer, the
+// code INACTIVE is written to the first buffer twice.
+constexpr unsigned kReserved = 0;
 constexpr unsigned kReceiver = 1;
 constexpr unsigned kSender = 2;
 constexpr std::uint32_t kBuffers = 3;
@@ -90,6 +93,7 @@ void CanPort::start() {
   for (unsigned buffer = 0; buffer < kBuffers; ++buffer) {
     CS.at(bufferAt(buffer)).write({0});
   }
+  CS.at(bufferAt(kReserved)).write(CS_CODE_INACTIVE);
   ID.at(bufferAt(kReceiver)).write(ID.field(kToRobot, kStandardAt));
   ID.at(bufferAt(kSender)).write(ID.field(kFromRobot, kStandardAt));
   CS.at(bufferAt(kReceiver)).write(CS_CODE_EMPTY);
@@ -141,6 +145,8 @@ void CanPort::send() {
   DATA.at(bufferAt(kSender) + 4).write({words[1]});
   CS.at(bufferAt(kSender))
       .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
+  CS.at(bufferAt(kReserved)).write(CS_CODE_INACTIVE);
+  CS.at(bufferAt(kReserved)).write(CS_CODE_INACTIVE);
 }
 
 // The interrupt handler also calls send(). Therefore interrupts are blocked here.

@@ -223,6 +223,11 @@ void FlexCan::writeBuffer(std::uint32_t offset, std::uint32_t value) {
       }
       buffer.control = value;
       buffer.served = false;
+      if (codeOf(value) == kData) {
+        inactiveWrites_ = 0;
+      } else if (number == 0 && codeOf(value) == kInactive) {
+        ++inactiveWrites_;
+      }
       nextFrame(board_.time());
       return;
     case 4:
@@ -293,6 +298,9 @@ void FlexCan::advance() {
 }
 
 void FlexCan::sent() {
+  if (inactiveWrites_ < 2) {
+    misuse("a buffer of CAN0 was activated without the two writes to buffer 0 (erratum 5829)");
+  }
   Buffer& buffer = buffers_.at(sender_);
   buffer.control = withCode(buffer.control, kInactive);
   flags_ |= 1U << sender_;

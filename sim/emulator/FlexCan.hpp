@@ -23,6 +23,10 @@ namespace wr::emulator {
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
 /// causes a finding.
+///
+/// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
+/// is not sent. The workaround reserves buffer 0. After each activation, the program writes the
+/// code INACTIVE to buffer 0 twice. A frame that is sent without these two writes causes a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }
@@ -74,6 +78,7 @@ class FlexCan final : public Peripheral {
   std::uint32_t flags_ = 0;
   std::uint32_t enabledFlags_ = 0;
   std::array<Buffer, kBuffers> buffers_{};
+  int inactiveWrites_ = 0;  // writes of INACTIVE to buffer 0 since the last activation
   std::deque<CanFrame> arriving_;
   std::vector<CanFrame> sent_;
   bool busy_ = false;
