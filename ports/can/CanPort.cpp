@@ -35,6 +35,7 @@ constexpr unsigned kCodeAt = 24;
 constexpr unsigned kLengthAt = 16;
 constexpr unsigned kStandardAt = 18;
 constexpr auto CS_CODE = CS.field(0xF, kCodeAt);
+constexpr auto CS_CODE_BUSY = CS.field(0x1, kCodeAt);
 constexpr auto CS_CODE_EMPTY = CS.field(0x4, kCodeAt);
 constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
 constexpr auto CS_CODE_INACTIVE = CS.field(0x8, kCodeAt);
@@ -114,13 +115,19 @@ void CanPort::serve() {
   }
 }
 
-// The read of the control word locks the buffer, and the read of the timer unlocks the buffer.
+// The read of the control word locks the buffer, and the read of the timer unlocks the buffer. A
+// frame that arrives between these reads waits. When the buffer is unlocked, this frame is moved
+// into the buffer and sets the flag. Therefore the flag is cleared before the buffer is unlocked.
+// The code BUSY shows that the controller is just moving a frame into the buffer.
 void CanPort::receive() {
-  const auto control = CS.at(bufferAt(kReceiver)).read();
+  auto control = CS.at(bufferAt(kReceiver)).read();
+  for (int read = 0; read < kMostReads && (control & CS_CODE_BUSY).any(); ++read) {
+    control = CS.at(bufferAt(kReceiver)).read();
+  }
   const std::array<std::uint32_t, 2> words{DATA.at(bufferAt(kReceiver)).read().value,
                                            DATA.at(bufferAt(kReceiver) + 4).read().value};
-  static_cast<void>(TIMER.read());
   IFLAG1.write(IFLAG1.bit(kReceiver));
+  static_cast<void>(TIMER.read());
   if ((control & CS_CODE) == CS_CODE_OVERRUN) {
     lose();  // at least one byte of the previous frame is lost
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "sim/emulator/CanFrame.hpp"
@@ -19,6 +20,12 @@ namespace wr::emulator {
 /// flags with their interrupt. Its message buffers send and receive data frames with standard
 /// identifiers. A frame takes one bit time for each of its bits in ISO 11898-1, but no time for
 /// stuff bits.
+///
+/// A read of the control word locks a buffer that contains a received frame. A frame for a locked
+/// buffer waits until the buffer is unlocked, and a newer frame replaces it. The program clears the
+/// flag of the buffer before it unlocks the buffer. Otherwise it could clear the flag of the frame
+/// that waits. Therefore the other order causes a finding. A frame is moved into its buffer in no
+/// time, so the code BUSY never occurs.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
@@ -69,6 +76,9 @@ class FlexCan final : public Peripheral {
   void nextFrame(Time from);
   void sent();
   void received(const CanFrame& frame);
+  void store(std::size_t number, const CanFrame& frame);
+  void lock(std::size_t number);
+  void unlock();
   void updateLine();
 
   std::function<bool()> connected_ = [] { return false; };
@@ -79,6 +89,8 @@ class FlexCan final : public Peripheral {
   std::uint32_t enabledFlags_ = 0;
   std::array<Buffer, kBuffers> buffers_{};
   int inactiveWrites_ = 0;  // writes of INACTIVE to buffer 0 since the last activation
+  std::optional<std::size_t> locked_;  // number of the locked buffer
+  std::optional<CanFrame> waiting_;    // frame for the locked buffer
   std::deque<CanFrame> arriving_;
   std::vector<CanFrame> sent_;
   bool busy_ = false;

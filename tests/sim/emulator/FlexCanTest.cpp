@@ -126,12 +126,44 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
   can.arrive({.identifier = 0x101, .data = {2}});
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 6U);
-  static_cast<void>(can.read(kTimer, 4));
   can.write(kIflag1, 4, 2);
+  static_cast<void>(can.read(kTimer, 4));
   can.arrive({.identifier = 0x101, .data = {3}});
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 2U);
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x03000000U);
+}
+
+/// @brief A read of the control word locks the buffer. A frame that arrives then waits until the
+/// timer is read, and its flag is set when it is moved into the buffer.
+TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
+  bringUp();
+  can.arrive({.identifier = 0x101, .data = {1}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 2U);
+  can.arrive({.identifier = 0x101, .data = {2}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x01000000U);
+  can.write(kIflag1, 4, 2);
+  EXPECT_FALSE(now.high);
+  static_cast<void>(can.read(kTimer, 4));
+  EXPECT_TRUE(now.high);
+  EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 2U) << "the first frame was read, so no frame is lost";
+  EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x02000000U);
+  EXPECT_TRUE(now.findings.empty());
+}
+
+/// @brief If the buffer is unlocked first, a frame that waits sets the flag that the program then
+/// clears. This order causes a finding, also if no frame waits.
+TEST_F(CanOfTheBoard, FindsABufferThatIsUnlockedBeforeItsFlagIsCleared) {
+  bringUp();
+  can.arrive({.identifier = 0x101, .data = {1}});
+  pass(std::chrono::milliseconds(1));
+  static_cast<void>(can.read(kBuffer1, 4));
+  static_cast<void>(can.read(kTimer, 4));
+  EXPECT_EQ(now.findings.size(), 1U);
+  static_cast<void>(can.read(kTimer, 4));
+  EXPECT_EQ(now.findings.size(), 1U) << "no buffer is locked";
 }
 
 /// @brief Of two frames that wait for the bus, the frame with the smaller identifier is sent first.
