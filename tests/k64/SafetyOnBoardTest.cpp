@@ -327,6 +327,28 @@ TEST(StartOfTheSafeRobot, FR291_PowerOnWithALowButtonPinReleasesTheStops) {
   EXPECT_FALSE(robot.report().stop());
 }
 
+/// @brief If the external clock starts slowly at power-on, the first start fails, and the watchdog
+/// repeats it. The memory of the stops then has no valid value. Therefore a stop of the PC is in
+/// force, and a protective stop is latched. Another power-on with a slow clock does not release
+/// them.
+/// @verifies FR-290
+/// @verifies FR-291
+TEST(StartOfTheSafeRobot, FR291_EachPowerOnWithASlowClockLatchesAProtectiveStop) {
+  constexpr int kMissingMeasurement = 8;
+  SafeBoard robot;
+  for (int power = 0; power < 2; ++power) {
+    robot.board().setExternalClock(false);
+    robot.board().reset(emulator::Reset::PowerOn);
+    robot.wait(milliseconds(100));
+    robot.board().setExternalClock(true);
+    ASSERT_TRUE(robot.resetsWithin(milliseconds(340)));
+    robot.cycles(4);
+    robot.connect();
+    EXPECT_EQ(robot.report().stopCause, kMissingMeasurement);
+    EXPECT_TRUE(robot.report().stop());
+  }
+}
+
 /// @brief The thread of a wheel runs once in a control cycle. It runs twice in the cycle that
 /// detects the cause of a protective stop. First it applies the set-point, and then it halts the
 /// wheel. The proven bound of the cycle includes both activations.
