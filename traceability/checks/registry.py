@@ -185,15 +185,15 @@ _FIXED = [
         "module-spec",
         "Each public method has a specification",
         "Every public method of a design module has a brief, a text for each parameter, and a text "
-        "for its result. Every method except a constructor has @isr, which states whether "
-        "interrupts may call it. The texts are in the comment of the method, or in the comment of "
-        "the method that it overrides. If a parameter or a result is a plain number, its text "
-        "states the unit or the counted items. If the type of a parameter has a unit (for example "
-        "Velocity), the text of the parameter states this unit. Each unit in a text equals the "
-        "unit of the type. Every other public part of a header has a brief: classes, types, "
-        "functions, members, constants and friends. If one value of an enumeration has a brief, "
-        "all its values have a brief.",
-        _TEXT_BLIND,
+        "for its result. A constructor that only stores its arguments needs no brief. Every method "
+        "except a constructor has @isr, which states whether interrupts may call it. The texts are "
+        "in the comment of the method, or in the comment of the method that it overrides. If a "
+        "parameter or a result is a plain number, its text states the unit or the counted items. "
+        "If the type of a parameter has a unit (for example Velocity), the text of the parameter "
+        "states this unit. Each unit in a text equals the unit of the type. Every other public "
+        "part of a header has a brief: classes, types, functions, members, constants and friends. "
+        "If one value of an enumeration has a brief, all its values have a brief.",
+        f"{_TEXT_BLIND} The check does not find a constructor that needs a brief and has none.",
         "make the declaration private, or complete the comment above it.",
     ),
     Check(

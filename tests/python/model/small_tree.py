@@ -21,7 +21,6 @@ namespace wr {
 /// @secret How the NAME shows a new order.
 class NAME final : public Mode {
  public:
-  /// @brief Makes the mode.
   /// @param other the other mode [one that exists]
   explicit NAME(Mode& other) : other_(other) {}
 
@@ -65,7 +64,6 @@ namespace wr {
 /// @role{reading-modes, Context}
 class NAME final : public OperationState {
  public:
-  /// @brief Makes the state.
   /// @param next the next state
   explicit NAME(OperationState& next) : next_(next) {}
 
@@ -154,7 +152,6 @@ class OperationState;
 /// @role{operation-states, Context}
 class MainController {
  public:
-  /// @brief Makes a controller.
   /// @param initial the first state
   /// @param mode the first mode
   MainController(OperationState& initial, Mode& mode);
