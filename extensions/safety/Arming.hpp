@@ -17,7 +17,6 @@ namespace wr {
 /// robot.
 class Arming final : public OrderStageDecorator {
  public:
-  /// @brief Binds this stage to the wrapped stage.
   /// @param wrapped stage that receives the forwarded orders
   explicit Arming(OrderStage& wrapped);
 

@@ -17,7 +17,6 @@ namespace wr {
 /// recorded.
 class ContactWatch final {
  public:
-  /// @brief Binds the detector to its contact.
   /// @param contact input that is high while the contact is open
   explicit ContactWatch(const EdgeInput& contact);
 

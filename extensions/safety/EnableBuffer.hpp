@@ -19,7 +19,6 @@ namespace wr {
 /// @role{rc-buffers, Concrete Class}
 class EnableBuffer final : public RcBuffer {
  public:
-  /// @brief Binds the buffer to the objects that evaluate a pulse, and to the pipes that store it.
   /// @param instants measures the period and the width of each pulse
   /// @param function computes the deflection of a pulse
   /// @param width receives the width of each pulse from 900 to 2100 us

@@ -27,7 +27,6 @@ class ProgramCheck final {
     std::span<const Words> copy;      ///< words in RAM, as many as in the original
   };
 
-  /// @brief Binds the check to the sections of the program.
   /// @param parts sections of the program: at least one, and none of them empty. They must exist as
   /// long as the check
   explicit ProgramCheck(std::span<const Part> parts) : parts_(parts) {}

@@ -21,8 +21,8 @@ namespace wr {
 /// @secret Which devices are checked, and how long a protective stop lasts.
 class ProtectiveStop final : public OrderStageDecorator {
  public:
-  /// @brief Binds this stage to the wrapped stage. A protective stop that was latched before a
-  /// reset is latched again.
+  /// @brief Reads the memory. If a protective stop was latched before a reset, latches this stop
+  /// again.
   /// @param wrapped stage that forwards orders to all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
   /// @param memory memory of the protective stop, which a reset does not clear

@@ -34,7 +34,6 @@ class RetainedProtection final {
     friend constexpr bool operator==(const Stop&, const Stop&) = default;
   };
 
-  /// @brief Binds the object to its memory.
   /// @param cells memory that a reset does not change
   explicit RetainedProtection(Cells& cells);
 

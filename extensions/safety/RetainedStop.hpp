@@ -22,7 +22,6 @@ class RetainedStop final : public StopMemory {
     std::uint32_t check;  ///< bitwise complement of the value
   };
 
-  /// @brief Binds the object to its memory.
   /// @param cells memory that a reset does not change
   explicit RetainedStop(Cells& cells);
 

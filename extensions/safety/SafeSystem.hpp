@@ -18,7 +18,6 @@ namespace wr {
 /// @role{control-system-orders, Concrete Class}
 class SafeSystem final : public ControlSystem {
  public:
-  /// @brief Binds the system to the first stage of its orders.
   /// @param first first stage of each order
   explicit SafeSystem(OrderStage& first);
 

@@ -22,7 +22,6 @@ namespace wr {
 /// that is too fast slows down.
 class SetPointRamp final : public OrderStageDecorator {
  public:
-  /// @brief Binds this stage to the wrapped stage.
   /// @param wrapped stage that receives the limited set-points
   explicit SetPointRamp(OrderStage& wrapped);
 

@@ -19,7 +19,6 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class SpeedLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds this algorithm to the wrapped algorithm.
   /// @param wrapped algorithm that computes the voltage without this limit
   explicit SpeedLimited(WheelAlgorithm& wrapped);
 

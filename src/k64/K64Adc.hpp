@@ -75,7 +75,6 @@ class K64Adc final : public AnalogInput {
   /// @brief All converters of the microcontroller.
   using Converters = std::array<Converter, kConverterCount>;
 
-  /// @brief Connects an input to its converter.
   /// @param converters the converters; they must exist as long as this input
   /// @param channel the channel; no other object may use it
   constexpr K64Adc(Converters& converters, Channel channel)

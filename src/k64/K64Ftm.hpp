@@ -19,7 +19,6 @@ class K64Ftm final : public PwmOutput {
   /// @brief Frequency of the pulses [Hz].
   static constexpr std::uint32_t kFrequency = 20'000;
 
-  /// @brief Binds an output to a channel.
   /// @param channel the channel; no other object may use it
   explicit constexpr K64Ftm(Channel channel) : channel_(channel) {}
 

@@ -15,7 +15,6 @@ class K64Gpio final : public DigitalOutput {
   /// @brief Level of a pin.
   enum class Level : std::uint8_t { Low, High };
 
-  /// @brief Binds an output to a pin.
   /// @param pin an output of the pin table
   /// @param on level of the pin when the output is on
   constexpr K64Gpio(const Pin& pin, Level on) : port_(pin.port), number_(pin.number), on_(on) {}

@@ -15,7 +15,6 @@ class K64Pit final : public PeriodicTimer {
   /// @brief A channel of the timer. Channel 2 is missing here, because K64Timebase uses it.
   enum class Channel : std::uint8_t { First = 0, Second = 1, Fourth = 3 };
 
-  /// @brief Binds a timer to a channel.
   /// @param channel the channel; no other object may use it
   explicit constexpr K64Pit(Channel channel) : channel_(channel) {}
 

@@ -20,7 +20,6 @@ class K64Port final : public EdgeInput {
   /// time of the core.
   static constexpr std::uint8_t kMaxEdges = 4;
 
-  /// @brief Binds an input to a pin.
   /// @param pin an input of the pin table
   explicit constexpr K64Port(const Pin& pin) : port_(pin.port), number_(pin.number) {}
 

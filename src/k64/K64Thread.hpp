@@ -14,7 +14,6 @@ namespace wr {
 /// preempt.
 class K64Thread final : public ControlThread {
  public:
-  /// @brief Binds a thread to an interrupt line.
   /// @param line number of the interrupt line, 0 to 85; no device may use this line
   explicit constexpr K64Thread(std::uint8_t line) : line_(line) {}
 

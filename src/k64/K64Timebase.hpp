@@ -21,7 +21,6 @@ class K64Timebase final : public Timebase {
   /// signal.
   class EntryTime final : public Timebase {
    public:
-    /// @brief Connects this object to a time base.
     /// @param clock the time base; it must exist as long as this object
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 

@@ -22,7 +22,6 @@ class MainController;
 /// actions affect. This needs no change to the timer.
 class ControllerTimeOut final : public Command {
  public:
-  /// @brief Binds the command to the controller.
   /// @param mCtrl controller that receives the clock pulses
   explicit ControllerTimeOut(MainController& mCtrl);
 

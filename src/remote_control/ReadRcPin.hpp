@@ -20,7 +20,6 @@ namespace wr {
 /// This needs no change to the pin.
 class ReadRcPin final : public Command {
  public:
-  /// @brief Binds the command to the buffer and the pin.
   /// @param buffer receives the edges
   /// @param pin returns the level
   /// @param timebase returns the present time, which counts as the time of the edge

@@ -75,7 +75,6 @@ class DirController final {
     DirState& initial;             ///< state at start: off
   };
 
-  /// @brief Binds the controller to its parts.
   /// @param parts parts of the controller
   explicit DirController(const Parts& parts);
 

@@ -26,7 +26,6 @@ class SteeringDevice;
 /// This needs no change to the timer.
 class DirCtrlTimeOut final : public Command {
  public:
-  /// @brief Binds the command to its receivers.
   /// @param sensor measures the position
   /// @param controller decides how the motor turns
   /// @param device moves the motor

@@ -31,7 +31,6 @@ class DirSystem final : public ControlSystem {
     const Timebase& timebase;  ///< returns the present time
   };
 
-  /// @brief Binds the system to its parts.
   /// @param parts parts of the system
   explicit DirSystem(const Parts& parts);
 

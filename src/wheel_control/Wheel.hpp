@@ -24,11 +24,10 @@ namespace wr {
 /// @role{wheel-commands, Receiver}
 class Wheel final {
  public:
-  /// @brief Binds the wheel to the outputs of its driver. At this time the outputs are at their
-  /// safe levels: the driver is off, and the orientation is forwards.
   /// @param pwm sets the duty cycle
   /// @param orientation output that is on when the motor shall turn backwards
   /// @param enable output that is on to enable the driver
+  /// @pre The outputs are at their safe levels: the driver is off, and the orientation is forwards.
   Wheel(PwmOutput& pwm, DigitalOutput& orientation, DigitalOutput& enable);
 
   Wheel(const Wheel&) = delete;

@@ -39,7 +39,7 @@ class WheelSystem final : public ControlSystem {
     WheelOrder& haltWheel;         ///< the last order of a cycle, if the wheel is halted
   };
 
-  /// @brief Constructs the system. The system does nothing before start().
+  /// @brief Constructs a system that does nothing before start().
   /// @param parts parts of the system
   explicit WheelSystem(const Parts& parts);
 

@@ -26,7 +26,6 @@ class ModeDecorator : public Mode {
   [[nodiscard]] bool stopOrdered() const override;
 
  protected:
-  /// @brief Binds the decorator to the mode that it extends.
   /// @param id number of the mode, as in reports
   /// @param wrapped the mode that this mode wraps
   ModeDecorator(ModeId id, Mode& wrapped);

@@ -18,7 +18,6 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class PC final : public ModeDecorator {
  public:
-  /// @brief Binds the mode to the mode that it extends, to its successor and to the PC link.
   /// @param wrapped basic mode that reads the orders of the PC
   /// @param other successor of this mode; it need not be constructed before the first changeMode()
   /// @param connection link to the PC

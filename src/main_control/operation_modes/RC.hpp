@@ -15,7 +15,6 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class RC final : public ModeDecorator {
  public:
-  /// @brief Binds the mode to the mode that it extends and to its successor.
   /// @param wrapped basic mode that reads the signals of the remote control
   /// @param other successor of this mode; it need not be constructed before the first changeMode()
   RC(Mode& wrapped, Mode& other);

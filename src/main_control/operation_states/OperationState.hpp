@@ -72,7 +72,6 @@ class OperationState {
   [[nodiscard]] OperationStateId id() const;
 
  protected:
-  /// @brief Constructs a state with a number.
   /// @param id number of the state, as in reports
   explicit OperationState(OperationStateId id);
   ~OperationState() = default;

@@ -18,7 +18,6 @@ namespace wr {
 /// @role{reading-modes, Context}
 class Reconnecting final : public OperationState {
  public:
-  /// @brief Binds the state to its successor.
   /// @param working state that follows when a message arrives; it need not be constructed before
   /// the first read()
   explicit Reconnecting(OperationState& working);

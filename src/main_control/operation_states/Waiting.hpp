@@ -20,7 +20,6 @@ namespace wr {
 /// @role{reading-modes, Context}
 class Waiting final : public OperationState {
  public:
-  /// @brief Binds the state to its successors.
   /// @param working state that follows when a message arrives; it need not be constructed before
   /// the first read()
   /// @param next state that follows when the number of failed reads reaches its limit; it need not

@@ -21,7 +21,6 @@ namespace wr {
 /// This needs no change to the timer.
 class ReadCnt final : public Command {
  public:
-  /// @brief Binds the command to its input and its collector.
   /// @param input converts the voltage of the sensor
   /// @param collector receives the samples
   ReadCnt(AnalogInput& input, ValueCollector& collector);

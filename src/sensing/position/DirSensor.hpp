@@ -18,7 +18,6 @@ namespace wr {
 /// @role{steering-timer-interrupt, Receiver}
 class DirSensor final {
  public:
-  /// @brief Binds the sensor to its input, its function and its pipe.
   /// @param input converts the voltage of the sensor
   /// @param function calculates the angle from the sum of 8 samples
   /// @param timebase returns the time

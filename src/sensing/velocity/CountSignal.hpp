@@ -19,7 +19,6 @@ namespace wr {
 /// This needs no change to the sensor.
 class CountSignal final : public Command {
  public:
-  /// @brief Binds the command to the collector and the sensor.
   /// @param collector receives the edges
   /// @param sensor returns the levels
   /// @param timebase returns the present time, which counts as the time of the edge

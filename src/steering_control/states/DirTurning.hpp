@@ -11,7 +11,6 @@ namespace wr {
 /// @role{steering-controller-states, Concrete State}
 class DirTurning final : public DirState {
  public:
-  /// @brief Binds the state to its successors.
   /// @param holding state that follows when the turn ends; it need not be constructed before the
   /// first tick
   /// @param off state that follows when orders no longer arrive; it need not be constructed before

@@ -19,7 +19,6 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentAlgorithm final : public WheelAlgorithm {
  public:
-  /// @brief Constructs the algorithm.
   CurrentAlgorithm();
 
   /// @brief Calculates the voltage. All quotients are rounded towards zero.

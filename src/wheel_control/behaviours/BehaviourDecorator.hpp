@@ -24,7 +24,6 @@ class BehaviourDecorator : public WheelBehaviour {
   void resume(Tension applied) override;
 
  protected:
-  /// @brief Binds the decorator to the behaviour that it extends.
   /// @param wrapped the extended behaviour
   explicit BehaviourDecorator(WheelBehaviour& wrapped);
   ~BehaviourDecorator() = default;

@@ -18,11 +18,10 @@ namespace wr {
 /// @role{behaviour-extensions, Concrete Decorator}
 class Reverse final : public BehaviourDecorator {
  public:
-  /// @brief Binds the behaviour to its parts. At this time the orientation of the wheel is
-  /// forwards.
   /// @param wrapped behaviour that applies a voltage in the present orientation
   /// @param stop stops the wheel
   /// @param setOrientation changes the orientation
+  /// @pre The orientation of the wheel is forwards.
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
   /// @brief Applies the demand if it agrees with the present orientation. Otherwise stops the

@@ -14,7 +14,6 @@ namespace wr {
 /// @role{behaviour-extensions, Concrete Decorator}
 class SoftStart final : public BehaviourDecorator {
  public:
-  /// @brief Binds the extension to a behaviour.
   /// @param wrapped behaviour that applies the limited voltage
   explicit SoftStart(WheelBehaviour& wrapped);
 

@@ -15,7 +15,6 @@ namespace wr {
 /// @role{behaviour-extensions, Concrete Component}
 class Stop final : public WheelBehaviour {
  public:
-  /// @brief Binds the behaviour to its commands.
   /// @param setTension sets the voltage of the wheel
   /// @param stopWheel stops the wheel
   Stop(WheelCommand& setTension, WheelCommand& stopWheel);

@@ -15,7 +15,6 @@ namespace wr {
 /// @role{wheel-commands, Concrete Command}
 class SetOrientation final : public WheelCommand {
  public:
-  /// @brief Binds the command to the wheel.
   /// @param wheel wheel whose orientation is set
   explicit SetOrientation(Wheel& wheel);
 
