@@ -12,7 +12,7 @@ namespace wr {
 /// connected. When an order is read, Bluetooth is recorded as the source of the set-points. Changes
 /// to the other reading mode when the operation state demands this change.
 ///
-/// @secret How a Bluetooth device is recorded as the source of set-points.
+/// @secret The form in which a Bluetooth device is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}

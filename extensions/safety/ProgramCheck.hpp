@@ -14,7 +14,8 @@ namespace wr {
 /// time. Compares the sum with the sum of the original words in flash. Ends the program if the two
 /// sums differ. The next start then copies the original to RAM again.
 ///
-/// @secret How a change of the program is found, and how long the search may last.
+/// @secret The method by which a change of the program is found, and the longest duration of the
+/// search.
 class ProgramCheck final {
  public:
   /// @brief Four words, which the core loads with one instruction.

@@ -18,7 +18,7 @@ namespace wr {
 /// cycle, until a check finds a fault. Then latches a protective stop: the wheels halt and the
 /// steering keeps its angle, from this cycle until an acknowledgement.
 ///
-/// @secret Which devices are checked, and how long a protective stop lasts.
+/// @secret The devices that are checked, and the duration of a protective stop.
 class ProtectiveStop final : public OrderStageDecorator {
  public:
   /// @brief Reads the memory. If a protective stop was latched before a reset, latches this stop

@@ -14,7 +14,7 @@ namespace wr {
 /// voltage and the present voltage of the wheel. The permitted difference is smaller if the wheel
 /// is closer to the speed limit, or if the wheel accelerates more.
 ///
-/// @secret How the voltage is limited while an order sets a voltage or a current.
+/// @secret The rule by which the voltage is limited while an order sets a voltage or a current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class SpeedLimited final : public WheelAlgorithm {

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Output pin of the K64.
 /// @function Drives one pin, high or low.
-/// @secret How the level of a pin is set without changing other pins.
+/// @secret The method by which the level of a pin is set without changing other pins.
 class K64Gpio final : public DigitalOutput {
  public:
   /// @brief Level of a pin.

@@ -18,8 +18,9 @@ namespace wr {
 /// drive and brake in this orientation. When the duty cycle is 0, the motor is short-circuited and
 /// brakes. When the driver is disabled, the motor is disconnected and the wheel coasts.
 ///
-/// @secret How the driver of a motor applies a voltage, how a tripped driver brakes, and how an
-/// interrupt and a thread share the state of the trip.
+/// @secret The method by which the driver of a motor applies a voltage, the method by which a
+/// tripped driver brakes, and the rule by which an interrupt and a thread share the state of the
+/// trip.
 ///
 /// @role{wheel-commands, Receiver}
 class Wheel final {

@@ -17,7 +17,7 @@ namespace wr {
 /// @function Records the orders of the main controller for its wheel, executes them in the thread
 /// of the wheel, and returns the measured and applied values.
 ///
-/// @secret How orders of the main controller are converted to orders of a wheel, and the use of one
+/// @secret The conversion of orders of the main controller to orders of a wheel, and the use of one
 /// thread for each wheel. This thread has a higher priority than the main thread. The main thread
 /// never runs while the thread of a wheel is active. Therefore neither thread reads values that the
 /// other thread has written only in part.

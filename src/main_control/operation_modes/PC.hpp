@@ -11,8 +11,8 @@ namespace wr {
 /// is recorded as the source of the set-points. Changes to the other mode when the operation state
 /// demands this change.
 ///
-/// @secret The rule that an order of the PC is invalid without a connection, and how the PC is
-/// recorded as the source of set-points.
+/// @secret The rule that an order of the PC is invalid without a connection, and the form in which
+/// the PC is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}

@@ -9,7 +9,7 @@ namespace wr {
 /// @function Extends the basic mode: records the remote control as the source of the set-points.
 /// Changes to the other mode when the operation state demands this change.
 ///
-/// @secret How the remote control is recorded as the source of set-points.
+/// @secret The form in which the remote control is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}

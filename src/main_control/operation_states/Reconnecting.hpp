@@ -10,8 +10,7 @@ namespace wr {
 /// @function Orders the control systems to halt the wheels and to hold the steering. Changes the
 /// reading mode after each failed read. Ends the search for a source when a message arrives.
 ///
-/// @secret How the system looks for a source of orders, and the behaviour of the robot during this
-/// search.
+/// @secret The search for a source of orders, and the behaviour of the robot during this search.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}

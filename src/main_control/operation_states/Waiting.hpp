@@ -13,7 +13,7 @@ namespace wr {
 /// message arrives, sets the state Working. Meanwhile the control systems follow the set-points
 /// that were read last.
 ///
-/// @secret How failed reads are counted, and when this state ends.
+/// @secret The rule by which failed reads are counted, and the condition that ends this state.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}

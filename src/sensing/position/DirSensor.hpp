@@ -13,7 +13,7 @@ namespace wr {
 
 /// @brief Sensor for the position of the steering device.
 /// @function Samples the angle at each tick. After every 8 samples, writes their mean to a pipe.
-/// @secret The scale of the sensor, the range of valid samples, and how noise is smoothed.
+/// @secret The scale of the sensor, the range of valid samples, and the smoothing of noise.
 /// @role{functions, Context}
 /// @role{steering-timer-interrupt, Receiver}
 class DirSensor final {

@@ -12,7 +12,7 @@ namespace wr {
 /// @function Extends another behaviour. If the demand opposes the present orientation, stops the
 /// wheel, then changes the orientation of the wheel, and then lets the extended behaviour continue.
 ///
-/// @secret How a slow wheel is detected, and the conditions for a change of its orientation.
+/// @secret The rule that detects a slow wheel, and the conditions for a change of its orientation.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Decorator}

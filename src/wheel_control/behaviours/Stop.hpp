@@ -9,7 +9,7 @@ namespace wr {
 ///
 /// @function Lowers the voltage cycle by cycle, then stops the wheel.
 ///
-/// @secret How fast the voltage falls when a wheel is stopped.
+/// @secret The rate at which the voltage falls when a wheel is stopped.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Component}

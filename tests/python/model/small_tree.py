@@ -18,7 +18,7 @@ namespace wr {
 ///
 /// @function Reads orders from the NAME.
 ///
-/// @secret How the NAME shows a new order.
+/// @secret The signal by which the NAME shows a new order.
 class NAME final : public Mode {
  public:
   /// @param other the other mode [one that exists]
@@ -209,7 +209,7 @@ class MainController;
 /// @role{reading-modes, State}
 class Mode {
  public:
-  /// @brief Whether an order has come.
+  /// @brief Returns whether an order has arrived.
   /// @return true when there is one
   /// @satisfies FR-15
   [[nodiscard]] virtual bool newMessage() const = 0;
@@ -234,7 +234,7 @@ class Mode {
 
 @function Reads orders from one source.
 
-@secret Where orders come from.
+@secret The source of the orders.
 */
 """,
     "src/main_control/operation_states/OperationState.cpp": """\
