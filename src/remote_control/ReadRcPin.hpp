@@ -17,7 +17,7 @@ namespace wr {
 /// @why An edge on a pin of the remote control causes an interrupt. In this interrupt, the pin
 /// executes a command object. Therefore the pin names no module that reacts to the edge.
 /// @changes The actions at an edge may change, and so may the modules that these actions affect.
-/// This needs no change to the pin.
+/// The pin does not change.
 class ReadRcPin final : public Command {
  public:
   /// @param buffer receives the edges

@@ -23,7 +23,7 @@ class SteeringDevice;
 /// @why Several elements of the steering work at each tick of the timer. The timer executes a
 /// command object. Therefore the timer names no element of the steering.
 /// @changes The actions at a tick may change, and so may the elements that these actions affect.
-/// This needs no change to the timer.
+/// The timer does not change.
 class DirCtrlTimeOut final : public Command {
  public:
   /// @param sensor measures the position
