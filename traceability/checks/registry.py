@@ -290,10 +290,10 @@ _FIXED = [
         "pattern-role-missing",
         "Every assigned role has a tag",
         "If the design assigns a module to a role of a pattern application, the comment of the "
-        "module contains this @role.",
+        "module contains the tag @role for this role.",
         "The check does not find a role that the design does not list. `pattern-role-required` "
         "finds such a role.",
-        "write the @role above the class.",
+        "write the tag @role above the class.",
     ),
     Check(
         "pattern-role-required",
@@ -784,7 +784,7 @@ _FIXED = [
         "named in the @satisfies of a method.",
         "The check does not detect whether the method fulfils the requirement. The tests show "
         "this.",
-        "write the @satisfies above the method that fulfils the requirement.",
+        "write the tag @satisfies above the method that fulfils the requirement.",
     ),
     Check(
         "req-verified",
@@ -866,7 +866,7 @@ _FIXED = [
         "A test named after a requirement verifies it",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
         "The check does not read tests without an id in the name.",
-        "write the @verifies above the test, or rename it.",
+        "write the tag @verifies above the test, or rename the test.",
     ),
     Check(
         "req-stale",
