@@ -18,11 +18,11 @@ namespace wr {
 /// cycle, until a check finds a fault. Then latches a protective stop: the wheels halt and the
 /// steering keeps its angle, from this cycle until an acknowledgement.
 ///
-/// @secret Which devices are checked, and how long a protective stop lasts.
+/// @secret The devices that are checked, and the duration of a protective stop.
 class ProtectiveStop final : public OrderStageDecorator {
  public:
-  /// @brief Binds this stage to the wrapped stage. A protective stop that was latched before a
-  /// reset is latched again.
+  /// @brief Reads the memory. If a protective stop was latched before a reset, latches this stop
+  /// again.
   /// @param wrapped stage that forwards orders to all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
   /// @param memory memory of the protective stop, which a reset does not clear

@@ -23,10 +23,9 @@ class SteeringDevice;
 /// @why Several elements of the steering work at each tick of the timer. The timer executes a
 /// command object. Therefore the timer names no element of the steering.
 /// @changes The actions at a tick may change, and so may the elements that these actions affect.
-/// This needs no change to the timer.
+/// The timer does not change.
 class DirCtrlTimeOut final : public Command {
  public:
-  /// @brief Binds the command to its receivers.
   /// @param sensor measures the position
   /// @param controller decides how the motor turns
   /// @param device moves the motor

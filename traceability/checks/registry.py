@@ -185,15 +185,15 @@ _FIXED = [
         "module-spec",
         "Each public method has a specification",
         "Every public method of a design module has a brief, a text for each parameter, and a text "
-        "for its result. Every method except a constructor has @isr, which states whether "
-        "interrupts may call it. The texts are in the comment of the method, or in the comment of "
-        "the method that it overrides. If a parameter or a result is a plain number, its text "
-        "states the unit or the counted items. If the type of a parameter has a unit (for example "
-        "Velocity), the text of the parameter states this unit. Each unit in a text equals the "
-        "unit of the type. Every other public part of a header has a brief: classes, types, "
-        "functions, members, constants and friends. If one value of an enumeration has a brief, "
-        "all its values have a brief.",
-        _TEXT_BLIND,
+        "for its result. A constructor that only stores its arguments needs no brief. Every method "
+        "except a constructor has @isr, which states whether interrupts may call it. The texts are "
+        "in the comment of the method, or in the comment of the method that it overrides. If a "
+        "parameter or a result is a plain number, its text states the unit or the counted items. "
+        "If the type of a parameter has a unit (for example Velocity), the text of the parameter "
+        "states this unit. Each unit in a text equals the unit of the type. Every other public "
+        "part of a header has a brief: classes, types, functions, members, constants and friends. "
+        "If one value of an enumeration has a brief, all its values have a brief.",
+        f"{_TEXT_BLIND} The check does not find a constructor that needs a brief and has none.",
         "make the declaration private, or complete the comment above it.",
     ),
     Check(
@@ -290,10 +290,10 @@ _FIXED = [
         "pattern-role-missing",
         "Every assigned role has a tag",
         "If the design assigns a module to a role of a pattern application, the comment of the "
-        "module contains this @role.",
+        "module contains the tag @role for this role.",
         "The check does not find a role that the design does not list. `pattern-role-required` "
         "finds such a role.",
-        "write the @role above the class.",
+        "write the tag @role above the class.",
     ),
     Check(
         "pattern-role-required",
@@ -785,7 +785,7 @@ _FIXED = [
         "named in the @satisfies of a method.",
         "The check does not detect whether the method fulfils the requirement. The tests show "
         "this.",
-        "write the @satisfies above the method that fulfils the requirement.",
+        "write the tag @satisfies above the method that fulfils the requirement.",
     ),
     Check(
         "req-verified",
@@ -867,7 +867,7 @@ _FIXED = [
         "A test named after a requirement verifies it",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
         "The check does not read tests without an id in the name.",
-        "write the @verifies above the test, or rename it.",
+        "write the tag @verifies above the test, or rename the test.",
     ),
     Check(
         "req-stale",
