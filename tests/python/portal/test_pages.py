@@ -199,6 +199,7 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Por
         ),
         ("requirements/FR-15", [], ["The system shall wait.", "Why."], ["modules/RC.html#m-read"]),
         ("concordance", [], ["CR"], ["modules/RC.html", "machines.html#reading-modes"]),
+        ("products", [], ["reads the enable switch", "can pass ./wr bring-up", "yes", "no"], []),
         ("checks/tree-static", [], ["Each edge is one.", "holds"], []),
         ("checks/link-site", [], ["This check runs after the pages are written"], []),
     ],
