@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import csv
 import io
 import re
@@ -13,6 +14,7 @@ from traceability.reading.products import LIST, listed
 from weeding_robot_client.keyboard import KEYS
 
 COMMANDS = Path("wr")
+COMMAND_LINE = Path("tools/cli.py")
 DEBIAN = Path("setup/debian.txt")
 PRODUCTS = LIST
 ROOMS = Path("sim/CMakeLists.txt")
@@ -28,10 +30,24 @@ PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
 
 
 def command_table(root: Path) -> str:
-    """Returns the table of the commands of ./wr, each with its help text."""
+    """Returns the table of the commands of ./wr, each with its help text and its source file."""
     usage = (root / COMMANDS).read_text(encoding="utf-8").partition("\nTEXT\n")[0]
-    rows = ((f"``./wr {name}``", does) for name, does in COMMAND.findall(usage))
-    return comma_separated(("command", "effect"), rows)
+    files = command_files(root)
+    rows = (
+        (f"``./wr {name}``", does, f"``{files.get(name, COMMANDS)}``")
+        for name, does in COMMAND.findall(usage)
+    )
+    return comma_separated(("command", "effect", "source file"), rows)
+
+
+def command_files(root: Path) -> dict[str, str]:
+    """Returns the source file of each command, from the table MODULES. A command that is not in
+    this table is implemented in ``wr``."""
+    for node in ast.parse((root / COMMAND_LINE).read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "MODULES":
+            modules: dict[str, str] = ast.literal_eval(node.value)
+            return {name: f"{module.replace('.', '/')}.py" for name, module in modules.items()}
+    raise ValueError(f"{COMMAND_LINE}: there is no table MODULES")
 
 
 def package_table(root: Path) -> str:

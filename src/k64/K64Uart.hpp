@@ -127,7 +127,8 @@ class K64Uart final : public SerialPort {
   Port port_;
   ZeroBytes zeros_;
   const Timebase& clock_;
-  // At 115200 baud the port receives at most 1152 bytes in one control cycle.
+  // At 115200 baud the port receives at most 1152 bytes in one control cycle. The buffer also
+  // stores the bytes that arrive while a cycle is late.
   Ring<std::uint8_t, 2048> received_;
   // Times at which the stored zero bytes were received. With ZeroBytes::Ends, at most every second
   // stored byte is zero.

@@ -245,12 +245,16 @@ _FIXED = [
     Check(
         "change-tuned",
         "Tuned constants are declared",
-        "If the name or the comment of a constant mentions control cycles or ticks, the check "
-        "assumes that the value depends on SystemConstants. Then the code must compute the value "
-        "from SystemConstants, or design/tuned.toml must declare the dependence. The page about a "
-        "change of SystemConstants lists the computed and the declared constants.",
-        "The check does not find a value that depends on another constant if neither the name nor "
-        "the comment of the value shows the dependence.",
+        "The check assumes in two cases that the value of a constant depends on SystemConstants: "
+        "the name or the comment of the constant mentions control cycles or ticks; or the constant "
+        "is a time or a number of bytes in a requirement whose rationale counts cycles, as in "
+        '"for three cycles". Then the code must compute the value from SystemConstants, or '
+        "design/tuned.toml must declare the dependence. Each constant and each source line in this "
+        "file exists. The page about a change of SystemConstants lists the computed and the "
+        "declared values.",
+        "The check does not find a value that depends on another constant if neither the name, nor "
+        "the comment, nor the rationale of its requirement shows the dependence. It reads no "
+        "source file outside src and extensions.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
     ),
     Check(

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from portal.tables import (
+    COMMAND_LINE,
     COMMANDS,
     CONNECTION,
     DEBIAN,
@@ -35,11 +36,15 @@ TEXT
 
 def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:
     (tmp_path / COMMANDS).write_text(USAGE)
+    (tmp_path / COMMAND_LINE).parent.mkdir()
+    (tmp_path / COMMAND_LINE).write_text(
+        'MODULES = {\n    "portal": "tools.make_portal",\n    "test": "tools.parts.run",\n}\n'
+    )
     assert list(csv.reader(command_table(tmp_path).splitlines())) == [
-        ["command", "effect"],
-        ["``./wr portal``", "build and serve"],
-        ["``./wr test``", "run every test"],
-        ["``./wr bring-up``", "check a new robot"],
+        ["command", "effect", "source file"],
+        ["``./wr portal``", "build and serve", "``tools/make_portal.py``"],
+        ["``./wr test``", "run every test", "``tools/parts/run.py``"],
+        ["``./wr bring-up``", "check a new robot", "``wr``"],
     ]
 
 
