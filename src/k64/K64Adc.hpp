@@ -80,9 +80,9 @@ class K64Adc final : public AnalogInput {
   constexpr K64Adc(Converters& converters, Channel channel)
       : converter_(converters[channel.converter]), number_(channel.number) {}
 
-  /// @brief Sets up all converters and calibrates them at the same time. A calibration needs less
-  /// than 6 ms, so that the converters are ready within the 10 ms of FR-143. If a calibration does
-  /// not end, the function waits less than 45 ms for this converter, and the start continues.
+  /// @brief Sets up all converters and calibrates them at the same time, within the time of FR-143.
+  /// If a calibration does not end, the function stops waiting for this converter after a limited
+  /// number of reads, and the start continues.
   /// @param converters the converters
   /// @pre The clock gates of the converters are open. The core still uses the slow clock with which
   /// it starts after a reset, because the full clock is too fast for a calibration. The interrupts

@@ -62,7 +62,8 @@ class K64Board {
   static void enableGuards();
 
   /// @brief Sets the vector table that the core uses in place of the table in flash.
-  /// @param table first word of the new vector table; its address is a multiple of 512 bytes
+  /// @param table first word of the new vector table; its address has the alignment that the
+  /// table needs: the next power of two above its size
   /// @isr{no}
   static void moveVectors(const std::uint32_t* table);
 

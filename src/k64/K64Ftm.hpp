@@ -7,8 +7,8 @@
 namespace wr {
 
 /// @brief Channel of the flexible timer FTM0.
-/// @function Generates one pulse in each period of 50 us on the pin of the channel. The duty cycle
-/// sets the width of the pulse.
+/// @function Generates pulses with the frequency kFrequency on the pin of the channel. The duty cycle
+/// sets the width of each pulse.
 /// @secret The method by which the timer generates pulses, and the rule that changes their width
 /// without a false pulse.
 /// @hides{K64Ftm::kFrequency}

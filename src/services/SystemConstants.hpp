@@ -72,8 +72,9 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds tickPeriod() const { return milliseconds(1); }
 
-  /// @brief Returns the time for which a measured value can be used. This time is 1.5 cycle
-  /// periods: a value from the previous cycle is still used, and an older value counts as missing.
+  /// @brief Returns the time for which a measured value can be used. This time lies between one and
+  /// two cycle periods: a value from the previous cycle is still used, and an older value counts as
+  /// missing.
   /// @return greatest age of a measurement [us]
   /// @satisfies FR-127
   /// @isr{yes}

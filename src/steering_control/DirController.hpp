@@ -82,7 +82,7 @@ class DirController final {
   DirController& operator=(const DirController&) = delete;
 
   /// @brief Reads target and position, calls tick() of the present state, and writes the
-  /// status. The caller calls this function when a measurement of the position ends, every 8 ms.
+  /// status. The caller calls this function when a measurement of the position ends.
   /// @param motor state of the motor
   /// @isr{yes}
   /// @satisfies FR-114

@@ -34,8 +34,7 @@ PRESETS = "CMakePresets.json"
 FUNCTIONS = "sim/emulator/PinFunctions.hpp"
 FUNCTION = re.compile(r"\bk(\w+)Pins\{\{(.*?)\}\};", re.DOTALL)
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
-# A key in a sentence, or in the first column of a table of keys.
-KEY = re.compile(r"\bkey ``(\w)``|^(?:\w+, )?(\w)  +\w")
+KEY = re.compile(r"\bkey ``(\w)``")
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
@@ -243,12 +242,7 @@ def missing_parts(root: Path) -> Iterator[Finding]:
         wrong = [f"product '{name}'" for name in PRODUCT.findall(line) if name not in products]
         wrong += [f"program '{name}'" for name in PROGRAM.findall(line) if name not in targets]
         wrong += [f"build/{name}" for name in BUILT.findall(line) if name not in folders]
-        wrong += [
-            f"key '{key}'"
-            for found in KEY.findall(line)
-            for key in found
-            if key and key not in keys
-        ]
+        wrong += [f"key '{key}'" for key in KEY.findall(line) if key not in keys]
         wrong += [
             f"pin {name} in use"
             for name in PIN.findall(line)

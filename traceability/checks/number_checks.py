@@ -1,25 +1,96 @@
 """req-number: each number with a unit in the text of a requirement is linked to a constant in the
-code, and has the value of this constant."""
+code, and has the value of this constant. module-number: each number with a unit in the
+specification of a module is the value of a constant, or a number of a requirement."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from fractions import Fraction
 
 from traceability.model.design_model import Model
 from traceability.model.requirement_numbers import (
     Quantity,
     constants_named,
     is_same,
+    limits_of_range,
     quantity_of,
     stated_numbers,
 )
+from traceability.reading.ast_facts import ConstantFact
 from traceability.reading.source_facts import Facts
-from traceability.schema import Finding, Place, Requirement, RequirementNumbers
+from traceability.schema import Finding, Module, Place, Requirement, RequirementNumbers
 
 LINKS = "design/requirement_numbers.toml"
+SHARED = "SystemConstants"  # module with the constants that all modules use
+COUNTS = ("cycle", "sample", "edge", "byte", "repetition")
+WHOLE = Quantity("share", Fraction(10_000))  # 100 %
+_UNIT_IN_BRACKETS = re.compile(r"\[[^\]]*\]")
+_ASSUMPTION = re.compile(r"Assumption:[^.]*(?:\.\d[^.]*)*\.?")
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _requirements(model, facts)
+    by_file: dict[str, list[ConstantFact]] = {}
+    for constant in facts.syntax.values:
+        by_file.setdefault(constant.place.file, []).append(constant)
+    for module in model.modules.values():
+        yield from _specification(module, model, by_file)
+
+
+def _specification(
+    module: Module, model: Model, by_file: dict[str, list[ConstantFact]]
+) -> Iterator[Finding]:
+    """Finds numbers in the specification of a module that neither a constant nor a requirement of
+    the module states. The constants are those of the module, of the modules that it uses, and of
+    SystemConstants."""
+    near = [
+        model.modules[name] for name in (module.name, SHARED, *module.uses) if name in model.modules
+    ]
+    constants = [
+        quantity_of(constant)
+        for file in {file for one in near for file in (one.header, one.source)} - {None}
+        for constant in by_file.get(file, [])
+    ]
+    named = {*module.requirements, *(name for m in module.methods for name in m.satisfies)}
+    required = [
+        quantity
+        for name in named & model.requirements.keys()
+        for text in (model.requirements[name].text, model.requirements[name].rationale)
+        for quantity in stated_numbers(text).values()
+    ]
+    for place, what, text in _texts(module):
+        for number, quantity in _numbers(text).items():
+            if quantity not in required and not any(_equals(quantity, one) for one in constants):
+                says = f"{what} states {number}, but no constant of the module has this value"
+                yield Finding(place, "module-number", says)
+
+
+def _equals(stated: Quantity, constant: Quantity) -> bool:
+    """Returns whether a constant has the quantity of a text. Only the constant of a count has no
+    unit."""
+    return is_same(stated, constant) if stated.kind in COUNTS else stated == constant
+
+
+def _texts(module: Module) -> Iterator[tuple[Place, str, str]]:
+    """Yields the texts of the specification of a module, each with its place and its owner."""
+    yield from ((module.place, module.name, text) for text in (module.brief, module.function))
+    for method in module.methods:
+        if not method.inherited_from:
+            texts = [method.brief, method.details, method.returns, method.errors]
+            texts += [*method.pre, *method.post, *(param.text for param in method.params)]
+            yield from ((method.place, method.id, text) for text in texts)
+
+
+def _numbers(text: str) -> dict[str, Quantity]:
+    """Returns the numbers with a unit in a text, and the limits of its ranges. Left out are
+    assumptions, 100 %, and numbers that are units, such as 0.01 degree."""
+    stated = stated_numbers(_UNIT_IN_BRACKETS.sub("", _ASSUMPTION.sub("", text)))
+    quantities = stated | limits_of_range(text)
+    return {name: one for name, one in quantities.items() if one.amount > 1 and one != WHOLE}
+
+
+def _requirements(model: Model, facts: Facts) -> Iterator[Finding]:
     links = {entry.requirement: entry for entry in facts.declared.numbers}
     without = {
         number: facts.declared.entries.line_in(entry.place, number)

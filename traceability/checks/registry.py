@@ -759,6 +759,17 @@ _FIXED = [
         "write the attribute, or correct its value.",
     ),
     Check(
+        "module-number",
+        "Numbers of specifications agree with the code",
+        "Each number with a unit in the comment of a module or of its methods, and each limit of a "
+        "range such as '[mV], 0 to 24000', is the value of a constant of the module, of a module "
+        "that it uses or of SystemConstants, or a number in the text or the rationale of a "
+        "requirement that the module satisfies.",
+        "The check cannot judge whether the number belongs to the sentence. It does not read a "
+        "sentence that begins with 'Assumption:'.",
+        "correct the number, or name the constant in the comment instead of the number.",
+    ),
+    Check(
         "req-number",
         "Numbers of requirements agree with the code",
         "Each number with a unit in a requirement is linked with a constant in "

@@ -48,6 +48,7 @@ _STATED = re.compile(
     rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(WORDS)})"
     rf"(?: ?(?P<unit>{_UNIT})(?![\w/])|{_LIST})"
 )
+_RANGE = re.compile(r"\[([^\]]+)\][^.;]*?-?(\d+(?:\.\d+)?) to -?(\d+(?:\.\d+)?)")
 
 
 @dataclass(frozen=True)
@@ -66,6 +67,18 @@ def stated_numbers(text: str) -> dict[str, Quantity]:
         amount = Fraction(WORDS.get(match["number"]) or match["number"])
         quantities[f"{match['number']} {unit}"] = Quantity(kind, amount * scale)
     return quantities
+
+
+def limits_of_range(text: str) -> dict[str, Quantity]:
+    """Returns the limits of each range whose unit is in square brackets before the range, such as
+    ``[mV], 0 to 24000``. Left out are 0, 1, and the limits of a number of 16 bits."""
+    limits = {}
+    for unit, *ends in _RANGE.findall(text):
+        kind, scale = UNITS.get(_singular(unit.partition(",")[0]), ("", Fraction(1)))
+        for end in ends:
+            if Fraction(end) > 1 and end not in {"32767", "32768", "65535"}:
+                limits[f"{end} {unit}"] = Quantity(kind, Fraction(end) * scale)
+    return limits
 
 
 def quantity_of(constant: ConstantFact) -> Quantity:

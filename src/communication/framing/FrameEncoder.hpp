@@ -22,10 +22,10 @@ class FrameEncoder final {
   FrameEncoder() = default;
 
   /// @brief Returns the coded bytes of one frame.
-  /// @param frame type, sequence number and payload of at most 200 bytes
+  /// @param frame type, sequence number and payload of at most kMaxPayload bytes
   /// @return the bytes to send, including the zero byte that ends the frame; valid until the next
   /// call
-  /// @errors Assertion FrameTooLarge when the payload has more than 200 bytes.
+  /// @errors Assertion FrameTooLarge when the payload has more than kMaxPayload bytes.
   /// @isr{no}
   /// @satisfies FR-40
   /// @satisfies FR-176

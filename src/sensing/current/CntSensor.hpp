@@ -25,7 +25,7 @@ class CntSensor final {
   /// @brief Computes the mean of the samples that the collector recorded since the last call, and
   /// writes this mean to the pipe. The collector uses the first samples after the start only to
   /// compute the zero of the sensor. These samples are not part of a mean.
-  /// @pre At most 500000 samples were collected since the last call.
+  /// @pre At most ValueCollector::kMaxSamples samples were collected since the last call.
   /// @errors If the collector recorded no samples, or if the mean is beyond 16 A, writes nothing.
   /// The previous value stays in the pipe and becomes old.
   /// @isr{no}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "devices/AnalogInput.hpp"
 
@@ -10,6 +11,8 @@ namespace wr {
 namespace {
 
 constexpr std::int32_t kFullScale = AnalogInput::kFullScale;
+static_assert(ValueCollector::kMaxSamples <= std::numeric_limits<std::int32_t>::max() / kFullScale,
+              "the sum of the samples fits in a signed number");
 constexpr std::int32_t kMiddleCount = (kFullScale + 1) / 2;
 constexpr std::int32_t kZeroTolerance = kFullScale / 20;
 

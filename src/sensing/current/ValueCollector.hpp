@@ -11,7 +11,8 @@ namespace wr {
 
 /// @brief Record of the samples of a current. Sum and number include all samples since start, and
 /// both can overflow. A reader subtracts an earlier record from a later record. The differences are
-/// correct for at most 500000 samples, if the difference of the sums is read as a signed number.
+/// correct for at most ValueCollector::kMaxSamples samples, if the difference of the sums is read
+/// as a signed number.
 /// @datatype
 struct CurrentRecord {
   std::uint32_t sum =
@@ -32,6 +33,9 @@ class ValueCollector final {
  public:
   /// @brief Number of samples from which the zero is computed.
   static constexpr std::int32_t kZeroSamples = 64;
+
+  /// @brief Greatest number of samples between two records that a reader subtracts.
+  static constexpr std::int32_t kMaxSamples = 500'000;
 
   /// @brief Number of samples between two writes of the record.
   static constexpr std::uint32_t kGroupSize = 8;

@@ -39,8 +39,8 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @satisfies FR-102
   /// @satisfies FR-103
   /// @satisfies FR-118
-  /// @param target target angle [0.01 degree], -4000 to 4000
-  /// @param position present angle [0.01 degree], -4000 to 4000
+  /// @param target target angle [0.01 degree], positive to the left
+  /// @param position present angle [0.01 degree], positive to the left
   /// @param now present speed of the motor [steps/s], -500 to 500
   /// @return target speed [steps/s]: the full rate to the left, the full rate to the right, or 0
   /// @isr{yes}

@@ -1,0 +1,45 @@
+"""A number in the specification of a module is the value of a constant, or a number of a
+requirement of the module."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from traceability.checks import number_checks
+from traceability.model.build import build
+
+BRIEF = "/// @brief "
+LIMIT = "  static constexpr int kLimit = 300;  // [ms]\n"
+
+
+def messages(root: Path, sentence: str, member: str = "") -> list[str]:
+    """Returns the findings after a sentence is added to the brief of RC, and a member to RC."""
+    header = root / "src" / "main_control" / "operation_modes" / "RC.hpp"
+    text = header.read_text().replace(BRIEF, f"{BRIEF}{sentence} ", 1)
+    header.write_text(text.replace(" public:\n", f" public:\n{member}", 1))
+    found = number_checks.check(*build(root))
+    return [one.text for one in found if one.check == "module-number"]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "member", "expected"),
+    [
+        ("Waits 300 ms.", LIMIT, []),
+        ("Waits 0.3 s.", LIMIT, []),
+        (
+            "Waits 400 ms.",
+            LIMIT,
+            ["RC states 400 ms, but no constant of the module has this value"],
+        ),
+        ("Waits 300 ms.", "", ["RC states 300 ms, but no constant of the module has this value"]),
+        ("Assumption: a lead battery of 12 V.", "", []),
+        ("Returns an angle in 0.01 degree.", "", []),
+    ],
+)
+def test_a_number_is_the_value_of_a_constant(
+    tmp_path: Path, sentence: str, member: str, expected: list[str]
+) -> None:
+    assert messages(write_tree(tmp_path), sentence, member) == expected
