@@ -43,8 +43,9 @@ WHY = {
         "specification. To do this, the developer need not read the other modules."
     ),
     "secret": (
-        "Names that only one module may use hide a design decision, the secret of this module. If "
-        "another module uses these names, a change of the decision also changes that other module."
+        "Each module hides a design decision, its secret. Only this module uses the names that "
+        "belong to the secret. If another module uses these names, a change of the decision also "
+        "changes that other module."
     ),
     "pattern": (
         "A pattern makes changes easy only while the code has the structure of the pattern. Each "

@@ -94,7 +94,10 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
     for goal in model.safety.goals.values():
         parts = {
             "hazard": (goal.hazards, "name it in the goals of a hazard, or remove it"),
-            "requirement": (goal.requirements, "list the requirements that have its @goal"),
+            "requirement": (
+                goal.requirements,
+                "list the requirements whose tag @goal names this safety goal",
+            ),
             "safe state": (goal.safe_states, "name a safe state that is declared"),
         }
         for part, (there, fix) in parts.items():
