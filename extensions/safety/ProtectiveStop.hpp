@@ -12,13 +12,14 @@
 
 namespace wr {
 
-/// @brief A stage that stops the whole robot when one device of the robot fails.
+/// @brief A stage that stops the robot after a fault of a component, or when the emergency stop is
+/// pressed.
 ///
 /// @function Checks the contact of the emergency-stop circuit, the steering and every wheel in each
 /// cycle, until a check finds a fault. Then latches a protective stop: the wheels halt and the
 /// steering keeps its angle, from this cycle until an acknowledgement.
 ///
-/// @secret Which devices are checked, and how long a protective stop lasts.
+/// @secret The devices that are checked, and the duration of a protective stop.
 class ProtectiveStop final : public OrderStageDecorator {
  public:
   /// @brief Binds this stage to the wrapped stage. A protective stop that was latched before a

@@ -125,8 +125,9 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   }
 }
 
-/// @brief An ordered angle that is at most 0.3 degrees away from the start angle starts at most one
-/// move in a minute. This is true even if the angle is very close to the edge of the dead band.
+/// @brief If the ordered angle differs from the initial angle by at most 0.3 degrees, the steering
+/// moves at most once in a minute. This is true even if the angle is very close to the edge of the
+/// dead band.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
   const unsigned first = seed();

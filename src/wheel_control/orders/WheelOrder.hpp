@@ -31,7 +31,7 @@ struct WheelWork {
 ///
 /// @function Carries out an order of the main controller for one wheel.
 ///
-/// @secret How an order is carried out.
+/// @secret The actions that carry out an order.
 ///
 /// @role{wheel-orders, Strategy}
 ///

@@ -117,7 +117,8 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   }
 }
 
-/// @brief If no conversion has ended at a tick, there is no sample. A new sample is requested.
+/// @brief If no conversion has ended since the previous tick, this tick has no sample. The command
+/// still calls the input once at this tick.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   ticks(71, 2048);
