@@ -22,7 +22,7 @@ class SteeringDevice;
 /// @patternapp{steering-timer-interrupt, Command, Process timer interruptions for the steering system}
 /// @why Several elements of the steering work at each tick of the timer. The timer executes a
 /// command object. Therefore the timer names no element of the steering.
-/// @changes The actions at a tick may change, and so may the elements that these actions affect.
+/// @changes The actions in a tick may change, and so may the elements that these actions affect.
 /// This needs no change to the timer.
 class DirCtrlTimeOut final : public Command {
  public:
