@@ -154,8 +154,8 @@ TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
   EXPECT_EQ(cycle(measured(-35, 0.78), 3.0, 30), StopCause::WrongDirection);
 }
 
-/// @brief A fault that is present in every second cycle is detected, because each cycle without the
-/// fault lowers the count of the fault by only half a cycle. A fault in every third cycle is not
+/// @brief A fault that is present in every second cycle is detected. Each cycle without the fault
+/// lowers the count of the fault by only half a cycle. A fault in every third cycle is not
 /// detected.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
