@@ -406,7 +406,7 @@ class BringUp:
             raise FailError(
                 str(start),
                 "Find the cause of this reset first. The section 'Causes of a reset, and kinds of "
-                "faults' of the page PC protocol lists the first checks for each cause.",
+                "faults' of the page 'PC protocol' lists the first checks for each cause.",
             )
         return str(start)
 

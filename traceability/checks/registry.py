@@ -632,7 +632,7 @@ _FIXED = [
         "property.",
         "A proof of an older design does not count. The check reports nothing until Spin has run "
         "on the present design.",
-        "correct the design, or the formula; the page Proofs shows the counterexample.",
+        "correct the design, or the formula; the page 'Proofs' shows the counterexample.",
     ),
     Check(
         "uses-apart",
