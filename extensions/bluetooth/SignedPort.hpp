@@ -22,7 +22,7 @@ namespace wr {
 /// frames without counter and tag. Answers a dropped frame with a challenge: a frame without
 /// counter and tag. It contains the values with which an authorised sender computes its tags.
 ///
-/// @secret How the counter and the tag of a frame are coded, and from which data the tag is
+/// @secret The code of the counter and of the tag of a frame, and the data from which the tag is
 /// computed: the random number of this start, the direction, the counter and the coded frame.
 class SignedPort final : public SerialPort {
  public:

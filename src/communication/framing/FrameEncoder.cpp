@@ -50,7 +50,8 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
     encodeNext();
   }
   // A jump takes as much time as the encoding of one byte. Therefore the loop encodes four bytes
-  // before each jump back. bound: (kMaxBody + 1) / 4
+  // before each jump back.
+  // bound: (kMaxBody + 1) / 4
   for (std::size_t rounds = end / 4; rounds != 0; --rounds) {
     encodeNext();
     encodeNext();
