@@ -8,8 +8,9 @@ FLASH = 0x100000
 SECURITY = 0x40C
 # All bytes of the field have the value of erased flash, except two bytes. The security byte means:
 # not secured, mass erase allowed. The options byte means: if PTA4 is low during a reset, the chip
-# does not start in the mode for programming over a serial line (EzPort).
-WANTED = bytes([0xFF] * 12 + [0xFE, 0xFD] + [0xFF] * 2)
+# does not start in the mode for programming over a serial line (EzPort), and there is no
+# non-maskable interrupt.
+WANTED = bytes([0xFF] * 12 + [0xFE, 0xF9] + [0xFF] * 2)
 PURPOSES = (
     (0x400, 0x407, "a backdoor key would be set"),
     (0x408, 0x40B, "parts of the flash would be protected against writing"),

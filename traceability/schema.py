@@ -49,9 +49,10 @@ class Call:
 
 @dataclass(frozen=True)
 class Constant:
-    """The value of a constant in the code. Texts of the pages show this value."""
+    """The value of a constant in the code. Texts of the pages show this value. The number is an int
+    if the type of the constant is an integer type."""
 
-    number: int
+    number: float
     unit: str
     place: Place
 
@@ -69,13 +70,15 @@ class PaperStatement:
 
 @dataclass(frozen=True)
 class Tuned:
-    """Constants that depend on the constant ``to``. If the value of ``to`` is changed, these
-    constants need new values too."""
+    """Constants and source lines that depend on the constant ``to``. If the value of ``to`` is
+    changed, they need new values too. Each element of ``lines`` is a file and a text of the source
+    line, such as ``sim/plant/DriveTrain.hpp: kRadius``."""
 
     to: str
     why: str
     constants: Sequence[str]
     place: Place
+    lines: Sequence[str] = ()
 
 
 @dataclass(frozen=True)

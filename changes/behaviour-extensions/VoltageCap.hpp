@@ -11,7 +11,6 @@ class VoltageCap final : public BehaviourDecorator {
   /// @brief Greatest magnitude of the voltage.
   static constexpr Tension kMost{12000};
 
-  /// @brief Binds this behaviour to the extended behaviour.
   /// @param wrapped extended behaviour, which applies the limited voltage
   explicit VoltageCap(WheelBehaviour& wrapped) : BehaviourDecorator(wrapped) {}
 

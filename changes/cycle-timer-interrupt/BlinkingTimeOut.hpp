@@ -9,7 +9,6 @@ namespace wr {
 /// @brief A command that begins a cycle and toggles a light. The light blinks while cycles run.
 class BlinkingTimeOut final : public Command {
  public:
-  /// @brief Binds the command to the controller and the light.
   /// @param controller main controller, which begins the cycle
   /// @param light light that is toggled in each cycle
   BlinkingTimeOut(MainController& controller, DigitalOutput& light)

@@ -8,7 +8,6 @@ namespace wr {
 /// value at zero degrees is different.
 class TurnedArguments final : public ArgumentsDecorator {
  public:
-  /// @brief Binds these arguments to the extended arguments.
   /// @param wrapped the extended arguments
   /// @param turned change of the raw value at zero degrees
   TurnedArguments(const Arguments& wrapped, std::int32_t turned)

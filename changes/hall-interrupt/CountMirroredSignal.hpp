@@ -13,7 +13,6 @@ namespace wr {
 /// There, each of the two sensors sends the signal that the other sensor usually sends.
 class CountMirroredSignal final : public Command {
  public:
-  /// @brief Binds the command to the sensor and to the collector.
   /// @param collector receives the edges
   /// @param sensor returns the levels of the two signals
   /// @param timebase returns the time of an edge

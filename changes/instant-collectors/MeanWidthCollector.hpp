@@ -8,7 +8,6 @@ namespace wr {
 /// pulses.
 class MeanWidthCollector final : public CollectorDecorator {
  public:
-  /// @brief Binds this collector to the extended collector.
   /// @param wrapped the extended collector, which measures the width
   explicit MeanWidthCollector(InstantCollector& wrapped) : CollectorDecorator(wrapped) {}
 

@@ -13,7 +13,6 @@ class Resuming final : public OperationState {
   /// @brief Number of this state in reports.
   static constexpr OperationStateId kId{5};
 
-  /// @brief Binds the state to its successors.
   /// @param working state that follows when an order is read; it need not be constructed before the
   /// first cycle
   /// @param waiting state that follows when a read fails; it need not be constructed before the

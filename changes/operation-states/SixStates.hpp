@@ -14,7 +14,7 @@ namespace wr {
 /// @brief Six operation states: the five states of the robot that warns, and a state in which the
 /// robot stands still for one cycle after the search for a source of orders.
 struct SixStates {
-  /// @brief Constructs the states, and binds each state to its successors.
+  /// @brief Connects each state to its successors.
   /// @param warning output that is on while the robot warns
   explicit SixStates(DigitalOutput& warning)
       : waiting(working, waitingK, SystemConstants::instance().waitingCycles() - 1),

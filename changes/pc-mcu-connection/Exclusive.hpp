@@ -10,7 +10,6 @@ namespace wr {
 /// Hello is not answered.
 class Exclusive final : public ConnectionState {
  public:
-  /// @brief Binds the state to its successor.
   /// @param disconnected state that follows when the PC is silent for too long; it need not be
   /// constructed before the first frame
   explicit Exclusive(ConnectionState& disconnected) : disconnected_(disconnected) {}

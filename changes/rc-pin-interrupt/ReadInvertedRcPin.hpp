@@ -11,7 +11,6 @@ namespace wr {
 /// low during a pulse.
 class ReadInvertedRcPin final : public Command {
  public:
-  /// @brief Binds the command to the pin and to the buffer.
   /// @param buffer receives the edges
   /// @param pin returns the level of the signal
   /// @param timebase returns the time of an edge

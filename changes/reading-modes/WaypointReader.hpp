@@ -32,7 +32,6 @@ class WaypointReader final : public Reader {
   /// @brief Velocity that each order sets.
   static constexpr Velocity kVelocity{500};
 
-  /// @brief Binds the reader to the receiver and the way-points.
   /// @param port serial port of the receiver
   /// @param timebase returns the present time
   /// @param way way-points in their sequence along the rows; they must exist as long as the reader

@@ -12,7 +12,6 @@ class Waypoints final : public ModeDecorator {
   /// @brief Number of this mode in reports.
   static constexpr ModeId kId{3};
 
-  /// @brief Binds this mode to the wrapped mode, to the other mode and to the reader.
   /// @param wrapped mode that this mode wraps; it reads the orders of the reader
   /// @param other mode that changeMode() selects; it need not be constructed before the first cycle
   /// @param reader reader that computes orders from the way-points

@@ -10,7 +10,6 @@ namespace wr {
 /// recorder of the farm expects this byte first.
 class BigEndianWriter final : public Writer {
  public:
-  /// @brief Binds this writer to another writer, which stores the bytes.
   /// @param bytes writer that stores the bytes, the least significant byte of each number first
   explicit BigEndianWriter(Writer& bytes) : bytes_(bytes) {}
 

@@ -11,7 +11,6 @@ class SetLimitedTurn final : public SteeringCommand {
   /// @brief Greatest rate of the motor.
   static constexpr StepRate kMost{150};
 
-  /// @brief Binds the command to the device.
   /// @param device steering device whose motor is turned
   explicit SetLimitedTurn(SteeringDevice& device) : device_(device) {}
 

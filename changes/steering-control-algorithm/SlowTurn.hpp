@@ -14,7 +14,6 @@ class SlowTurn final : public SteeringAlgorithm {
   /// @brief Greatest difference between target and position at which the steering does not turn.
   static constexpr Angle kArrived{20};
 
-  /// @brief Constructs the rule, which has no state.
   SlowTurn() = default;
 
   /// @brief Computes the rate of the turn.

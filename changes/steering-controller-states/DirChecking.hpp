@@ -15,7 +15,6 @@ class DirChecking final : public DirState {
   /// @brief Duration of the state [ticks of the controller, 8 ms each].
   static constexpr std::int32_t kTicks = 125;
 
-  /// @brief Binds the state to its successors.
   /// @param holding state that follows after the wait; it need not be constructed before the first
   /// tick
   /// @param off state that follows when there are no orders; it need not be constructed before the

@@ -12,7 +12,6 @@ class PoweredWarming final : public SteeringPower {
   /// @brief Duration of the wait [ticks of 1 ms].
   static constexpr std::int32_t kTicks = 1000;
 
-  /// @brief Binds the state to its successors.
   /// @param on state that follows after the wait; it need not be constructed before the first call
   /// @param off state that follows when the motor is switched off; it need not be constructed
   /// before the first call

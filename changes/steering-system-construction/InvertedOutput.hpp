@@ -7,7 +7,6 @@ namespace wr {
 /// @brief An output for a device that needs the opposite level.
 class InvertedOutput final : public DigitalOutput {
  public:
-  /// @brief Binds the output to the pin.
   /// @param pin pin that gets the opposite level
   explicit InvertedOutput(DigitalOutput& pin) : pin_(pin) {}
 

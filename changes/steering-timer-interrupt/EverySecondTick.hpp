@@ -8,7 +8,6 @@ namespace wr {
 /// the steering motor needs pulses that last 2 ms.
 class EverySecondTick final : public Command {
  public:
-  /// @brief Binds the command to the work of a tick.
   /// @param work command that is executed at every second tick
   explicit EverySecondTick(Command& work) : work_(work) {}
 

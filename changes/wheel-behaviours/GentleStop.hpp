@@ -11,7 +11,6 @@ class GentleStop final : public WheelBehaviour {
   /// @brief Greatest decrease of the magnitude of the voltage in a cycle.
   static constexpr Tension kFall{600};
 
-  /// @brief Binds the behaviour to its commands.
   /// @param setTension sets the voltage of the wheel
   /// @param stopWheel stops the wheel
   GentleStop(WheelCommand& setTension, WheelCommand& stopWheel)

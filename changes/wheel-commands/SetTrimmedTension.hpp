@@ -9,7 +9,6 @@ namespace wr {
 /// the voltage, therefore the command sets a twelfth more.
 class SetTrimmedTension final : public WheelCommand {
  public:
-  /// @brief Binds the command to the wheel.
   /// @param wheel wheel whose voltage is set
   explicit SetTrimmedTension(Wheel& wheel) : wheel_(wheel) {}
 

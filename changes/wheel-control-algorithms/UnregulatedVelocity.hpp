@@ -9,7 +9,6 @@ namespace wr {
 /// velocity. It does not use measurements.
 class UnregulatedVelocity final : public WheelAlgorithm {
  public:
-  /// @brief Constructs the algorithm, which has no state.
   UnregulatedVelocity() = default;
 
   /// @brief Calculates the voltage from the motor constant.

@@ -12,7 +12,6 @@ class ApplyAboveThreshold final : public WheelOrder {
   /// @brief Smallest magnitude of a voltage that is not replaced by 0 [mV].
   static constexpr std::int16_t kLeast = 500;
 
-  /// @brief Binds this order to the extended order.
   /// @param apply extended order, which follows the set-point
   explicit ApplyAboveThreshold(WheelOrder& apply) : apply_(apply) {}
 

@@ -11,7 +11,6 @@ namespace wr {
 /// system has no sensor and no controller.
 class RelayWheelBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Binds the builder to the relay.
   /// @param relay output of the relay; the motor runs while this output is on
   explicit RelayWheelBuilder(DigitalOutput& relay) : relay_(relay) {}
 

@@ -9,7 +9,6 @@ namespace wr {
 /// while the robot drives forwards.
 class RelayWheelSystem final : public ControlSystem {
  public:
-  /// @brief Binds the system to its relay.
   /// @param relay output of the relay; the motor runs while this output is on
   explicit RelayWheelSystem(DigitalOutput& relay) : relay_(relay) {}
 

@@ -13,7 +13,6 @@ class ReadTurnedCnt final : public Command {
   /// @brief Greatest sample of the converter.
   static constexpr std::uint16_t kGreatest = 4095;
 
-  /// @brief Binds the command to the converter and to the collector.
   /// @param input converter of the sensor's voltage
   /// @param collector receives the samples
   ReadTurnedCnt(AnalogInput& input, ValueCollector& collector)

@@ -24,14 +24,32 @@ STEERING_STEP_DEGREES = 1.0
 FORWARD, BACKWARD, LEFT, RIGHT = b"w", b"s", b"j", b"l"
 ESCAPES = {b"\x1b[A": FORWARD, b"\x1b[B": BACKWARD, b"\x1b[C": RIGHT, b"\x1b[D": LEFT}
 ESCAPES |= {b"\x1bO" + code[-1:]: key for code, key in ESCAPES.items()}
-HELP = f"""\
-Keys (keep a motion key pressed: all wheels go to 0 after {DEAD_MAN_S} s without a motion key):
-  up, w     pressed: drive forwards   left, j   1 degree to the left
-  down, s   pressed: drive backwards  right, l  1 degree to the right
-  +         10 rpm faster             -         10 rpm slower
-  0         steering to 0             space     stop: halts the wheels and keeps the steering angle
-  a         acknowledge and arm       r         release the stop
-  q         quit: orders velocity 0, keeps a stop"""
+# The keys, each with its effect. A name in braces is a constant of this file.
+KEYS = {
+    "up, w": "while pressed: drive forwards",
+    "down, s": "while pressed: drive backwards",
+    "left, j": "turn the steering by {STEERING_STEP_DEGREES} to the left",
+    "right, l": "turn the steering by {STEERING_STEP_DEGREES} to the right",
+    "+": "{SPEED_STEP_RPM} faster, at the motor shaft; {SPEED_RPM} at first",
+    "-": "{SPEED_STEP_RPM} slower",
+    "0": "turn the steering to 0",
+    "space": "stop: halts the wheels and keeps the steering angle, in every mode",
+    "r": "release the stop",
+    "a": "acknowledge a protective stop, and arm",
+    "q": "quit: orders velocity 0; a stop that is in force stays in force",
+}
+VALUES = {
+    "STEERING_STEP_DEGREES": f"{STEERING_STEP_DEGREES:g} degree",
+    "SPEED_STEP_RPM": f"{SPEED_STEP_RPM:g} rpm",
+    "SPEED_RPM": f"{SPEED_RPM:g} rpm",
+}
+HELP = "\n".join(
+    [
+        "Keys (keep a motion key pressed: "
+        f"all wheels go to 0 after {DEAD_MAN_S} s without a motion key):",
+        *(f"  {key:10}{effect.format(**VALUES)}" for key, effect in KEYS.items()),
+    ]
+)
 
 
 @contextmanager

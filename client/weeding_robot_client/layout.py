@@ -101,6 +101,7 @@ class Field:
     bits_of: Enumeration | None = None
     valid: tuple[str, ...] = ()
     counter: bool = False
+    check: str = ""  # first checks of a technician when a counter rises
 
     @property
     def size(self) -> int:
@@ -329,6 +330,7 @@ def _field(
         bits_of=known[one["bits_of"]] if "bits_of" in one else None,
         valid=tuple(one.get("valid", ())),
         counter=one.get("counter", False),
+        check=one.get("check", ""),
     )
 
 

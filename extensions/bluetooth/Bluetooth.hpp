@@ -12,7 +12,7 @@ namespace wr {
 /// connected. When an order is read, Bluetooth is recorded as the source of the set-points. Changes
 /// to the other reading mode when the operation state demands this change.
 ///
-/// @secret How a Bluetooth device is recorded as the source of set-points.
+/// @secret The form in which a Bluetooth device is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}
@@ -21,8 +21,6 @@ class Bluetooth final : public ModeDecorator {
   /// @brief Number of this mode in reports.
   static constexpr ModeId kId{2};
 
-  /// @brief Binds this mode to the wrapped mode, to the other mode and to the connection of the
-  /// device.
   /// @param wrapped mode that this mode wraps; it reads the orders of the device
   /// @param other mode that changeMode() selects; it need not be constructed before the first call
   /// of changeMode()

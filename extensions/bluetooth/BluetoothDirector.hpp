@@ -23,7 +23,6 @@ namespace wr {
 /// @role{main-controller-construction, Director}
 class BluetoothDirector final {
  public:
-  /// @brief Binds the director to the builders and to the devices of the Bluetooth connection.
   /// @param poolBuilder builds the control systems
   /// @param controllerBuilder builds the main controller
   /// @param devices devices of the Bluetooth connection

@@ -45,7 +45,7 @@ struct BluetoothDevices {
 /// Each of the two modes changes to the other mode.
 /// @datatype
 struct BluetoothModes {
-  /// @brief Constructs the modes, and binds them to the sources of their orders.
+  /// @brief Connects the modes to the sources of their orders.
   /// @param pcReader reader of the PC's orders
   /// @param pcConnection link to the PC
   /// @param devices devices of the Bluetooth connection

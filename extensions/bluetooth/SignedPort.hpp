@@ -22,7 +22,7 @@ namespace wr {
 /// frames without counter and tag. Answers a dropped frame with a challenge: a frame without
 /// counter and tag. It contains the values with which an authorised sender computes its tags.
 ///
-/// @secret The code of the counter and of the tag of a frame, and the data from which the tag is
+/// @secret The coding of the counter and the tag of a frame, and the data from which the tag is
 /// computed: the random number of this start, the direction, the counter and the coded frame.
 class SignedPort final : public SerialPort {
  public:
@@ -33,8 +33,8 @@ class SignedPort final : public SerialPort {
   /// hexadecimal digits of the counter, then 16 hexadecimal digits of the tag.
   static constexpr std::size_t kTrailer = 24;
 
-  /// @brief Binds this port to the extended port and to the key, and draws the random number of
-  /// this start. If no random number can be drawn, this port receives and sends nothing.
+  /// @brief Draws the random number of this start. If no random number can be drawn, this port
+  /// receives and sends nothing.
   /// @param port extended port, to which the Bluetooth module is connected
   /// @param key secret key. If all its bytes are 0xFF, the robot has no key, and this port receives
   /// and sends nothing

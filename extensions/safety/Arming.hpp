@@ -13,11 +13,10 @@ namespace wr {
 /// them, forwards all set-points. Until then, halts the wheels and holds the steering. Each halt
 /// and each acknowledgement starts the count again.
 ///
-/// @secret Which orders are neutral, and how many of them a source must send before it may move the
-/// robot.
+/// @secret The orders that are neutral, and the number of neutral orders that a source must send
+/// before it may move the robot.
 class Arming final : public OrderStageDecorator {
  public:
-  /// @brief Binds this stage to the wrapped stage.
   /// @param wrapped stage that receives the forwarded orders
   explicit Arming(OrderStage& wrapped);
 

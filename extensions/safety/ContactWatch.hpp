@@ -13,11 +13,10 @@ namespace wr {
 /// @function Samples the contact at each tick. Records an opening that lasts for three successive
 /// ticks. The record remains until a control cycle reads it.
 ///
-/// @secret How long a contact must be open until the opening counts, and how an opening is
-/// recorded.
+/// @secret The time for which a contact must be open until the opening counts, and the form in
+/// which an opening is recorded.
 class ContactWatch final {
  public:
-  /// @brief Binds the detector to its contact.
   /// @param contact input that is high while the contact is open
   explicit ContactWatch(const EdgeInput& contact);
 

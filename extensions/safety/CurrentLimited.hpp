@@ -20,7 +20,6 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds this algorithm to the wrapped algorithm.
   /// @param wrapped algorithm that computes the voltage without this limit
   explicit CurrentLimited(WheelAlgorithm& wrapped);
 

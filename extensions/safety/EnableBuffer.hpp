@@ -14,12 +14,12 @@ namespace wr {
 /// control. When two successive pulses order a stop, stores the second pulse also in a separate
 /// pipe. Later pulses that order no stop do not change the content of this pipe.
 ///
-/// @secret Where the position of the enable switch is stored, and how many pulses confirm a stop.
+/// @secret The storage of the position of the enable switch, and the number of pulses that confirm
+/// a stop.
 ///
 /// @role{rc-buffers, Concrete Class}
 class EnableBuffer final : public RcBuffer {
  public:
-  /// @brief Binds the buffer to the objects that evaluate a pulse, and to the pipes that store it.
   /// @param instants measures the period and the width of each pulse
   /// @param function computes the deflection of a pulse
   /// @param width receives the width of each pulse from 900 to 2100 us

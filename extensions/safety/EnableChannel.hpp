@@ -18,7 +18,7 @@ namespace wr {
 /// pin to the width of its pulses.
 /// @datatype
 struct EnableChannel {
-  /// @brief Constructs the channel, and enables the interrupt of its pin.
+  /// @brief Enables the interrupt of the pin.
   /// @param input pin of the channel
   /// @param timebase returns the time of an edge
   EnableChannel(EdgeInput& input, const Timebase& timebase)

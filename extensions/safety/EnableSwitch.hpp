@@ -40,7 +40,7 @@ class EnableSwitch final : public ModeDecorator {
   /// @brief Shortest pulse of the switch that does not order a stop.
   static constexpr Microseconds kMinNoStopPulse{1250};
 
-  /// @brief Binds this mode to the wrapped mode. A stop is latched at the start.
+  /// @brief Latches a stop at the start of the firmware.
   /// @param wrapped the mode that this mode wraps
   /// @param signals signals of the remote control
   EnableSwitch(Mode& wrapped, const Signals& signals);

@@ -14,7 +14,7 @@ namespace wr {
 /// waits for too many ticks. The assertion resets the microcontroller. The start after this reset
 /// sets up every device again.
 ///
-/// @secret How late an interrupt may be.
+/// @secret The permitted delay of an interrupt.
 class InterruptWatch final {
  public:
   /// @brief Constructs a detector that has received no tick yet.

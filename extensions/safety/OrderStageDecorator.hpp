@@ -29,7 +29,6 @@ class OrderStageDecorator : public OrderStage {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
  protected:
-  /// @brief Binds the decorator to the wrapped stage.
   /// @param wrapped the extended stage
   explicit OrderStageDecorator(OrderStage& wrapped);
   ~OrderStageDecorator() = default;

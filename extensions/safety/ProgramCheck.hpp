@@ -14,7 +14,8 @@ namespace wr {
 /// time. Compares the sum with the sum of the original words in flash. Ends the program if the two
 /// sums differ. The next start then copies the original to RAM again.
 ///
-/// @secret How a change of the program is found, and how long the search may last.
+/// @secret The method by which a change of the program is found, and the longest duration of the
+/// search.
 class ProgramCheck final {
  public:
   /// @brief Four words, which the core loads with one instruction.
@@ -27,7 +28,6 @@ class ProgramCheck final {
     std::span<const Words> copy;      ///< words in RAM, as many as in the original
   };
 
-  /// @brief Binds the check to the sections of the program.
   /// @param parts sections of the program: at least one, and none of them empty. They must exist as
   /// long as the check
   explicit ProgramCheck(std::span<const Part> parts) : parts_(parts) {}

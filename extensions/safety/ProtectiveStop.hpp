@@ -22,8 +22,8 @@ namespace wr {
 /// @secret The devices that are checked, and the duration of a protective stop.
 class ProtectiveStop final : public OrderStageDecorator {
  public:
-  /// @brief Binds this stage to the wrapped stage. A protective stop that was latched before a
-  /// reset is latched again.
+  /// @brief Reads the memory. If a protective stop was latched before a reset, latches this stop
+  /// again.
   /// @param wrapped stage that forwards orders to all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
   /// @param memory memory of the protective stop, which a reset does not clear

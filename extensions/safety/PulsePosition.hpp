@@ -18,7 +18,6 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class PulsePosition final : public Function {
  public:
-  /// @brief Constructs the function, which has no state.
   PulsePosition() = default;
 
   /// @brief Computes the deflection of a pulse.

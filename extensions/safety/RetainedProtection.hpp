@@ -14,7 +14,7 @@ namespace wr {
 /// content fails its check after any other reset, it counts as a protective stop with the cause
 /// MissingMeasurement.
 ///
-/// @secret How a protective stop is encoded, and how damaged memory is detected.
+/// @secret The encoding of a protective stop, and the method by which damaged memory is detected.
 class RetainedProtection final {
  public:
   /// @brief The content of the memory.
@@ -34,7 +34,6 @@ class RetainedProtection final {
     friend constexpr bool operator==(const Stop&, const Stop&) = default;
   };
 
-  /// @brief Binds the object to its memory.
   /// @param cells memory that a reset does not change
   explicit RetainedProtection(Cells& cells);
 

@@ -12,7 +12,7 @@ namespace wr {
 /// @function Stores whether a stop is in force, with a check word. Power-on clears the stop. If the
 /// content fails its check after any other reset, it counts as a stop.
 ///
-/// @secret Which numbers mean a stop, and how damaged memory is detected.
+/// @secret The numbers that mean a stop, and the method by which damaged memory is detected.
 class RetainedStop final : public StopMemory {
  public:
   /// @brief The content of the memory.
@@ -22,7 +22,6 @@ class RetainedStop final : public StopMemory {
     std::uint32_t check;  ///< bitwise complement of the value
   };
 
-  /// @brief Binds the object to its memory.
   /// @param cells memory that a reset does not change
   explicit RetainedStop(Cells& cells);
 

@@ -15,7 +15,7 @@ namespace wr {
 /// @function Forwards each order to every control system of the robot. Therefore the earlier stages
 /// do not depend on the number of control systems.
 ///
-/// @secret How many control systems receive an order.
+/// @secret The number of control systems that receive an order.
 class RobotStage final : public OrderStage {
  public:
   /// @brief Greatest number of control systems.

@@ -43,7 +43,6 @@ class SafetyBuilder final : public ControlSystemBuilder {
     RetainedProtection& memory;  ///< memory of the protective stop; begin() must be called first
   };
 
-  /// @brief Binds the builder to the builders of the robot.
   /// @param parts builders of the robot, and devices of its safety functions
   explicit SafetyBuilder(const Parts& parts);
 

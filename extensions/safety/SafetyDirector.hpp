@@ -39,7 +39,6 @@ class SafetyDirector final {
     Pipe<Angle>& direction;    ///< position of the direction stick
   };
 
-  /// @brief Binds the director to the builders and to the devices of the safety functions.
   /// @param poolBuilder builds the control systems, with their safety functions
   /// @param controllerBuilder builds the main controller
   /// @param devices devices of the safety functions

@@ -18,7 +18,7 @@ namespace wr {
 /// and the remote control.
 /// @datatype
 struct SafetyModes {
-  /// @brief Constructs the modes, and binds them to the sources of their orders.
+  /// @brief Connects the modes to the sources of their orders.
   /// @param pcReader reader of the PC's orders
   /// @param rcReader reader of the remote control's orders
   /// @param connection link to the PC

@@ -22,7 +22,6 @@ namespace wr {
 /// @role{main-controller-construction, Director}
 class SafetyPcDirector final {
  public:
-  /// @brief Binds the director to the builders and to the memory of a stop command of the PC.
   /// @param poolBuilder builds the control systems, with their safety functions
   /// @param controllerBuilder builds the main controller
   /// @param memory memory of a stop command of the PC

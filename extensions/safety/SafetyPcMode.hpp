@@ -15,7 +15,7 @@ namespace wr {
 /// PC.
 /// @datatype
 struct SafetyPcMode {
-  /// @brief Constructs the mode, and binds it to the PC.
+  /// @brief Connects the mode to the PC.
   /// @param pcReader reader of the PC's orders
   /// @param connection link to the PC
   /// @param memory memory of a stop command of the PC

@@ -18,11 +18,10 @@ namespace wr {
 /// it, one factor lowers the velocities of all wheels. Therefore the ratio of these velocities
 /// stays as ordered. While a wheel is too fast, another factor lowers the set-points of all wheels.
 ///
-/// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot
-/// that is too fast slows down.
+/// @secret The greatest change of a set-point in a cycle, the greatest velocity in a curve, and the
+/// rule by which a robot that is too fast slows down.
 class SetPointRamp final : public OrderStageDecorator {
  public:
-  /// @brief Binds this stage to the wrapped stage.
   /// @param wrapped stage that receives the limited set-points
   explicit SetPointRamp(OrderStage& wrapped);
 

@@ -14,12 +14,11 @@ namespace wr {
 /// voltage and the present voltage of the wheel. The permitted difference is smaller if the wheel
 /// is closer to the speed limit, or if the wheel accelerates more.
 ///
-/// @secret How the voltage is limited while an order sets a voltage or a current.
+/// @secret The rule by which the voltage is limited while an order sets a voltage or a current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class SpeedLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds this algorithm to the wrapped algorithm.
   /// @param wrapped algorithm that computes the voltage without this limit
   explicit SpeedLimited(WheelAlgorithm& wrapped);
 

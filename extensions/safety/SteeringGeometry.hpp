@@ -18,7 +18,6 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class SteeringGeometry final : public ModeDecorator {
  public:
-  /// @brief Binds this mode to the wrapped mode.
   /// @param wrapped mode whose orders have one velocity for all wheels
   explicit SteeringGeometry(Mode& wrapped);
 

@@ -6,7 +6,7 @@ namespace wr {
 ///
 /// @function Stores whether a stop is in force.
 ///
-/// @secret Where the stop is stored, and how the stored value is protected.
+/// @secret The place in which the stop is stored, and the protection of the stored value.
 class StopMemory {
  public:
   StopMemory(const StopMemory&) = delete;

@@ -17,8 +17,8 @@ namespace wr {
 /// a wheel that has moved at most half of the mean distance in two successive comparisons. Finds a
 /// wheel whose current is too high for too long.
 ///
-/// @secret How much the wheels of one robot may differ, and the distance and the time of a
-/// comparison.
+/// @secret The permitted difference between the wheels of one robot, and the distance and the time
+/// of a comparison.
 class WheelComparison final {
  public:
   /// @brief Constructs the comparison without measurements.

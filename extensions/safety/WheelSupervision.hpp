@@ -18,8 +18,8 @@ namespace wr {
 /// and the model of its motor. Returns the cause of a protective stop when a measurement is
 /// implausible.
 ///
-/// @secret Which measurements of a wheel are implausible, and how long implausible measurements are
-/// tolerated.
+/// @secret The measurements of a wheel that are implausible, and the time for which implausible
+/// measurements are tolerated.
 class WheelSupervision final {
  public:
   /// @brief Constructs the supervision without measurements.

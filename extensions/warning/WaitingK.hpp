@@ -22,7 +22,6 @@ class WaitingK final : public OperationState {
   /// @brief Number of this state in reports.
   static constexpr OperationStateId kId{4};
 
-  /// @brief Binds the state to its successors and to the output of the warning.
   /// @param working state that follows when a message arrives; it need not be constructed before
   /// the first read()
   /// @param next state that follows when a read fails; it need not be constructed before the first

@@ -19,7 +19,6 @@ namespace wr {
 /// @role{main-controller-construction, Director}
 class WarningDirector final {
  public:
-  /// @brief Binds the director to the builders and to the output of the warning.
   /// @param poolBuilder builds the control systems
   /// @param controllerBuilder builds the main controller
   /// @param warning output that is on while the robot warns

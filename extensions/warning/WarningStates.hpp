@@ -16,7 +16,7 @@ namespace wr {
 /// failed reads, one cycle before the last waiting state. N is SystemConstants::waitingCycles().
 /// @datatype
 struct WarningStates {
-  /// @brief Constructs the states, and binds each state to its successors.
+  /// @brief Connects each state to its successors.
   /// @param warning output that is on while the robot warns
   explicit WarningStates(DigitalOutput& warning)
       : waiting(working, waitingK, kFailedReads),

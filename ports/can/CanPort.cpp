@@ -35,12 +35,16 @@ constexpr unsigned kCodeAt = 24;
 constexpr unsigned kLengthAt = 16;
 constexpr unsigned kStandardAt = 18;
 constexpr auto CS_CODE = CS.field(0xF, kCodeAt);
+constexpr auto CS_CODE_BUSY = CS.field(0x1, kCodeAt);
 constexpr auto CS_CODE_EMPTY = CS.field(0x4, kCodeAt);
 constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
+constexpr auto CS_CODE_INACTIVE = CS.field(0x8, kCodeAt);
 constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
 
-// Buffer 0 is not used: the workaround for erratum 5829 of the controller reserves the first
-// buffer.
+// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
+// is not sent. The workaround reserves the first buffer. After each activation of a buffer, the
+// code INACTIVE is written to the first buffer twice.
+constexpr unsigned kReserved = 0;
 constexpr unsigned kReceiver = 1;
 constexpr unsigned kSender = 2;
 constexpr std::uint32_t kBuffers = 3;
@@ -90,6 +94,7 @@ void CanPort::start() {
   for (unsigned buffer = 0; buffer < kBuffers; ++buffer) {
     CS.at(bufferAt(buffer)).write({0});
   }
+  CS.at(bufferAt(kReserved)).write(CS_CODE_INACTIVE);
   ID.at(bufferAt(kReceiver)).write(ID.field(kToRobot, kStandardAt));
   ID.at(bufferAt(kSender)).write(ID.field(kFromRobot, kStandardAt));
   CS.at(bufferAt(kReceiver)).write(CS_CODE_EMPTY);
@@ -110,13 +115,19 @@ void CanPort::serve() {
   }
 }
 
-// The read of the control word locks the buffer, and the read of the timer unlocks the buffer.
+// The read of the control word locks the buffer, and the read of the timer unlocks the buffer. A
+// frame that arrives between these reads waits. When the buffer is unlocked, this frame is moved
+// into the buffer and sets the flag. Therefore the flag is cleared before the buffer is unlocked.
+// The code BUSY shows that the controller is just moving a frame into the buffer.
 void CanPort::receive() {
-  const auto control = CS.at(bufferAt(kReceiver)).read();
+  auto control = CS.at(bufferAt(kReceiver)).read();
+  for (int read = 0; read < kMostReads && (control & CS_CODE_BUSY).any(); ++read) {
+    control = CS.at(bufferAt(kReceiver)).read();
+  }
   const std::array<std::uint32_t, 2> words{DATA.at(bufferAt(kReceiver)).read().value,
                                            DATA.at(bufferAt(kReceiver) + 4).read().value};
-  static_cast<void>(TIMER.read());
   IFLAG1.write(IFLAG1.bit(kReceiver));
+  static_cast<void>(TIMER.read());
   if ((control & CS_CODE) == CS_CODE_OVERRUN) {
     lose();  // at least one byte of the previous frame is lost
   }
@@ -141,6 +152,8 @@ void CanPort::send() {
   DATA.at(bufferAt(kSender) + 4).write({words[1]});
   CS.at(bufferAt(kSender))
       .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
+  CS.at(bufferAt(kReserved)).write(CS_CODE_INACTIVE);
+  CS.at(bufferAt(kReserved)).write(CS_CODE_INACTIVE);
 }
 
 // The interrupt handler also calls send(). Therefore interrupts are blocked here.

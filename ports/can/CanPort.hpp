@@ -7,9 +7,9 @@
 
 namespace wr {
 
-/// @brief A port that exchanges bytes with the PC in frames of the CAN bus, at 500 kbit/s. A frame
-/// contains up to 8 bytes. A frame to the robot has the identifier kToRobot. A frame from the robot
-/// has the identifier kFromRobot.
+/// @brief A port that exchanges bytes with the PC in frames of the CAN bus, at 500 kbit/s. The port
+/// uses the CAN controller CAN0. A frame contains up to 8 bytes. A frame to the robot has the
+/// identifier kToRobot. A frame from the robot has the identifier kFromRobot.
 class CanPort final : public BufferedPort {
  public:
   /// @brief Identifier of a frame from the PC.
@@ -18,7 +18,6 @@ class CanPort final : public BufferedPort {
   /// @brief Identifier of a frame from the robot.
   static constexpr std::uint32_t kFromRobot = 0x102;
 
-  /// @brief Constructs the port of CAN0.
   /// @param clock returns the time at which a byte is received
   explicit CanPort(const Timebase& clock);
 

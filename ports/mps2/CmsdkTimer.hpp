@@ -13,7 +13,6 @@ class CmsdkTimer final : public PeriodicTimer {
   /// @brief Number of a timer.
   enum class Number : std::uint8_t { First = 0, Second = 1 };
 
-  /// @brief Binds the object to a timer of the board.
   /// @param number number of the timer
   explicit constexpr CmsdkTimer(Number number)
       : offset_(static_cast<std::uint32_t>(number) * timer::kDistance) {}

@@ -8,7 +8,6 @@ namespace wr::mps2 {
 /// @brief The first serial port of the board, at 115200 baud. This port has no FIFO.
 class CmsdkUart final : public BufferedPort {
  public:
-  /// @brief Constructs the port.
   /// @param clock returns the time at which a byte is received
   explicit CmsdkUart(const Timebase& clock);
 

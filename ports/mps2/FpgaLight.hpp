@@ -8,7 +8,6 @@ namespace wr::mps2 {
 /// @brief A light of the board.
 class FpgaLight final : public DigitalOutput {
  public:
-  /// @brief Binds the object to a light of the board.
   /// @param bit bit of this light in the register of the lights
   explicit constexpr FpgaLight(decltype(lights::LED)::Bits bit) : bit_(bit) {}
 

@@ -14,7 +14,7 @@ namespace wr::emulator {
 /// of all events.
 class EventTrace {
  public:
-  /// @brief Begins a trace.
+  /// @brief Writes the names of the columns.
   /// @param lines receives the events as comma-separated values; if it is null, only the hash is
   /// computed
   explicit EventTrace(std::ostream* lines = nullptr);

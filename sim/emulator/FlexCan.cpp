@@ -77,6 +77,8 @@ void FlexCan::reset(Reset /*cause*/) {
   enabledFlags_ = 0;
   busy_ = false;
   sends_ = false;
+  locked_.reset();
+  waiting_.reset();
   end_ = kNever;
 }
 
@@ -119,8 +121,8 @@ std::uint32_t FlexCan::read(std::uint32_t offset, unsigned size) {
     case kCtrl1:
       return timing_;
     case kTimer:
-      return 0;  // in the real controller, the read unlocks a buffer; this model does not lock
-                 // buffers
+      unlock();
+      return 0;
     case kRxmgmask:
       return mask_;
     case kImask1:
@@ -138,7 +140,7 @@ std::uint32_t FlexCan::read(std::uint32_t offset, unsigned size) {
   Buffer& buffer = buffers_.at(number);
   switch (offset % kBuffer) {
     case 0:
-      buffer.served = true;
+      lock(number);
       return buffer.control;
     case 4:
       return buffer.identifier;
@@ -221,8 +223,17 @@ void FlexCan::writeBuffer(std::uint32_t offset, std::uint32_t value) {
         misuse("the control word of a CAN0 frame was written while the frame is on the bus");
         return;
       }
+      if (locked_ == number) {
+        locked_.reset();
+        waiting_.reset();
+      }
       buffer.control = value;
       buffer.served = false;
+      if (codeOf(value) == kData) {
+        inactiveWrites_ = 0;
+      } else if (number == 0 && codeOf(value) == kInactive) {
+        ++inactiveWrites_;
+      }
       nextFrame(board_.time());
       return;
     case 4:
@@ -293,6 +304,9 @@ void FlexCan::advance() {
 }
 
 void FlexCan::sent() {
+  if (inactiveWrites_ < 2) {
+    misuse("a buffer of CAN0 was activated without the two writes to buffer 0 (erratum 5829)");
+  }
   Buffer& buffer = buffers_.at(sender_);
   buffer.control = withCode(buffer.control, kInactive);
   flags_ |= 1U << sender_;
@@ -312,17 +326,53 @@ void FlexCan::received(const CanFrame& frame) {
   if (found == buffers_.end()) {
     return;
   }
-  const bool lost = codeOf(found->control) != kEmpty && !found->served;
-  found->control = withCode(0, lost ? kOverrun : kFull) |
-                   static_cast<std::uint32_t>(frame.data.size()) << kLengthAt;
-  found->identifier = identifier;
-  found->data = {};
-  for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
-    found->data.at(byte / 4) |= static_cast<std::uint32_t>(frame.data[byte]) << shiftOf(byte);
+  const auto number = static_cast<std::size_t>(found - buffers_.begin());
+  if (locked_ == number) {
+    waiting_ = frame;
+  } else {
+    store(number, frame);
   }
-  found->served = false;
-  flags_ |= 1U << static_cast<unsigned>(found - buffers_.begin());
+}
+
+void FlexCan::store(std::size_t number, const CanFrame& frame) {
+  Buffer& buffer = buffers_.at(number);
+  const bool lost = codeOf(buffer.control) != kEmpty && !buffer.served;
+  buffer.control = withCode(0, lost ? kOverrun : kFull) |
+                   static_cast<std::uint32_t>(frame.data.size()) << kLengthAt;
+  buffer.identifier = static_cast<std::uint32_t>(frame.identifier) << kStandardAt;
+  buffer.data = {};
+  for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
+    buffer.data.at(byte / 4) |= static_cast<std::uint32_t>(frame.data[byte]) << shiftOf(byte);
+  }
+  buffer.served = false;
+  flags_ |= 1U << number;
   updateLine();
+}
+
+// A read of the control word unlocks all other buffers.
+void FlexCan::lock(std::size_t number) {
+  if (locked_ != number) {
+    unlock();
+  }
+  Buffer& buffer = buffers_.at(number);
+  const std::uint32_t code = codeOf(buffer.control);
+  if (code == kFull || code == kOverrun) {
+    locked_ = number;
+    buffer.served = true;
+  }
+}
+
+void FlexCan::unlock() {
+  const std::optional<std::size_t> number = std::exchange(locked_, std::nullopt);
+  if (!number.has_value()) {
+    return;
+  }
+  if ((flags_ & 1U << *number) != 0) {
+    misuse("a buffer of CAN0 was unlocked before the flag of the buffer was cleared");
+  }
+  if (const std::optional<CanFrame> frame = std::exchange(waiting_, std::nullopt)) {
+    store(*number, *frame);
+  }
 }
 
 void FlexCan::updateLine() {

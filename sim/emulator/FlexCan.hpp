@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "sim/emulator/CanFrame.hpp"
@@ -20,9 +21,19 @@ namespace wr::emulator {
 /// identifiers. A frame takes one bit time for each of its bits in ISO 11898-1, but no time for
 /// stuff bits.
 ///
+/// A read of the control word locks a buffer that contains a received frame. A frame for a locked
+/// buffer waits until the buffer is unlocked, and a newer frame replaces it. The program clears the
+/// flag of the buffer before it unlocks the buffer. Otherwise it could clear the flag of the frame
+/// that waits. Therefore the other order causes a finding. A frame is moved into its buffer in no
+/// time, so the code BUSY never occurs.
+///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
 /// causes a finding.
+///
+/// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
+/// is not sent. The workaround reserves buffer 0. After each activation, the program writes the
+/// code INACTIVE to buffer 0 twice. A frame that is sent without these two writes causes a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }
@@ -65,6 +76,9 @@ class FlexCan final : public Peripheral {
   void nextFrame(Time from);
   void sent();
   void received(const CanFrame& frame);
+  void store(std::size_t number, const CanFrame& frame);
+  void lock(std::size_t number);
+  void unlock();
   void updateLine();
 
   std::function<bool()> connected_ = [] { return false; };
@@ -74,6 +88,9 @@ class FlexCan final : public Peripheral {
   std::uint32_t flags_ = 0;
   std::uint32_t enabledFlags_ = 0;
   std::array<Buffer, kBuffers> buffers_{};
+  int inactiveWrites_ = 0;  // writes of INACTIVE to buffer 0 since the last activation
+  std::optional<std::size_t> locked_;  // number of the locked buffer
+  std::optional<CanFrame> waiting_;    // frame for the locked buffer
   std::deque<CanFrame> arriving_;
   std::vector<CanFrame> sent_;
   bool busy_ = false;

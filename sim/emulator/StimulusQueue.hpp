@@ -18,7 +18,7 @@ class StimulusQueue {
     bool high;
   };
 
-  /// @brief Sets the function that puts a level on a pin.
+  /// @param drive function that puts a level on a pin
   explicit StimulusQueue(std::function<void(const Level&)> drive) : drive_(std::move(drive)) {}
 
   /// @brief Adds a level. Levels with the same time are applied in the order of the calls of add().

@@ -48,7 +48,11 @@ constexpr std::uint32_t kGpioSize = 0x40;
 constexpr std::uint32_t kPeripheralsSize = 0x100000;
 constexpr std::uint32_t kSimUpper = 0x40048000;
 
-constexpr std::uint32_t kFlashOption = 0x40D;
+constexpr std::uint32_t kFlashOption = 0x40D;  // FOPT
+constexpr std::uint8_t kNormalBoot = 1U << 0;  // FOPT.LPBOOT
+constexpr std::uint8_t kNmiEnabled = 1U << 2;  // FOPT.NMI_DIS, which blocks the NMI if it is 0
+constexpr unsigned kNmiPin = 4;                // PTA4
+constexpr unsigned kNmi = 2;
 constexpr unsigned kFirstLine = 16;
 constexpr unsigned kLines = 110;
 constexpr unsigned kPriorityBits = 4;
@@ -85,7 +89,7 @@ class VirtualBoard::Parts final : public Microcontroller {
       : options_(std::move(options)),
         image_(std::move(image)),
         cpu_(kLines, kPriorityBits, options_.timing),
-        sim_(*this, image_.size() <= kFlashOption || (image_[kFlashOption] & 1U) != 0),
+        sim_(*this, hasOption(kNormalBoot)),
         mcg_(*this, options_.externalClock, options_.failingClockStep),
         osc_(*this, "OSC", 1, kOsc),
         smc_(*this, "SMC", 1, kSmc),
@@ -140,7 +144,11 @@ class VirtualBoard::Parts final : public Microcontroller {
   [[nodiscard]] const Clock& coreClock() const override { return core_; }
   [[nodiscard]] const Clock& busClock() const override { return bus_; }
   void setLine(unsigned line, bool high) override;
-  void raiseNmi() override { cpu_.raise(2); }
+  void raiseNmi() override {
+    if (hasOption(kNmiEnabled)) {
+      cpu_.raise(kNmi);
+    }
+  }
   void clocksChanged() override;
   void report(std::string id, std::string what) override;
   void refuse(std::string id, std::string what) override {
@@ -190,6 +198,10 @@ class VirtualBoard::Parts final : public Microcontroller {
   bool awaitedCame = false;
 
  private:
+  /// Returns whether a bit of the flash option byte is 1. All bits of erased flash are 1.
+  [[nodiscard]] bool hasOption(std::uint8_t bit) const {
+    return image_.size() <= kFlashOption || (image_[kFlashOption] & bit) != 0;
+  }
   void build();
   void connect();
   void powerOn();
@@ -389,6 +401,10 @@ void VirtualBoard::Parts::resetNow(Reset cause) {
   pitGate_ = false;
   renewAll();
   cpu_.reset();
+  // After a reset, PTA4 is the input of the NMI. If the pin is low, the NMI is requested at once.
+  if (!pins_[0].seen(kNmiPin)) {
+    raiseNmi();
+  }
   ++resets;
   if (recorder != nullptr) {
     recorder->reset();

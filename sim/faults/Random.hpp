@@ -7,7 +7,6 @@ namespace wr::faults {
 /// @brief Random numbers of the generator splitmix64. They are equal on all computers.
 class Random {
  public:
-  /// @brief Starts a sequence.
   /// @param seed chooses the sequence
   explicit Random(std::uint64_t seed) : state_(seed) {}
 

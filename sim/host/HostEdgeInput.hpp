@@ -12,7 +12,6 @@ class HostScheduler;
 /// pull-up resistor.
 class HostEdgeInput final : public EdgeInput {
  public:
-  /// @brief Binds the input to the scheduler that serves its interrupt.
   /// @param scheduler serves the interrupt
   /// @param level initial level
   explicit HostEdgeInput(HostScheduler& scheduler, bool level = true);

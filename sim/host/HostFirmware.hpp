@@ -48,7 +48,7 @@ class HostFirmware {
     RetainedProtection::Cells protection;  ///< memory of the protective stop
   };
 
-  /// @brief Constructs the robot and binds it to its devices.
+  /// @brief Builds the robot, and connects it to its devices.
   /// @param timebase returns the time
   /// @param pcPort serial line to the PC
   /// @param start cause of the start; by default, the cause is unknown

@@ -15,7 +15,6 @@ class HostScheduler;
 
 /// @brief Pins of one wheel.
 struct HostWheelPins {
-  /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts
   explicit HostWheelPins(HostScheduler& scheduler)
       : hall{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false)} {}
@@ -29,7 +28,6 @@ struct HostWheelPins {
 
 /// @brief Pins of the steering.
 struct HostSteeringPins {
-  /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts
   explicit HostSteeringPins(HostScheduler& scheduler)
       : leftEnd(scheduler, false), rightEnd(scheduler, false) {}
@@ -46,7 +44,6 @@ struct HostSteeringPins {
 /// currents and of the steering angle are in the middle of their ranges. There are no edges. No end
 /// stop and no emergency stop is active.
 struct HostPins {
-  /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts
   explicit HostPins(HostScheduler& scheduler)
       : wheels{HostWheelPins(scheduler), HostWheelPins(scheduler), HostWheelPins(scheduler),

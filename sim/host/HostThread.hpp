@@ -9,7 +9,7 @@ class HostScheduler;
 /// @brief A control thread on the host.
 class HostThread final : public ControlThread {
  public:
-  /// @brief Constructs a thread and adds it to the scheduler.
+  /// @brief Adds the thread to the scheduler.
   /// @param scheduler runs the thread
   /// @param priority priority of the thread; 1 is the lowest priority
   HostThread(HostScheduler& scheduler, int priority);

@@ -12,7 +12,6 @@ class HostScheduler;
 /// @brief A periodic timer on the host. The simulation reports the end of each period.
 class HostTimer final : public PeriodicTimer {
  public:
-  /// @brief Binds the timer to the scheduler that serves its interrupt.
   /// @param scheduler serves the interrupt
   explicit HostTimer(HostScheduler& scheduler);
 

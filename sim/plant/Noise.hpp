@@ -8,7 +8,6 @@ namespace wr::plant {
 /// noise at the same time, even if the first run has used more random numbers before this time.
 class Noise {
  public:
-  /// @brief Constructs the noise.
   /// @param seed chooses the numbers
   explicit Noise(std::uint32_t seed) : seed_(seed) {}
 

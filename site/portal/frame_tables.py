@@ -49,6 +49,7 @@ def frame_tables(root: Path) -> dict[str, str]:
     for enumeration in frames.enumerations.values():
         name = f"values_{enumeration.name.replace(' ', '_')}.inc"
         files[name] = values_table(enumeration)
+    files["counters.inc"] = counters_table(frames)
     return files
 
 
@@ -91,9 +92,29 @@ def fields_table(layout: Layout) -> str:
 
 def field_row(field: Field, of_other_wheels: Iterable[Field]) -> tuple[str, ...]:
     offsets = [field.offset, *(other.offset for other in of_other_wheels)]
-    name = field.name if field.wheel is None else f"{field.stem}0`` to ``{WHEEL_COUNT - 1}"
     where = ", ".join(map(str, offsets))
-    return where, field.type, f"``{name}``", unit_of(field), ". ".join(meanings(field))
+    return where, field.type, shown_name(field), unit_of(field), ". ".join(meanings(field))
+
+
+def shown_name(field: Field) -> str:
+    """Returns the name of a field. If each wheel has such a field, returns the first name and the
+    last number.
+    """
+    name = field.name if field.wheel is None else f"{field.stem}0`` to ``{WHEEL_COUNT - 1}"
+    return f"``{name}``"
+
+
+def counters_table(frames: FrameTable) -> str:
+    """Returns the table of the counters, each with its first checks. The counters of all wheels
+    have a single row.
+    """
+    fields = (field for layout in frames.frames.values() for field in layout.fields)
+    rows = (
+        (shown_name(field), field.meaning, field.check)
+        for field in fields
+        if field.counter and not field.wheel
+    )
+    return list_table((20, 36, 44), ("counter", "counted events", "check first"), rows)
 
 
 def unit_of(field: Field) -> str:

@@ -46,7 +46,7 @@ from traceability.model.made_changes import proven
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.bench_record import SCENARIOS
-from traceability.reading.products import DEFAULT, PRODUCTS
+from traceability.reading.products import DEFAULT, FUNCTIONS, PRODUCTS
 from traceability.schema import (
     Method,
     Module,
@@ -157,6 +157,7 @@ def products(portal: Portal) -> dict[str, Any]:
     common = set.intersection(*module_sets) if module_sets else set()
     return {
         "listed": PRODUCTS,
+        "functions": FUNCTIONS,
         "products": measured,
         "rows": sorted(set().union(*module_sets) - common),
         "common": sorted(common),

@@ -22,6 +22,7 @@ from portal.links import Links, paper_anchor, slug
 from portal.navigation import Navigation, hand_written
 from portal.package_diagram import package_diagrams
 from portal.tours import tours_of
+from portal.tuned_values import chosen_values, constant_named, other_lines
 from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
@@ -169,6 +170,11 @@ class Portal:
             glyph=names.glyph,
             family=diagrams.role_family,
             located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
+            chosen_values=functools.partial(chosen_values, self.root, self.model),
+            other_lines=functools.partial(other_lines, self.root),
+            constant_named=functools.cache(
+                functools.partial(constant_named, self.root, self.model)
+            ),
         )
         return environment
 

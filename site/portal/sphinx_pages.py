@@ -27,10 +27,14 @@ from portal.sphinx_extension import NAMES
 from portal.sphinx_warnings import WarningCollector
 from portal.tables import (
     COMMANDS,
+    CONNECTION,
     DEBIAN,
+    KEYBOARD,
     PRODUCTS,
     ROOMS,
     command_table,
+    connection_table,
+    key_table,
     package_table,
     product_table,
     room_table,
@@ -92,6 +96,8 @@ INCLUDED = (
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
     (ROOMS, "rooms.inc", room_table),
+    (KEYBOARD, "keys.inc", key_table),
+    (CONNECTION, "connection.inc", connection_table),
 )
 FRAME = "frame.txt"  # file with the layout and the navigation that surround each body
 INDEX = "search_index.js"

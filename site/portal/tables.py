@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import ast
 import csv
 import io
 import re
+import tomllib
 from collections.abc import Iterable
 from pathlib import Path
 
 from traceability.reading.products import LIST, listed
+from weeding_robot_client.keyboard import KEYS
 
 COMMANDS = Path("wr")
+COMMAND_LINE = Path("tools/cli.py")
 DEBIAN = Path("setup/debian.txt")
 PRODUCTS = LIST
 ROOMS = Path("sim/CMakeLists.txt")
@@ -19,14 +23,31 @@ COMMAND = re.compile(r"^  ([a-z-]+) +(.+)$", re.MULTILINE)
 ROOM = re.compile(r"((?:^ *#.*\n)+) *add_room\((\w+) (?:STATIC|OBJECT) ?([^)]*)\)", re.MULTILINE)
 EACH_ROOM = re.compile(r"^ *add_room\(", re.MULTILINE)
 ROOM_LIBRARY = "sim_"  # begin of the name of the library of a folder
+CONNECTION = Path("design/fsm/pc_connection.toml")
+KEYBOARD = Path("client/weeding_robot_client/keyboard.py")
+NAMED = re.compile(r"\{(\w+)\}")  # name of a constant in the effect of a key
 PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
 
 
 def command_table(root: Path) -> str:
-    """Returns the table of the commands of ./wr, each with its help text."""
+    """Returns the table of the commands of ./wr, each with its help text and its source file."""
     usage = (root / COMMANDS).read_text(encoding="utf-8").partition("\nTEXT\n")[0]
-    rows = ((f"``./wr {name}``", does) for name, does in COMMAND.findall(usage))
-    return comma_separated(("command", "effect"), rows)
+    files = command_files(root)
+    rows = (
+        (f"``./wr {name}``", does, f"``{files.get(name, COMMANDS)}``")
+        for name, does in COMMAND.findall(usage)
+    )
+    return comma_separated(("command", "effect", "source file"), rows)
+
+
+def command_files(root: Path) -> dict[str, str]:
+    """Returns the source file of each command, from the table MODULES. A command that is not in
+    this table is implemented in ``wr``."""
+    for node in ast.parse((root / COMMAND_LINE).read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "MODULES":
+            modules: dict[str, str] = ast.literal_eval(node.value)
+            return {name: f"{module.replace('.', '/')}.py" for name, module in modules.items()}
+    raise ValueError(f"{COMMAND_LINE}: there is no table MODULES")
 
 
 def package_table(root: Path) -> str:
@@ -55,6 +76,36 @@ def room_table(root: Path) -> str:
         (f"``{name}``", first_sentence(comment), linked(links)) for comment, name, links in rooms
     )
     return list_table((18, 52, 30), ("folder", "content", "linked libraries"), rows)
+
+
+def key_table(_root: Path) -> str:
+    """Returns the table of the keys of ``./wr drive``, each with its effect. A constant of the
+    module ``keyboard`` is linked."""
+    rows = (
+        (f"``{key}``", NAMED.sub(rf":constant:`{KEYBOARD.stem}.\1`", effect))
+        for key, effect in KEYS.items()
+    )
+    return list_table((16, 84), ("key", "effect"), rows)
+
+
+def connection_table(root: Path) -> str:
+    """Returns the table of the states of the connection. It shows the reaction to each type of
+    frame in each state."""
+    machine = tomllib.loads((root / CONNECTION).read_text(encoding="utf-8"))
+    frames = [event for event in machine["events"] if event.isalpha()]
+    reactions = {(step["from"], step["on"]): reaction(step) for step in machine["transition"]}
+    rows = (
+        (state, *(reactions.get((state, frame), "unexpected") for frame in frames))
+        for state in machine["states"]
+    )
+    return list_table((20, 20, 20, 20, 20), ("state", *frames), rows)
+
+
+def reaction(step: dict[str, str]) -> str:
+    """Returns the action, the next state and the guard of a transition as the text of a cell."""
+    to = f"to {step['to']}" if step["to"] != step["from"] else ""
+    done = ", ".join(part for part in (step["action"], to) if part) or "accepted"
+    return f"{done}, if {step['guard']}" if step["guard"] else done
 
 
 def first_sentence(comment: str) -> str:

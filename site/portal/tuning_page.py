@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from portal.portal import Portal
+from portal.tuned_values import constant_named
 from traceability.model.design_model import Model
-from traceability.schema import Constant, Method
+from traceability.reading.plain_constants import PlainConstant
+from traceability.schema import Constant, Method, Tuned
 
 ROBOT = "SystemConstants"  # the module with the values that several modules read
 # The folders of the modules that control, measure or limit values.
@@ -33,7 +35,11 @@ class Value:
 
 
 def tuning(portal: Portal) -> dict[str, Any]:
-    return {"robot": robot_values(portal.model), "control": control_values(portal.model)}
+    return {
+        "robot": robot_values(portal.model),
+        "dimensions": dimensions(portal),
+        "control": control_values(portal.model),
+    }
 
 
 def robot_values(model: Model) -> list[tuple[Method, Constant]]:
@@ -43,6 +49,16 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
     return [
         (method, model.constants[method.id]) for method in methods if method.id in model.constants
     ]
+
+
+def dimensions(portal: Portal) -> list[tuple[Tuned, Constant | PlainConstant]]:
+    """Returns the values that depend on a constant outside SystemConstants, and this constant."""
+    found = []
+    for tuned in portal.model.tuned:
+        constant = constant_named(portal.root, portal.model, tuned.to)
+        if constant and not tuned.to.startswith(f"{ROBOT}::"):
+            found.append((tuned, constant))
+    return found
 
 
 def control_values(model: Model) -> dict[str, list[Value]]:

@@ -30,7 +30,6 @@ namespace wr {
 /// main controller.
 class ControlSystemPoolBuilder {
  public:
-  /// @brief Stores references to the builders of the control systems. Nothing is built yet.
   /// @param tickTimer generates the ticks of SecondTimer
   /// @param builders builders of the control systems, in the sequence in which the systems are
   /// added to the pool; these builders must exist as long as this object

@@ -62,7 +62,6 @@ class DirSystemBuilder final : public ControlSystemBuilder {
     const Timebase& timebase;   ///< returns the time
   };
 
-  /// @brief Stores references to the devices of the steering.
   /// @param devices devices that the platform provides for the steering
   explicit DirSystemBuilder(const Devices& devices);
 

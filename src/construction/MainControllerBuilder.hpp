@@ -95,7 +95,6 @@ class MainControllerBuilder {
                                                           ///< without remote control
   };
 
-  /// @brief Stores references to the devices.
   /// @param devices devices that the platform provides for the main controller
   explicit MainControllerBuilder(Devices devices);
   MainControllerBuilder(const MainControllerBuilder&) = delete;

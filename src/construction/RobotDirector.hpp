@@ -16,7 +16,6 @@ namespace wr {
 /// @role{main-controller-construction, Director}
 class RobotDirector {
  public:
-  /// @brief Stores references to the builders.
   /// @param poolBuilder builds the control systems
   /// @param controllerBuilder builds the main controller
   RobotDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder);

@@ -85,7 +85,6 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
     std::size_t wheel;           ///< number of the wheel, 0 to 3
   };
 
-  /// @brief Stores references to the devices of the wheel.
   /// @param devices devices that the platform provides for the wheel
   explicit WheelSystemBuilder(const Devices& devices);
 

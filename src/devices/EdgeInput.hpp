@@ -5,7 +5,7 @@ namespace wr {
 /// @brief Input with two levels that can cause an interrupt when its level changes.
 /// @function Reads the level of a pin, and causes an interrupt at each edge, that is, at each
 /// change of the level.
-/// @secret The pin that is read, and how edges are detected and acknowledged.
+/// @secret The pin that is read, and the method by which edges are detected and acknowledged.
 class EdgeInput {
  public:
   EdgeInput(const EdgeInput&) = delete;

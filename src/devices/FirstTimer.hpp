@@ -12,7 +12,6 @@ namespace wr {
 /// @role{cycle-timer-interrupt, Invoker}
 class FirstTimer final {
  public:
-  /// @brief Connects a hardware timer to a command.
   /// @param timer hardware timer that causes the interrupts
   /// @param command command that is executed at each clock pulse
   FirstTimer(PeriodicTimer& timer, Command& command);

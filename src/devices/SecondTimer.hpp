@@ -11,7 +11,7 @@ namespace wr {
 /// @brief Timer for work that must run more often than once in a control cycle.
 /// @function Generates 1000 ticks in a second. At each tick it executes its commands in the
 /// sequence in which they were added.
-/// @secret How the commands are stored, and the sequence in which a tick executes them.
+/// @secret The storage of the commands, and the sequence in which a tick executes them.
 /// @role{wheel-timer-interrupt, Invoker}
 /// @role{steering-timer-interrupt, Invoker}
 class SecondTimer final {

@@ -11,7 +11,8 @@ namespace wr {
 /// @brief Port of a serial line, for sending and receiving bytes.
 /// @function Stores received bytes until the firmware reads them, and bytes to send until they are
 /// sent.
-/// @secret How bytes are transferred between the serial line and the buffers of the port.
+/// @secret The method by which bytes are transferred between the serial line and the buffers of the
+/// port.
 class SerialPort {
  public:
   SerialPort(const SerialPort&) = delete;

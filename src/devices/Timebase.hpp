@@ -9,8 +9,8 @@ namespace wr {
 /// @brief Source of the time since the start of the system.
 /// @function Returns the time since start, for time stamps and time-outs. Returns the number of
 /// processor cycles without sleep, from which the computing time of a control cycle is calculated.
-/// @secret The counters that measure the time and the processor cycles, and how an overflow of the
-/// time is prevented.
+/// @secret The counters that measure the time and the processor cycles, and the method by which an
+/// overflow of the time is prevented.
 class Timebase {
  public:
   Timebase(const Timebase&) = delete;

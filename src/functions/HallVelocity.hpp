@@ -14,7 +14,6 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class HallVelocity final : public Function {
  public:
-  /// @brief Constructs the function.
   HallVelocity() = default;
 
   /// @brief Calculates the velocity, rounded to the nearest integer.

@@ -15,7 +15,6 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class RcDirection final : public Function {
  public:
-  /// @brief Constructs the function.
   RcDirection() = default;
 
   /// @brief Calculates the steering angle, rounded to the nearest integer. If the width differs

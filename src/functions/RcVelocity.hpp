@@ -15,7 +15,6 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class RcVelocity final : public Function {
  public:
-  /// @brief Constructs the function.
   RcVelocity() = default;
 
   /// @brief Calculates the velocity, rounded to the nearest integer. If the width differs from the

@@ -13,7 +13,6 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class SampledAngle final : public Function {
  public:
-  /// @brief Constructs the function.
   SampledAngle() = default;
 
   /// @brief Calculates the angle, rounded to the nearest integer.

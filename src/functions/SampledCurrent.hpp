@@ -13,7 +13,6 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class SampledCurrent final : public Function {
  public:
-  /// @brief Constructs the function.
   SampledCurrent() = default;
 
   /// @brief Calculates the current, rounded to the nearest integer.

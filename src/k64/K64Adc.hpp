@@ -13,8 +13,8 @@ namespace wr {
 
 /// @brief Analog input of the K64, which has two converters.
 /// @function Converts the voltage of one pin to 12 bits, as the mean of four samples.
-/// @secret How a converter is calibrated and started, and the sequence in which it converts its
-/// inputs.
+/// @secret The steps that calibrate and start a converter, and the sequence in which it converts
+/// its inputs.
 class K64Adc final : public AnalogInput {
  public:
   /// @brief Number of converters.
@@ -75,7 +75,6 @@ class K64Adc final : public AnalogInput {
   /// @brief All converters of the microcontroller.
   using Converters = std::array<Converter, kConverterCount>;
 
-  /// @brief Connects an input to its converter.
   /// @param converters the converters; they must exist as long as this input
   /// @param channel the channel; no other object may use it
   constexpr K64Adc(Converters& converters, Channel channel)

@@ -11,7 +11,8 @@ namespace wr {
 /// @function Sets all outputs to their safe levels after a reset, and switches the microcontroller
 /// to its full clock. Ends the firmware safely after a fault, and writes a record of the fault. A
 /// reset does not delete this record.
-/// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is stored.
+/// @secret The control of the clocks, pins and resets of the K64, and the form in which a fault is
+/// stored.
 class K64Board {
  public:
   K64Board() = delete;

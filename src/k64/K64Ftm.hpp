@@ -9,7 +9,8 @@ namespace wr {
 /// @brief Channel of the flexible timer FTM0.
 /// @function Generates one pulse in each period of 50 us on the pin of the channel. The duty cycle
 /// sets the width of the pulse.
-/// @secret How the timer generates pulses, and how their width changes without a false pulse.
+/// @secret The method by which the timer generates pulses, and the rule that changes their width
+/// without a false pulse.
 /// @hides{K64Ftm::kFrequency}
 class K64Ftm final : public PwmOutput {
  public:
@@ -19,7 +20,6 @@ class K64Ftm final : public PwmOutput {
   /// @brief Frequency of the pulses [Hz].
   static constexpr std::uint32_t kFrequency = 20'000;
 
-  /// @brief Binds an output to a channel.
   /// @param channel the channel; no other object may use it
   explicit constexpr K64Ftm(Channel channel) : channel_(channel) {}
 

@@ -9,13 +9,12 @@ namespace wr {
 
 /// @brief Output pin of the K64.
 /// @function Drives one pin, high or low.
-/// @secret How the level of a pin is set without changing other pins.
+/// @secret The method by which the level of a pin is set without changing other pins.
 class K64Gpio final : public DigitalOutput {
  public:
   /// @brief Level of a pin.
   enum class Level : std::uint8_t { Low, High };
 
-  /// @brief Binds an output to a pin.
   /// @param pin an output of the pin table
   /// @param on level of the pin when the output is on
   constexpr K64Gpio(const Pin& pin, Level on) : port_(pin.port), number_(pin.number), on_(on) {}

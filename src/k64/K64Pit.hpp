@@ -8,14 +8,13 @@ namespace wr {
 
 /// @brief Channel of the periodic interrupt timer (PIT).
 /// @function Causes periodic interrupts. The period is a number of microseconds.
-/// @secret How a period is converted to a number of bus clocks, and how the interrupt of the
-/// channel is set up.
+/// @secret The conversion of a period to a number of bus clocks, and the steps that set up the
+/// interrupt of the channel.
 class K64Pit final : public PeriodicTimer {
  public:
   /// @brief A channel of the timer. Channel 2 is missing here, because K64Timebase uses it.
   enum class Channel : std::uint8_t { First = 0, Second = 1, Fourth = 3 };
 
-  /// @brief Binds a timer to a channel.
   /// @param channel the channel; no other object may use it
   explicit constexpr K64Pit(Channel channel) : channel_(channel) {}
 

@@ -10,8 +10,8 @@ namespace wr {
 /// @brief Input pin of the K64.
 /// @function Reads the level of one pin. Causes an interrupt at each rising and each falling edge,
 /// up to a limit in each tick.
-/// @secret How the ports detect edges, how the flag of one edge is cleared without the flags of
-/// other pins, and how the interrupts of an input with too many edges are blocked.
+/// @secret The methods that detect edges, clear the flag of one edge without the flags of other
+/// pins, and block the interrupts of an input with too many edges.
 class K64Port final : public EdgeInput {
  public:
   /// @brief Greatest number of interrupts of one input in one tick. Without noise an input has at
@@ -20,7 +20,6 @@ class K64Port final : public EdgeInput {
   /// time of the core.
   static constexpr std::uint8_t kMaxEdges = 4;
 
-  /// @brief Binds an input to a pin.
   /// @param pin an input of the pin table
   explicit constexpr K64Port(const Pin& pin) : port_(pin.port), number_(pin.number) {}
 

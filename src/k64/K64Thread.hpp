@@ -10,11 +10,10 @@ namespace wr {
 /// @brief Control thread that runs in an interrupt that no device uses.
 /// @function Requests the interrupt in software. The handler of the interrupt then runs the thread
 /// at the priority of the interrupt.
-/// @secret How the interrupt controller starts a thread, and which other code this thread may
-/// preempt.
+/// @secret The method by which the interrupt controller starts a thread, and the other code that
+/// this thread may preempt.
 class K64Thread final : public ControlThread {
  public:
-  /// @brief Binds a thread to an interrupt line.
   /// @param line number of the interrupt line, 0 to 85; no device may use this line
   explicit constexpr K64Thread(std::uint8_t line) : line_(line) {}
 

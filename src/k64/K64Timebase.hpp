@@ -11,9 +11,9 @@ namespace wr {
 /// start. The cycle counter of the core counts the processor cycles.
 /// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
 /// returns the number of processor cycles in which the core did not sleep.
-/// @secret How the time is computed from a 32-bit down counter, without overflow and without a
-/// 64-bit division. How the processor cycles are counted, even if the cycle counter stops while the
-/// core sleeps.
+/// @secret The computation of the time from a 32-bit down counter, without overflow and without a
+/// 64-bit division. The method that counts the processor cycles, even if the cycle counter stops
+/// while the core sleeps.
 class K64Timebase final : public Timebase {
  public:
   /// @brief Time at which the handler of an interrupt was entered. The handler uses this time for
@@ -21,7 +21,6 @@ class K64Timebase final : public Timebase {
   /// signal.
   class EntryTime final : public Timebase {
    public:
-    /// @brief Connects this object to a time base.
     /// @param clock the time base; it must exist as long as this object
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 

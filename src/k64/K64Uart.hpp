@@ -16,8 +16,8 @@ namespace wr {
 /// @brief Serial port of the K64. Port 0 is connected to the USB debug port of the board.
 /// @function Receives and sends bytes in the background, with 115200 baud, 8 data bits, no parity
 /// and 1 stop bit.
-/// @secret How bytes are transferred between the registers of the port and the buffers. How the
-/// time of a zero byte is stored, and how transmission errors are handled.
+/// @secret The transfer of bytes between the registers of the port and the buffers. The form in
+/// which the time of a zero byte is stored, and the handling of transmission errors.
 /// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:
@@ -127,7 +127,8 @@ class K64Uart final : public SerialPort {
   Port port_;
   ZeroBytes zeros_;
   const Timebase& clock_;
-  // At 115200 baud the port receives at most 1152 bytes in one control cycle.
+  // At 115200 baud the port receives at most 1152 bytes in one control cycle. The buffer also
+  // stores the bytes that arrive while a cycle is late.
   Ring<std::uint8_t, 2048> received_;
   // Times at which the stored zero bytes were received. With ZeroBytes::Ends, at most every second
   // stored byte is zero.

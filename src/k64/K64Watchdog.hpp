@@ -18,7 +18,7 @@ class K64Watchdog final : public Watchdog {
   /// microcontroller.
   static constexpr Microseconds kTimeOut = SystemConstants::instance().watchdogTimeout();
 
-  /// @brief Constructs an object through which the watchdog is refreshed. Accesses no register.
+  /// @brief Accesses no register.
   constexpr K64Watchdog() = default;
 
   /// @brief Configures the watchdog and locks this configuration until the next reset. Uses no

@@ -58,7 +58,7 @@ struct PinRow {
 // of the debugger. From revision E on, J2-2 is PTC12.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
-    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset this pin can cause the non-maskable interrupt. The firmware makes it an input."},
+    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "The button is not used. The flash configuration disables the non-maskable interrupt of this pin."},
     {{Port::A, 18, Mux::Alt0, Role::Peripheral}, "EXTAL0", "50 MHz of the Ethernet chip", "Clock of the microcontroller."},
     {{Port::B, 16, Mux::Alt3, Role::PulledUp}, "UART0_RX", "USB debug port", "Bytes from the PC."},
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},

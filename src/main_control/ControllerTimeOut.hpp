@@ -19,10 +19,9 @@ class MainController;
 /// @why A timer interrupt starts each control cycle. The timer executes a command object.
 /// Therefore the timer names no module that reacts to the interrupt.
 /// @changes The actions at the beginning of a cycle may change, and so may the modules that these
-/// actions affect. This needs no change to the timer.
+/// actions affect. The timer does not change.
 class ControllerTimeOut final : public Command {
  public:
-  /// @brief Binds the command to the controller.
   /// @param mCtrl controller that receives the clock pulses
   explicit ControllerTimeOut(MainController& mCtrl);
 

@@ -48,7 +48,6 @@ class MainController {
                                    ///< each mode and checks whether its source orders a stop
   };
 
-  /// @brief Binds the controller to its parts.
   /// @param parts parts of the controller
   /// @post The controller is in the initial state and in the initial mode. No cycle runs before
   /// start().

@@ -12,7 +12,6 @@ namespace wr {
 /// @role{rc-buffers, Concrete Class}
 class DirectionBuffer final : public RcBuffer {
  public:
-  /// @brief Binds the buffer to its collector, its function and its pipe.
   /// @param instants measures period and width of the pulses
   /// @param function calculates the angle of a pulse
   /// @param direction pipe that receives each angle and the time at which its pulse ended

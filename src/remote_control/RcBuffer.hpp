@@ -40,7 +40,6 @@ class RcBuffer {
   void signal(bool rising, Instant at);
 
  protected:
-  /// @brief Binds the buffer to its collector and its function.
   /// @param instants measures period and width of the pulses
   /// @param function calculates the value of a pulse; it rejects an impossible width
   RcBuffer(InstantCollector& instants, const Function& function);

@@ -12,7 +12,6 @@ namespace wr {
 /// @role{rc-pin-interrupt, Invoker}
 class RcPin final {
  public:
-  /// @brief Binds the input and the command.
   /// @param input the pin
   /// @param command is executed at each edge
   RcPin(EdgeInput& input, Command& command);

@@ -17,10 +17,9 @@ namespace wr {
 /// @why An edge on a pin of the remote control causes an interrupt. In this interrupt, the pin
 /// executes a command object. Therefore the pin names no module that reacts to the edge.
 /// @changes The actions at an edge may change, and so may the modules that these actions affect.
-/// This needs no change to the pin.
+/// The pin does not change.
 class ReadRcPin final : public Command {
  public:
-  /// @brief Binds the command to the buffer and the pin.
   /// @param buffer receives the edges
   /// @param pin returns the level
   /// @param timebase returns the present time, which counts as the time of the edge

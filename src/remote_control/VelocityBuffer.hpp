@@ -13,7 +13,6 @@ namespace wr {
 /// @role{rc-buffers, Concrete Class}
 class VelocityBuffer final : public RcBuffer {
  public:
-  /// @brief Binds the buffer to its collector, its function and its pipe.
   /// @param instants measures period and width of the pulses
   /// @param function calculates the velocity of a pulse
   /// @param velocity pipe that receives each velocity and the time at which its pulse ended

@@ -12,8 +12,8 @@ namespace wr {
 /// @function Moves work out of interrupt handlers: a handler posts the thread, and the platform
 /// then executes the command at the priority of the thread. Counts the posts that occur before the
 /// previous activation has ended.
-/// @secret How an activation is stored until it has run, and how overlapping activations are
-/// counted.
+/// @secret The form in which an activation is stored until it has run, and the rule by which
+/// overlapping activations are counted.
 class ControlThread {
  public:
   ControlThread(const ControlThread&) = delete;

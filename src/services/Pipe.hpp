@@ -21,7 +21,7 @@ struct Stamped {
 /// @function Connects a writer and a reader that run at different priorities and do not depend on
 /// each other. Neither of them waits. The pipe stores the time of each value, so that the reader
 /// can detect a stale value.
-/// @secret How writer and reader exchange three slots by means of one atomic operation.
+/// @secret The exchange of three slots between writer and reader by means of one atomic operation.
 template <class T>
 class Pipe {
  public:

@@ -8,7 +8,7 @@ namespace wr {
 
 namespace {
 
-constexpr Microseconds kTargetLifetime = milliseconds(300);
+constexpr Microseconds kTargetLifetime = milliseconds(300);  // three control cycles
 constexpr Microseconds kPositionLifetime = milliseconds(20);
 constexpr Microseconds kStallWindow = milliseconds(200);
 constexpr Angle kStallAngle(60);

@@ -52,8 +52,8 @@ struct TurnFeedback {
 /// the controller writes the status of the steering to a pipe. It controls the motor through
 /// commands, and names neither the sensor nor the device.
 ///
-/// @secret The greatest permitted age of a target and of a position, and how a contradiction
-/// between the measured angle and the motor is detected.
+/// @secret The greatest permitted age of a target and of a position, and the rule that detects a
+/// contradiction between the measured angle and the motor.
 ///
 /// @role{steering-controller-states, Context}
 /// @role{steering-control-algorithm, Context}
@@ -75,7 +75,6 @@ class DirController final {
     DirState& initial;             ///< state at start: off
   };
 
-  /// @brief Binds the controller to its parts.
   /// @param parts parts of the controller
   explicit DirController(const Parts& parts);
 

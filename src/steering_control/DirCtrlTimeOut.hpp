@@ -22,11 +22,10 @@ class SteeringDevice;
 /// @patternapp{steering-timer-interrupt, Command, Process timer interruptions for the steering system}
 /// @why Several elements of the steering work at each tick of the timer. The timer executes a
 /// command object. Therefore the timer names no element of the steering.
-/// @changes The actions in a tick may change, and so may the elements that these actions affect.
-/// This needs no change to the timer.
+/// @changes The actions in a tick, and the elements that these actions affect. The timer does not
+/// change.
 class DirCtrlTimeOut final : public Command {
  public:
-  /// @brief Binds the command to its receivers.
   /// @param sensor measures the position
   /// @param controller decides how the motor turns
   /// @param device moves the motor

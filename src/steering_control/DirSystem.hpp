@@ -17,7 +17,8 @@ namespace wr {
 /// @function Passes the ordered angle, or the order to hold, to the controller of the steering.
 /// Reports the status of the steering to Main Control.
 ///
-/// @secret How the control cycle and the faster tick of the steering exchange orders and values.
+/// @secret The exchange of orders and values between the control cycle and the faster tick of the
+/// steering.
 ///
 /// @role{control-system-orders, Concrete Class}
 /// @role{steering-system-construction, Product}
@@ -31,7 +32,6 @@ class DirSystem final : public ControlSystem {
     const Timebase& timebase;  ///< returns the present time
   };
 
-  /// @brief Binds the system to its parts.
   /// @param parts parts of the system
   explicit DirSystem(const Parts& parts);
 

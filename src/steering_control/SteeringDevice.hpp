@@ -33,7 +33,6 @@ class SteeringDevice final {
     SteeringPower& initial;     ///< power state at start: off
   };
 
-  /// @brief Binds the device to its parts.
   /// @param parts parts of the device
   explicit SteeringDevice(const Parts& parts);
 

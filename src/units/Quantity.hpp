@@ -17,7 +17,6 @@ class Quantity {
   /// @brief Constructs the quantity zero.
   constexpr Quantity() = default;
 
-  /// @brief Constructs a quantity with the given number.
   /// @param count number [unit of the quantity]
   explicit constexpr Quantity(Rep count) : count_(count) {}
 

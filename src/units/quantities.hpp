@@ -55,7 +55,6 @@ class Instant {
   /// @brief Constructs the instant of the start.
   constexpr Instant() = default;
 
-  /// @brief Constructs an instant.
   /// @param sinceStart time since start [us]
   explicit constexpr Instant(std::uint64_t sinceStart) : sinceStart_(sinceStart) {}
 

@@ -18,17 +18,17 @@ namespace wr {
 /// drive and brake in this orientation. When the duty cycle is 0, the motor is short-circuited and
 /// brakes. When the driver is disabled, the motor is disconnected and the wheel coasts.
 ///
-/// @secret How the driver of a motor applies a voltage, how a tripped driver brakes, and how an
-/// interrupt and a thread share the state of the trip.
+/// @secret The method by which the driver of a motor applies a voltage, the method by which a
+/// tripped driver brakes, and the rule by which an interrupt and a thread share the state of the
+/// trip.
 ///
 /// @role{wheel-commands, Receiver}
 class Wheel final {
  public:
-  /// @brief Binds the wheel to the outputs of its driver. At this time the outputs are at their
-  /// safe levels: the driver is off, and the orientation is forwards.
   /// @param pwm sets the duty cycle
   /// @param orientation output that is on when the motor shall turn backwards
   /// @param enable output that is on to enable the driver
+  /// @pre The outputs are at their safe levels: the driver is off, and the orientation is forwards.
   Wheel(PwmOutput& pwm, DigitalOutput& orientation, DigitalOutput& enable);
 
   Wheel(const Wheel&) = delete;

@@ -17,7 +17,7 @@ namespace wr {
 /// @function Records the orders of the main controller for its wheel, executes them in the thread
 /// of the wheel, and returns the measured and applied values.
 ///
-/// @secret How orders of the main controller are converted to orders of a wheel, and the use of one
+/// @secret The conversion of orders of the main controller to orders of a wheel, and the use of one
 /// thread for each wheel. This thread has a higher priority than the main thread. The main thread
 /// never runs while the thread of a wheel is active. Therefore neither thread reads values that the
 /// other thread has written only in part.
@@ -39,7 +39,7 @@ class WheelSystem final : public ControlSystem {
     WheelOrder& haltWheel;         ///< the last order of a cycle, if the wheel is halted
   };
 
-  /// @brief Constructs the system. The system does nothing before start().
+  /// @brief Constructs a system that does nothing before start().
   /// @param parts parts of the system
   explicit WheelSystem(const Parts& parts);
 

@@ -304,6 +304,51 @@ INSTANTIATE_TEST_SUITE_P(Lines, InterruptsOfTheSafeRobot,
                                          HeldInterrupt{"HallSensors", kHallLine, milliseconds(40)}),
                          [](const auto& held) { return std::string(held.param.name); });
 
+/// @brief A capacitor on the board keeps PTA4 low for some milliseconds after power-on. After a
+/// reset this pin can cause the non-maskable interrupt. The firmware still starts at once, reports
+/// the power-on without a fault, and starts without a stop.
+/// @verifies FR-290
+/// @verifies FR-291
+TEST(StartOfTheSafeRobot, FR291_PowerOnWithALowButtonPinReleasesTheStops) {
+  constexpr int kPowerOn = 1;
+  SafeBoard robot;
+  robot.board().drive('A', 4, false);
+  robot.board().reset(emulator::Reset::PowerOn);
+  const int resets = robot.board().resets();
+  robot.wait(milliseconds(5));
+  robot.board().drive('A', 4, true);
+  robot.enable(plant::EnablePosition::Pc);
+  robot.cycles(4);
+  robot.connect();
+  EXPECT_EQ(robot.board().resets(), resets);
+  EXPECT_EQ(robot.welcome.value().resetCause, kPowerOn);
+  EXPECT_EQ(robot.welcome.value().fault, 0);
+  EXPECT_EQ(robot.report().stopCause, 0);
+  EXPECT_FALSE(robot.report().stop());
+}
+
+/// @brief If the external clock starts slowly at power-on, the first start fails, and the watchdog
+/// repeats it. The memory of the stops then has no valid value. Therefore a stop of the PC is in
+/// force, and a protective stop is latched. Another power-on with a slow clock does not release
+/// them.
+/// @verifies FR-290
+/// @verifies FR-291
+TEST(StartOfTheSafeRobot, FR291_EachPowerOnWithASlowClockLatchesAProtectiveStop) {
+  constexpr int kMissingMeasurement = 8;
+  SafeBoard robot;
+  for (int power = 0; power < 2; ++power) {
+    robot.board().setExternalClock(false);
+    robot.board().reset(emulator::Reset::PowerOn);
+    robot.wait(milliseconds(100));
+    robot.board().setExternalClock(true);
+    ASSERT_TRUE(robot.resetsWithin(milliseconds(340)));
+    robot.cycles(4);
+    robot.connect();
+    EXPECT_EQ(robot.report().stopCause, kMissingMeasurement);
+    EXPECT_TRUE(robot.report().stop());
+  }
+}
+
 /// @brief The thread of a wheel runs once in a control cycle. It runs twice in the cycle that
 /// detects the cause of a protective stop. First it applies the set-point, and then it halts the
 /// wheel. The proven bound of the cycle includes both activations.

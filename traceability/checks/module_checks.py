@@ -13,7 +13,7 @@ from traceability.model.dictionary import unit_text
 from traceability.reading.comments import Comment
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.products import listed
-from traceability.reading.source_facts import Facts
+from traceability.reading.source_facts import Facts, is_constructor
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
@@ -200,7 +200,7 @@ def _nested(facts: Facts) -> Iterator[Finding]:
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
-    """Finds public declarations in headers that have no @brief. Registers need no @brief, because
+    """Finds public declarations in headers that have no comment. Registers need no comment, because
     the manual of the microcontroller describes them."""
     seen = {
         (finding.place.file, finding.place.line)
@@ -212,7 +212,9 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
         if (place.file, place.line) in seen or place.file == REGISTERS:
             continue
         if place.end is None or not _has_words(place, facts):
-            yield Finding(place, "module-spec", f"{declaration.name} is public, but has no @brief")
+            # A constructor needs no brief, but its parameters need descriptions.
+            tag = "@param" if is_constructor(declaration.name.split("<")[0]) else "@brief"
+            yield Finding(place, "module-spec", f"{declaration.name} is public, but has no {tag}")
     for fact in facts.syntax.classes:
         described = facts.comment(fact).words("tparam")
         for name in fact.parameters if described else ():
@@ -282,7 +284,9 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> Iterat
 
 def _specification(method: Method) -> Iterator[Finding]:
     missing: list[str] = []
-    if len(method.brief.split()) < FEWEST_OF_BRIEF:
+    # A constructor that only stores its arguments needs no brief.
+    needs_brief = method.kind != "constructor" or method.brief
+    if needs_brief and len(method.brief.split()) < FEWEST_OF_BRIEF:
         missing.append("@brief")
     missing += [f"name of the parameter {param.type}" for param in method.params if not param.name]
     missing += [f"@param {param.name}" for param in method.params if param.name and not param.text]

@@ -66,11 +66,14 @@ def _known(application: PatternApplication, facts: Facts) -> Iterator[Finding]:
     module = application.module
     if not any(b.module == module and b.role in DECLARING for b in application.roles):
         text = f"{module} is not the abstract class of {application.id}"
-        problems.append((text, "write the @patternapp above the abstract class"))
-    texts = {"title": application.title, "@why": application.why, "@changes": application.changes}
+        problems.append((text, "write the tag @patternapp above the abstract class"))
+    if not application.title:
+        text = f"the application {application.id} has no title"
+        problems.append((text, "write the title as the third argument of the tag @patternapp"))
+    texts = {"@why": application.why, "@changes": application.changes}
     problems += [
-        (f"the application {application.id} has no {name}", "write it below the @patternapp")
-        for name, text in texts.items()
+        (f"the application {application.id} has no {tag}", f"write {tag} below @patternapp")
+        for tag, text in texts.items()
         if not text
     ]
     for text, fix in problems:
@@ -133,7 +136,7 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     if binding.application not in model.patterns:
         return (
             f"the application {binding.application} is not declared",
-            "declare it with @patternapp above its abstract class",
+            "declare the application with the tag @patternapp above its abstract class",
         )
     return None
 
@@ -142,9 +145,8 @@ def _undeclared(model: Model, facts: Facts) -> Iterator[Finding]:
     for item in facts.declared.applications.values():
         if item.id not in model.patterns:
             text = f"no module declares the application {item.id}"
-            yield Finding(
-                item.place, "pattern-known", text, "write its @patternapp above its abstract class"
-            )
+            fix = "write the tag @patternapp of the application above its abstract class"
+            yield Finding(item.place, "pattern-known", text, fix)
 
 
 def _undecided(facts: Facts) -> Iterator[Finding]:

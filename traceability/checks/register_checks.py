@@ -87,7 +87,7 @@ def _used(model: Model, facts: Facts) -> Iterator[Finding]:
 def _past_the_table(facts: Facts) -> Iterator[Finding]:
     """Finds registers that are defined outside the table of registers. Also finds other code that
     accesses a register by its address."""
-    fix = f"add the register to {REGISTERS}, and access it by this name"
+    fix = f"add the register to {REGISTERS}, and access the register by the name from this table"
     for name in facts.syntax.names:
         if (
             name.target == "Register"
@@ -96,10 +96,13 @@ def _past_the_table(facts: Facts) -> Iterator[Finding]:
         ):
             yield _finding(name.place, "a register is defined outside the table of registers", fix)
     for place in facts.syntax.instructions:
-        if not is_board(place.file) or _reaches(place, facts):
-            yield _finding(
-                place, "an assembler instruction is outside the drivers, or accesses memory", fix
-            )
+        if not is_board(place.file):
+            text = "an assembler instruction is outside the drivers"
+            yield _finding(place, text, "move the instruction to a driver")
+        elif _reaches(place, facts):
+            text = "an assembler instruction accesses memory"
+            instead = f"access memory in C++, and a register by its name in {REGISTERS}"
+            yield _finding(place, text, instead)
     for place in facts.syntax.volatile:
         if place.file != REGISTER:
             yield _finding(place, "volatile memory is accessed outside the table of registers", fix)

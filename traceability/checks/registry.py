@@ -186,15 +186,15 @@ _FIXED = [
         "module-spec",
         "Each public method has a specification",
         "Every public method of a design module has a brief, a text for each parameter, and a text "
-        "for its result. Every method except a constructor has @isr, which states whether "
-        "interrupts may call it. The texts are in the comment of the method, or in the comment of "
-        "the method that it overrides. If a parameter or a result is a plain number, its text "
-        "states the unit or the counted items. If the type of a parameter has a unit (for example "
-        "Velocity), the text of the parameter states this unit. Each unit in a text equals the "
-        "unit of the type. Every other public part of a header has a brief: classes, types, "
-        "functions, members, constants and friends. If one value of an enumeration has a brief, "
-        "all its values have a brief.",
-        _TEXT_BLIND,
+        "for its result. A constructor that only stores its arguments needs no brief. Every method "
+        "except a constructor has @isr, which states whether interrupts may call it. The texts are "
+        "in the comment of the method, or in the comment of the method that it overrides. If a "
+        "parameter or a result is a plain number, its text states the unit or the counted items. "
+        "If the type of a parameter has a unit (for example Velocity), the text of the parameter "
+        "states this unit. Each unit in a text equals the unit of the type. Every other public "
+        "part of a header has a brief: classes, types, functions, members, constants and friends. "
+        "If one value of an enumeration has a brief, all its values have a brief.",
+        f"{_TEXT_BLIND} The check does not find a constructor that needs a brief and has none.",
         "make the declaration private, or complete the comment above it.",
     ),
     Check(
@@ -246,12 +246,16 @@ _FIXED = [
     Check(
         "change-tuned",
         "Tuned constants are declared",
-        "If the name or the comment of a constant mentions control cycles or ticks, the check "
-        "assumes that the value depends on SystemConstants. Then the code must compute the value "
-        "from SystemConstants, or design/tuned.toml must declare the dependence. The page about a "
-        "change of SystemConstants lists the computed and the declared constants.",
-        "The check does not find a value that depends on another constant if neither the name nor "
-        "the comment of the value shows the dependence.",
+        "The check assumes in two cases that the value of a constant depends on SystemConstants: "
+        "the name or the comment of the constant mentions control cycles or ticks; or the constant "
+        "is a time or a number of bytes in a requirement whose rationale counts cycles, as in "
+        '"for three cycles". Then the code must compute the value from SystemConstants, or '
+        "design/tuned.toml must declare the dependence. Each constant and each source line in this "
+        "file exists. The page about a change of SystemConstants lists the computed and the "
+        "declared values.",
+        "The check does not find a value that depends on another constant if neither the name, nor "
+        "the comment, nor the rationale of its requirement shows the dependence. It reads no "
+        "source file outside src and extensions.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
     ),
     Check(
@@ -291,10 +295,10 @@ _FIXED = [
         "pattern-role-missing",
         "Every assigned role has a tag",
         "If the design assigns a module to a role of a pattern application, the comment of the "
-        "module contains this @role.",
+        "module contains the tag @role for this role.",
         "The check does not find a role that the design does not list. `pattern-role-required` "
         "finds such a role.",
-        "write the @role above the class.",
+        "write the tag @role above the class.",
     ),
     Check(
         "pattern-role-required",
@@ -580,12 +584,13 @@ _FIXED = [
         "of a state has only one declared transition, the check compares the condition of this "
         "transition. A guard, or an event with a time, is a condition. The transition has a "
         "condition if the code makes the change on some paths only. The transition has no "
-        "condition if the code makes the change on every path. A guard that names a state of "
-        "another machine, such as 'in Reconnecting', is not compared. The table [guards] of the "
-        "file lists the conditions of each guard. Before each change, the code checks the "
-        "conditions of the guard. The table [actions] of the file lists the methods of each "
-        "action. Before each change, the code calls the methods of the action. If an operation "
-        "calls a method of this table, a transition of the operation has this action.",
+        "condition if the code makes the change on every path. The transitions of a state with the "
+        "same event are declared in the order in which the code evaluates their guards. A guard "
+        "that names a state of another machine, such as 'in Reconnecting', is not compared. The "
+        "table [guards] of the file lists the conditions of each guard. Before each change, the "
+        "code checks the conditions of the guard. The table [actions] of the file lists the "
+        "methods of each action. Before each change, the code calls the methods of the action. If "
+        "an operation calls a method of this table, a transition of the operation has this action.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -785,7 +790,7 @@ _FIXED = [
         "named in the @satisfies of a method.",
         "The check does not detect whether the method fulfils the requirement. The tests show "
         "this.",
-        "write the @satisfies above the method that fulfils the requirement.",
+        "write the tag @satisfies above the method that fulfils the requirement.",
     ),
     Check(
         "req-verified",
@@ -867,7 +872,7 @@ _FIXED = [
         "A test named after a requirement verifies it",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
         "The check does not read tests without an id in the name.",
-        "write the @verifies above the test, or rename it.",
+        "write the tag @verifies above the test, or rename the test.",
     ),
     Check(
         "req-stale",

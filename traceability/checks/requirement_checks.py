@@ -163,7 +163,7 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
                 fix = "correct the name"
             elif source.kind == "goal" and source.name not in requirement.goals:
                 text = f"{requirement.id} has the source {source.name} and no @goal {source.name}"
-                fix = "write the @goal, or remove the source"
+                fix = f"write the tag @goal {source.name}, or remove the source"
             else:
                 continue
             yield Finding(requirement.place, "req-source", text, fix)

@@ -96,7 +96,7 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
             "hazard": (goal.hazards, "name it in the goals of a hazard, or remove it"),
             "requirement": (
                 goal.requirements,
-                "list the requirements whose tag @goal names this safety goal",
+                f"list the requirements with the tag @goal {goal.id}",
             ),
             "safe state": (goal.safe_states, "name a safe state that is declared"),
         }
@@ -144,7 +144,9 @@ def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
             goal = model.safety.goals.get(name)
             if goal is None:
                 text = f"{requirement.id} names the goal {name}, which does not exist"
-                yield Finding(requirement.place, "hazard-requirement", text, "correct the @goal")
+                yield Finding(
+                    requirement.place, "hazard-requirement", text, "correct the tag @goal"
+                )
             elif requirement.id not in goal.requirements:
                 text = f"{requirement.id} serves {name}, but this goal does not list it"
                 fix = f"add it to the requirements of {name} in design/safety_case.toml"

@@ -3,6 +3,7 @@ make each of these transitions."""
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator
 
@@ -254,6 +255,7 @@ def _operation(
             yield from (_not_made(row, state, operation) for row in here[len(made) :])
         elif len(rows) == 1:
             yield from (_guarded(here[0], change) for change in made if _differs(here[0], change))
+    yield from _out_of_order(rows, changes)
     if not code.stays(state, operation):
         for row in rows:
             if is_stay(row):
@@ -262,6 +264,22 @@ def _operation(
                     f"{words(row)} cannot stay in the state"
                 )
                 yield Finding(row.place, "fsm-code", text)
+
+
+def _out_of_order(rows: list[Transition], changes: list[Change]) -> Iterator[Finding]:
+    """Finds transitions whose guards the code evaluates in another order than the declaration lists
+    them. If two guards are true at the same time, this order decides which transition occurs."""
+    places: dict[str, list[int]] = {}
+    for number, change in enumerate(changes):
+        places.setdefault(change.target, []).append(number)
+    compared = [(row, places[row.target].pop(0)) for row in rows if places.get(row.target)]
+    for (before, earlier), (after, later) in itertools.pairwise(compared):
+        if before.event == after.event and earlier > later:
+            text = (
+                f"the transition {words(before)} is declared before the transition "
+                f"{words(after)}, but the code evaluates their guards in the other order"
+            )
+            yield Finding(before.place, "fsm-code", text, "exchange the transitions")
 
 
 def _differs(row: Transition, change: Change) -> bool:

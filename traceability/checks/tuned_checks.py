@@ -1,5 +1,6 @@
 """change-tuned: if the value of a constant depends on the cycle time or the tick time, the code
-computes the value from this time, or design/tuned.toml declares the dependence."""
+computes the value from this time, or design/tuned.toml declares the dependence. Each name and each
+line in design/tuned.toml exists."""
 
 from __future__ import annotations
 
@@ -8,7 +9,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from traceability.model.design_model import Model
+from traceability.model.requirement_numbers import WORDS, stated_numbers
+from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import place_of
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
@@ -17,13 +21,17 @@ WRITTEN = re.compile(
     r"(?://(.*))?$"
 )
 REMARK = re.compile(r"^\s*//(.*)$")
+PERIOD = "SystemConstants::cyclePeriod"
 # If the name or the comment of a constant contains one of these words, the constant probably
 # depends on the named constant of SystemConstants.
 SIGNS = {
-    "SystemConstants::cyclePeriod": re.compile(r"(?<!duty )\b[Cc]ycles?\b|[a-z]Cycles?\b"),
+    PERIOD: re.compile(r"(?<!duty )\b[Cc]ycles?\b|[a-z]Cycles?\b"),
     "SystemConstants::tickPeriod": re.compile(r"\bticks?\b|Ticks?\b"),
 }
-DECLARATIONS = "design/tuned.toml"
+# If the rationale of a requirement counts cycles in this way, the times and the numbers of bytes in
+# the requirement probably depend on the period of a cycle.
+COUNTED = re.compile(rf"\b(?:for|in) (?:an?|one|\d+|{'|'.join(WORDS)}) (?:control )?cycles?\b")
+DEPENDENT = ("time", "byte")
 
 
 @dataclass
@@ -41,7 +49,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.patterns:
         return
     constants = {constant.name: constant for constant in written(facts)}
-    yield from _unknown(model, constants)
+    yield from _unknown(model, facts, constants)
     yield from _undeclared(model, facts, constants)
 
 
@@ -58,14 +66,21 @@ def written(facts: Facts) -> Iterator[Written]:
             above = [*above, remark[1]] if remark else []
 
 
-def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
-    """Finds entries of design/tuned.toml that name a constant which does not exist."""
+def _unknown(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
+    """Finds entries of design/tuned.toml that name a constant or a line which does not exist."""
     methods = {method.id for module in model.modules.values() for method in module.methods}
+    known = methods | constants.keys()
+    simulated = plain_constants(facts.root) if {item.to for item in model.tuned} - known else {}
     for item in model.tuned:
-        for name in [item.to, *item.constants]:
-            if name not in methods and name not in constants:
+        names = [] if item.to in simulated else [item.to]
+        for name in [*names, *item.constants]:
+            if name not in known:
                 text = f"there is no constant {name}"
                 yield Finding(item.place, "change-tuned", text, "correct the name")
+        for line in item.lines:
+            if place_of(facts.root, line) is None:
+                text = f"no source line matches {line}"
+                yield Finding(item.place, "change-tuned", text, "correct the file or the text")
 
 
 def _read_by(constant: Written) -> set[str]:
@@ -80,13 +95,31 @@ def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> It
     computed from it nor declared in design/tuned.toml."""
     computed = {(fact.name, fact.target) for fact in facts.syntax.initial}
     declared = {(name, item.to) for item in model.tuned for name in item.constants}
+    suspects: dict[tuple[str, str], Place] = {}
     for constant in constants.values():
         for to, sign in SIGNS.items():
             if computed.intersection((name, to) for name in _read_by(constant)):
                 computed.add((constant.name, to))
-            if sign.search(constant.text) and (constant.name, to) not in computed | declared:
-                text = (
-                    f"{constant.name} seems to depend on {to}, but is neither computed from it nor "
-                    "declared in design/tuned.toml"
-                )
-                yield Finding(constant.place, "change-tuned", text)
+            if sign.search(constant.text):
+                suspects[constant.name, to] = constant.place
+    for name, place in _counted_in_cycles(model, facts):
+        own = constants[name].place if name in constants else place
+        suspects.setdefault((name, PERIOD), own)
+    for (name, to), place in suspects.items():
+        if name != to and (name, to) not in computed | declared:
+            text = (
+                f"{name} seems to depend on {to}, but is neither computed from it nor declared in "
+                "design/tuned.toml"
+            )
+            yield Finding(place, "change-tuned", text)
+
+
+def _counted_in_cycles(model: Model, facts: Facts) -> Iterator[tuple[str, Place]]:
+    """Yields the constants of the times and of the numbers of bytes in a requirement whose
+    rationale counts cycles. Each constant has its place in design/requirement_numbers.toml."""
+    for entry in facts.declared.numbers:
+        requirement = model.requirements.get(entry.requirement)
+        if requirement and COUNTED.search(requirement.rationale):
+            for number, name in entry.constants.items():
+                if any(found.kind in DEPENDENT for found in stated_numbers(number).values()):
+                    yield name, facts.declared.entries.line_in(entry.place, number)

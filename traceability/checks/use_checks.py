@@ -10,7 +10,7 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.reading.syntax import includes_of
 from traceability.reading.translation_units import is_board
-from traceability.schema import AllowedUse, Finding, Use, is_extension
+from traceability.schema import AllowedUse, Finding, Place, Use, is_extension
 from traceability.sources import DESIGN, files_below
 
 VIRTUAL_BOARD = "sim/emulator/"
@@ -91,7 +91,7 @@ def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
     """Finds places in src that use a number which an extension adds to an enumeration of src. The
     extension adds the number by a conversion to the enumeration."""
     numbers = facts.syntax.enum_numbers
-    added = {
+    added: dict[tuple[str, float], Place] = {
         (fact.kind, fact.number): fact.place for fact in numbers if is_extension(fact.place.file)
     }
     named = {

@@ -71,7 +71,7 @@ def stated_numbers(text: str) -> dict[str, Quantity]:
 def quantity_of(constant: ConstantFact) -> Quantity:
     unit = _singular(constant.unit.partition(" per ")[0])
     kind, scale = UNITS.get(unit, ("", Fraction(1)))
-    return Quantity(kind, constant.number * scale)
+    return Quantity(kind, Fraction(str(constant.number)) * scale)
 
 
 def is_same(stated: Quantity, constant: Quantity) -> bool:

@@ -453,11 +453,11 @@ def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tu
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:
-        return methods[0].place, f"has lost its @satisfies {requirement.id} since the baseline"
+        return methods[0].place, f"has lost the tag @satisfies {requirement.id} since the baseline"
     if kind == "test" and name in model.tests:
         return model.tests[
             name
-        ].place, f"has lost its @verifies {requirement.id} since the baseline"
+        ].place, f"has lost the tag @verifies {requirement.id} since the baseline"
     if kind == "body" and methods:
         return methods[0].place, "is no longer in the requirement's tree, and has no @satisfies"
     return requirement.place, "was removed since the baseline"

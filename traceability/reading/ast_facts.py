@@ -158,10 +158,10 @@ class IncludeFact:
 @dataclass
 class ConstantFact:
     """A constant, or an operation that returns a constant. A text can refer to the constant by
-    ``name``."""
+    ``name``. The number is an int if the type of the constant is an integer type."""
 
     name: str
-    number: int
+    number: float
     unit: str
     place: Place
 

@@ -244,14 +244,17 @@ class Reader:
     def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
         """Records a declaration if it has no comment although other files can use it.
 
-        An enumerator needs a comment only if another enumerator of the same type has a comment.
+        An enumerator needs a comment only if another enumerator of the same type has a comment. A
+        constructor without parameters needs no comment.
         """
         if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
             return
         name = "::".join(filter(None, (namespace_of(cursor), class_name(cursor.lexical_parent))))
         name = f"{name}::{cursor.spelling}".removeprefix("::")
         if cursor.kind in _DESCRIBED and not comment_line(cursor):
-            exempt = cursor.is_deleted_method() or _overridden(cursor) is not None
+            constructor = cursor.kind == CursorKind.CONSTRUCTOR
+            bare = constructor and next(_arguments_of(cursor), None) is None
+            exempt = bare or cursor.is_deleted_method() or _overridden(cursor) is not None
             if not exempt:
                 variable = cursor.kind in (CursorKind.FIELD_DECL, CursorKind.VAR_DECL)
                 end = cursor.extent.end.line if variable else None

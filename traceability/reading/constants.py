@@ -16,7 +16,8 @@ from traceability.reading.clang_names import class_name
 UNIT = re.compile(r"\[([^\]]+)\]")
 RANGE = " to "  # If square brackets contain this text, they state a range and not a unit.
 UNSIGNED = {TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG}
-INTEGER = 1  # number by which libclang reports that a result is an integer
+INTEGER, FLOATING = 1, 2  # numbers by which libclang reports the kind of a result
+DIGITS_OF_FLOAT = 7  # significant decimal digits of the type float
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
@@ -28,7 +29,7 @@ def constant_names(cursor: Cursor, file: str) -> list[str]:
     return [cursor.spelling, f"{Path(file).stem}::{cursor.spelling}"]
 
 
-def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
+def constants_of(cursor: Cursor) -> Iterator[tuple[str, float, str]]:
     """Yields the constants that a declaration defines. Each result consists of a suffix of the
     name, the value, and the unit. The suffix is ``.member`` for a member of a constant object, and
     otherwise empty."""
@@ -70,17 +71,17 @@ def last_expression(cursor: Cursor) -> Cursor | None:
     return expressions[-1] if expressions else None
 
 
-def number_of(value: Cursor) -> tuple[int, str] | None:
+def number_of(value: Cursor) -> tuple[float, str] | None:
     """Returns the value of an expression and its unit. The unit is taken from the type, or from the
     factory function that the expression calls. If neither of them has a unit, the unit is empty."""
     if value.type.get_canonical().kind != TypeKind.RECORD:
-        number = evaluated(value)
+        number = evaluated_number(value)
         return None if number is None else (number, "")
     parts = [child for child in value.get_children() if child.kind.is_expression()]
     if value.kind == CursorKind.CALL_EXPR and value.referenced is not None:
         made = unit_of_function(value.referenced)
         if made and len(parts) >= 1:
-            number = evaluated(parts[-1])
+            number = evaluated_number(parts[-1])
             return None if number is None else (number, made)
     unit = unit_of_type(value)
     parsed = number_of(parts[0]) if len(parts) == 1 else None
@@ -138,14 +139,26 @@ def unit_in(comment: str | None) -> str:
 def evaluated(expression: Cursor) -> int | None:
     """Returns the value of an integer expression. Returns None if the compiler cannot compute
     it."""
+    number = evaluated_number(expression)
+    return number if isinstance(number, int) else None
+
+
+def evaluated_number(expression: Cursor) -> float | None:
+    """Returns the value of an expression: an int for an integer type, a float for the types float
+    and double. Returns None if the compiler cannot compute it."""
     library = _library()
     result = library.clang_Cursor_Evaluate(expression)
     if not result:
         return None
     try:
-        if library.clang_EvalResult_getKind(result) != INTEGER:
+        kind = library.clang_EvalResult_getKind(result)
+        if kind == INTEGER:
+            return int(library.clang_EvalResult_getAsLongLong(result))
+        if kind != FLOATING:
             return None
-        return int(library.clang_EvalResult_getAsLongLong(result))
+        number = float(library.clang_EvalResult_getAsDouble(result))
+        single = expression.type.get_canonical().kind == TypeKind.FLOAT
+        return float(f"{number:.{DIGITS_OF_FLOAT}g}") if single else number
     finally:
         library.clang_EvalResult_dispose(result)
 
@@ -157,5 +170,7 @@ def _library() -> ctypes.CDLL:
     library.clang_EvalResult_getKind.argtypes = [ctypes.c_void_p]
     library.clang_EvalResult_getAsLongLong.argtypes = [ctypes.c_void_p]
     library.clang_EvalResult_getAsLongLong.restype = ctypes.c_longlong
+    library.clang_EvalResult_getAsDouble.argtypes = [ctypes.c_void_p]
+    library.clang_EvalResult_getAsDouble.restype = ctypes.c_double
     library.clang_EvalResult_dispose.argtypes = [ctypes.c_void_p]
     return library

@@ -197,7 +197,9 @@ def read_declared(root: Path) -> Declared:
         for entry in entries.records(design / "justified.toml", kind, Justified, kind=kind)
     ]
     declared.equivalents = entries.records(design / "mutants.toml", "equivalent", Equivalent)
-    declared.tuned = entries.records(design / "tuned.toml", "tuned", Tuned, "to")
+    declared.tuned = entries.records(
+        design / "tuned.toml", "tuned", Tuned, "to", may=("constants", "lines")
+    )
     numbers, by_id = design / "requirement_numbers.toml", {"requirement": "id"}
     declared.numbers = entries.records(numbers, "requirement", RequirementNumbers, "id", keys=by_id)
     declared.numbers_without = entries.records(numbers, "without", NumbersWithout)

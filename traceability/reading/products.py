@@ -49,7 +49,18 @@ def listed(root: Path) -> list[Product]:
     ]
 
 
+def functions_of(root: Path) -> dict[str, frozenset[str]]:
+    """Returns for each function that a user sees the names of the products that have this
+    function: the products that contain the module of the function."""
+    table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
+    return {
+        function: frozenset(product.name for product in listed(root) if module in product.has)
+        for function, module in table["functions"].items()
+    }
+
+
 _LISTED = listed(Path(__file__).parents[2])
+FUNCTIONS = functions_of(Path(__file__).parents[2])
 PRODUCTS = {product.name: product.commands for product in _LISTED}
 HAS = {product.name: set(product.has) for product in _LISTED}
 DIFFERENT = set().union(*HAS.values())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -18,3 +19,18 @@ def lines_below(
         file = str(path.relative_to(root))
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             yield Place(file, number), line
+
+
+def place_of(root: Path, line: str) -> Place | None:
+    """Returns the place of the first line of a file that contains a text as a whole word. ``line``
+    is the file and the text, such as ``sim/plant/DriveTrain.hpp: kRadius``. Returns None if there
+    is no such line."""
+    file, _, text = line.partition(": ")
+    path = root / file
+    word = re.compile(rf"(?<!\w){re.escape(text)}(?!\w)")
+    if not text or not path.is_file():
+        return None
+    for number, content in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if word.search(content):
+            return Place(file, number)
+    return None

@@ -14,7 +14,6 @@ namespace wr::can {
 /// Everything else is the same as with the serial line.
 class CanSession final : public scenario::RobotSession {
  public:
-  /// @brief Connects the PC to a board that is switched on.
   /// @param board board whose firmware image uses the CAN bus
   explicit CanSession(std::unique_ptr<board_robot::BoardSession> board) : all_(std::move(board)) {}
 

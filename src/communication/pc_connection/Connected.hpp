@@ -12,7 +12,6 @@ namespace wr {
 /// @role{pc-mcu-connection, Concrete State}
 class Connected final : public ConnectionState {
  public:
-  /// @brief Constructs the state.
   /// @param handshaking next state after a Hello
   /// @param disconnected next state when the PC was silent for too long
   Connected(ConnectionState& handshaking, ConnectionState& disconnected);

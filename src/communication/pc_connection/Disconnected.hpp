@@ -10,7 +10,6 @@ namespace wr {
 /// @role{pc-mcu-connection, Concrete State}
 class Disconnected final : public ConnectionState {
  public:
-  /// @brief Constructs the state.
   /// @param handshaking next state after a Hello
   explicit Disconnected(ConnectionState& handshaking);
 

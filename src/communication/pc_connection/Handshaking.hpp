@@ -10,7 +10,6 @@ namespace wr {
 /// @role{pc-mcu-connection, Concrete State}
 class Handshaking final : public ConnectionState {
  public:
-  /// @brief Constructs the state.
   /// @param connected next state after a correct Confirm
   /// @param disconnected next state when no correct Confirm arrives in time
   Handshaking(ConnectionState& connected, ConnectionState& disconnected);

@@ -26,7 +26,6 @@ namespace wr {
 /// @role{pc-mcu-connection, Context}
 class PcConnection final {
  public:
-  /// @brief Constructs a connection.
   /// @param port serial line to the PC
   /// @param orders stores the newest order of the PC
   /// @param initial state of the connection at the start of the firmware

@@ -17,7 +17,6 @@ namespace wr {
 /// @role{serializer, Concrete Reader}
 class BufferReader final : public Reader {
  public:
-  /// @brief Stores references to the two signals and the clock.
   /// @param velocity velocity signal; a value beyond the velocity limit is read as the limit
   /// @param direction direction signal; a value beyond the steering limit is read as the limit
   /// @param clock returns the present time, from which the age of the signals is computed

@@ -18,7 +18,6 @@ class OrderMessage final : public Serializable {
   /// @brief Constructs an order without a stop in which all set-points are 0.
   OrderMessage() = default;
 
-  /// @brief Constructs an order.
   /// @param setPoints set-points of the order
   /// @param stop true if the order contains a stop
   OrderMessage(const SetPoints& setPoints, bool stop);

@@ -11,7 +11,6 @@ namespace wr {
 /// @role{serializer, Concrete Element}
 class ReportMessage final : public Serializable {
  public:
-  /// @brief Stores a reference to the data of the report.
   /// @param data values of the report; they must exist as long as this object
   explicit ReportMessage(ReportData& data);
 

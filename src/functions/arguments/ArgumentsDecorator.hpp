@@ -15,7 +15,6 @@ class ArgumentsDecorator : public Arguments {
   void fill(ArgumentValues& values) const override;
 
  protected:
-  /// @brief Stores a reference to the arguments that the decorator extends.
   /// @param wrapped the extended arguments, which must exist as long as the decorator
   explicit ArgumentsDecorator(const Arguments& wrapped);
   ~ArgumentsDecorator() = default;

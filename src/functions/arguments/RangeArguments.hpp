@@ -12,7 +12,6 @@ namespace wr {
 /// @role{function-arguments, Concrete Decorator}
 class RangeArguments final : public ArgumentsDecorator {
  public:
-  /// @brief Adds a range to other arguments.
   /// @param wrapped the extended arguments, which must exist as long as this object
   /// @param lowest least accepted value, in the unit of the function
   /// @param highest greatest accepted value, in the unit of the function

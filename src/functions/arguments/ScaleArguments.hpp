@@ -13,7 +13,6 @@ namespace wr {
 /// @role{function-arguments, Concrete Decorator}
 class ScaleArguments final : public ArgumentsDecorator {
  public:
-  /// @brief Adds a scale to other arguments.
   /// @param wrapped the extended arguments, which must exist as long as this object
   /// @param scale number by which the raw value is multiplied
   /// @param divisor number by which the product is divided; it must be greater than 0

@@ -16,7 +16,7 @@ namespace wr {
 /// @function Passes each order of the main controller to all control systems, from the first added
 /// system to the last. Collects the measured and applied values of the systems.
 ///
-/// @secret How the control systems are stored, and the sequence in which they get orders.
+/// @secret The storage of the control systems, and the sequence in which they get orders.
 ///
 /// @role{pool-construction, Product}
 class ControlSystemPool {

@@ -15,7 +15,6 @@ namespace wr {
 /// @role{mode-extensions, Concrete Component}
 class BasicMode final : public Mode {
  public:
-  /// @brief Binds the mode to the reader of its source.
   /// @param reader reader of the orders of the source
   explicit BasicMode(Reader& reader);
 

@@ -69,7 +69,6 @@ class Mode {
   [[nodiscard]] ModeId id() const;
 
  protected:
-  /// @brief Constructs a mode with a number.
   /// @param id number of the mode, as in reports
   explicit Mode(ModeId id);
   ~Mode() = default;

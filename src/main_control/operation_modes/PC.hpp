@@ -11,14 +11,13 @@ namespace wr {
 /// is recorded as the source of the set-points. Changes to the other mode when the operation state
 /// demands this change.
 ///
-/// @secret The rule that an order of the PC is invalid without a connection, and how the PC is
-/// recorded as the source of set-points.
+/// @secret The rule that an order of the PC is invalid without a connection, and the form in which
+/// the PC is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}
 class PC final : public ModeDecorator {
  public:
-  /// @brief Binds the mode to the mode that it extends, to its successor and to the PC link.
   /// @param wrapped basic mode that reads the orders of the PC
   /// @param other successor of this mode; it need not be constructed before the first changeMode()
   /// @param connection link to the PC

@@ -9,13 +9,12 @@ namespace wr {
 /// @function Extends the basic mode: records the remote control as the source of the set-points.
 /// Changes to the other mode when the operation state demands this change.
 ///
-/// @secret How the remote control is recorded as the source of set-points.
+/// @secret The form in which the remote control is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}
 class RC final : public ModeDecorator {
  public:
-  /// @brief Binds the mode to the mode that it extends and to its successor.
   /// @param wrapped basic mode that reads the signals of the remote control
   /// @param other successor of this mode; it need not be constructed before the first changeMode()
   RC(Mode& wrapped, Mode& other);

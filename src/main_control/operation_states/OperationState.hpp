@@ -38,7 +38,7 @@ enum class OperationStateId : std::uint8_t {
 /// @why Reading an order has the same steps in every state: check for a message, then execute one
 /// action if there is a message, and another action if there is none. Only these two actions differ
 /// from state to state.
-/// @changes The two actions of one state may change. This needs no change to the steps.
+/// @changes The two actions of one state may change. The steps do not change.
 class OperationState {
  public:
   OperationState(const OperationState&) = delete;
@@ -72,7 +72,6 @@ class OperationState {
   [[nodiscard]] OperationStateId id() const;
 
  protected:
-  /// @brief Constructs a state with a number.
   /// @param id number of the state, as in reports
   explicit OperationState(OperationStateId id);
   ~OperationState() = default;

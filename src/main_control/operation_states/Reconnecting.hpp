@@ -10,15 +10,13 @@ namespace wr {
 /// @function Orders the control systems to halt the wheels and to hold the steering. Changes the
 /// reading mode after each failed read. Ends the search for a source when a message arrives.
 ///
-/// @secret How the system looks for a source of orders, and the behaviour of the robot during this
-/// search.
+/// @secret The search for a source of orders, and the behaviour of the robot during this search.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
 /// @role{reading-modes, Context}
 class Reconnecting final : public OperationState {
  public:
-  /// @brief Binds the state to its successor.
   /// @param working state that follows when a message arrives; it need not be constructed before
   /// the first read()
   explicit Reconnecting(OperationState& working);

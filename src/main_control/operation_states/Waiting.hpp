@@ -13,14 +13,13 @@ namespace wr {
 /// message arrives, sets the state Working. Meanwhile the control systems follow the set-points
 /// that were read last.
 ///
-/// @secret How failed reads are counted, and when this state ends.
+/// @secret The rule by which failed reads are counted, and the condition that ends this state.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
 /// @role{reading-modes, Context}
 class Waiting final : public OperationState {
  public:
-  /// @brief Binds the state to its successors.
   /// @param working state that follows when a message arrives; it need not be constructed before
   /// the first read()
   /// @param next state that follows when the number of failed reads reaches its limit; it need not

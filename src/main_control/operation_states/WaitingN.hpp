@@ -17,7 +17,6 @@ namespace wr {
 /// @role{reading-modes, Context}
 class WaitingN final : public OperationState {
  public:
-  /// @brief Binds the state to its successors.
   /// @param working state that follows when a message arrives; it need not be constructed before
   /// the first read()
   /// @param reconnecting state that follows when a read fails; it need not be constructed before

@@ -15,7 +15,6 @@ namespace wr {
 /// @role{reading-modes, Context}
 class Working final : public OperationState {
  public:
-  /// @brief Binds the state to its successor.
   /// @param waiting state that follows when a read fails; it need not be constructed before the
   /// first read()
   explicit Working(OperationState& waiting);

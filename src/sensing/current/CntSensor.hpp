@@ -14,7 +14,6 @@ namespace wr {
 /// @role{functions, Context}
 class CntSensor final {
  public:
-  /// @brief Binds the sensor to its collector, its function and its pipe.
   /// @param collector returns the samples
   /// @param function calculates the current; it rejects an impossible value
   /// @param current pipe that receives the current and the time of its newest sample

@@ -18,10 +18,9 @@ namespace wr {
 /// @why The current of a wheel is sampled at each interrupt of a timer. The timer executes a
 /// command object. Therefore the timer names no module of the wheels.
 /// @changes The actions in a tick may change, and so may the modules that these actions affect.
-/// This needs no change to the timer.
+/// The timer does not change.
 class ReadCnt final : public Command {
  public:
-  /// @brief Binds the command to its input and its collector.
   /// @param input converts the voltage of the sensor
   /// @param collector receives the samples
   ReadCnt(AnalogInput& input, ValueCollector& collector);

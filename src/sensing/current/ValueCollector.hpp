@@ -36,7 +36,6 @@ class ValueCollector final {
   /// @brief Number of samples between two writes of the record.
   static constexpr std::uint32_t kGroupSize = 8;
 
-  /// @brief Binds the collector to the command that ends an overcurrent.
   /// @param overcurrent is executed in the interrupt, at the fifth successive sample that is too
   /// high and at each further successive sample that is too high
   /// @param timebase returns the time of a sample

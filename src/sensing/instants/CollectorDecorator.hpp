@@ -14,7 +14,6 @@ class CollectorDecorator : public InstantCollector {
   void fill(Instants& instants) const override;
 
  protected:
-  /// @brief Binds the decorator to the collector that it extends.
   /// @param wrapped the extended collector
   explicit CollectorDecorator(InstantCollector& wrapped);
   ~CollectorDecorator() = default;

@@ -8,11 +8,10 @@ namespace wr {
 
 /// @brief A collector that adds the number of edges to the record.
 /// @function Counts up at each forward edge, and down at each backward edge.
-/// @secret How edges are counted, and the overflow of the count.
+/// @secret The rule by which edges are counted, and the overflow of the count.
 /// @role{instant-collectors, Concrete Decorator}
 class CountCollector final : public CollectorDecorator {
  public:
-  /// @brief Binds the decorator to the collector that it extends.
   /// @param wrapped the extended collector
   explicit CountCollector(InstantCollector& wrapped);
 

@@ -12,7 +12,6 @@ namespace wr {
 /// @role{instant-collectors, Concrete Decorator}
 class PeriodCollector final : public CollectorDecorator {
  public:
-  /// @brief Binds the decorator to the collector that it extends.
   /// @param wrapped the extended collector
   explicit PeriodCollector(InstantCollector& wrapped);
 

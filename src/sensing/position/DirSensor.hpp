@@ -13,12 +13,11 @@ namespace wr {
 
 /// @brief Sensor for the position of the steering device.
 /// @function Samples the angle at each tick. After every 8 samples, writes their mean to a pipe.
-/// @secret The scale of the sensor, the range of valid samples, and how noise is smoothed.
+/// @secret The scale of the sensor, the range of valid samples, and the smoothing of noise.
 /// @role{functions, Context}
 /// @role{steering-timer-interrupt, Receiver}
 class DirSensor final {
  public:
-  /// @brief Binds the sensor to its input, its function and its pipe.
   /// @param input converts the voltage of the sensor
   /// @param function calculates the angle from the sum of 8 samples
   /// @param timebase returns the time

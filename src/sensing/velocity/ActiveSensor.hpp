@@ -14,7 +14,6 @@ namespace wr {
 /// @role{hall-interrupt, Invoker}
 class ActiveSensor final {
  public:
-  /// @brief Binds the sensors to their inputs and to the command.
   /// @param a input of the first sensor
   /// @param b input of the second sensor; when the wheel turns forwards, the signal of this sensor
   /// is a quarter of a period behind the signal of the first sensor

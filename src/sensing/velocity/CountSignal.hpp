@@ -16,10 +16,9 @@ namespace wr {
 /// @why An edge of a Hall sensor causes an interrupt. In this interrupt, the sensor executes a
 /// command object. Therefore the sensor names no module that reacts to the edge.
 /// @changes The actions at an edge may change, and so may the modules that these actions affect.
-/// This needs no change to the sensor.
+/// The sensor does not change.
 class CountSignal final : public Command {
  public:
-  /// @brief Binds the command to the collector and the sensor.
   /// @param collector receives the edges
   /// @param sensor returns the levels
   /// @param timebase returns the present time, which counts as the time of the edge

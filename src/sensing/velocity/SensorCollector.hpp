@@ -28,7 +28,6 @@ struct HallRecord {
 /// @role{hall-interrupt, Receiver}
 class SensorCollector final {
  public:
-  /// @brief Binds this collector to a collector of instants.
   /// @param instants receives each step, that is, each edge at which exactly one level changed
   explicit SensorCollector(InstantCollector& instants);
 

@@ -20,7 +20,6 @@ namespace wr {
 /// @role{functions, Context}
 class VelSensor final {
  public:
-  /// @brief Binds the sensor to its collector, its function and its pipe.
   /// @param collector returns the edges
   /// @param function calculates the velocity; it rejects an impossible value
   /// @param timebase returns the time

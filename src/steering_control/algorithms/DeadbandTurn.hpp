@@ -26,7 +26,6 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// target is stopped. The steering comes to rest about one step later.
   static constexpr Angle kArrived{10};
 
-  /// @brief Constructs the rule. The rule has no state.
   DeadbandTurn() = default;
 
   /// @brief Computes the target speed of the motor. If the motor turns towards the target, this

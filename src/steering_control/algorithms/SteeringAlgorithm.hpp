@@ -7,7 +7,7 @@ namespace wr {
 /// @brief A rule that turns the steering to an angle.
 /// @function Computes the turn of the steering from the target, the position and the speed of the
 /// motor.
-/// @secret How the turn is computed from target and position.
+/// @secret The rule that computes the turn from target and position.
 /// @role{steering-control-algorithm, Strategy}
 ///
 /// @patternapp{steering-control-algorithm, Strategy, Control algorithm for the steering device}

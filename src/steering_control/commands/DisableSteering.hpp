@@ -12,7 +12,6 @@ class SteeringDevice;
 /// @role{steering-commands, Concrete Command}
 class DisableSteering final : public SteeringCommand {
  public:
-  /// @brief Binds the command to the device.
   /// @param device steering device on which the command acts
   explicit DisableSteering(SteeringDevice& device);
 

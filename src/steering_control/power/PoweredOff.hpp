@@ -10,7 +10,6 @@ namespace wr {
 /// @role{steering-switch, Concrete State}
 class PoweredOff final : public SteeringPower {
  public:
-  /// @brief Binds the state to its successor.
   /// @param on state that follows when the motor is switched on; it need not be constructed before
   /// the first call
   explicit PoweredOff(SteeringPower& on);

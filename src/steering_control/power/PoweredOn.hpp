@@ -10,7 +10,6 @@ namespace wr {
 /// @role{steering-switch, Concrete State}
 class PoweredOn final : public SteeringPower {
  public:
-  /// @brief Binds the state to its successor.
   /// @param off state that follows when the motor is switched off; it need not be constructed
   /// before the first call
   explicit PoweredOn(SteeringPower& off);

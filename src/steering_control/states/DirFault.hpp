@@ -11,7 +11,6 @@ namespace wr {
 /// @role{steering-controller-states, Concrete State}
 class DirFault final : public DirState {
  public:
-  /// @brief Binds the state to its successor.
   /// @param off state that follows when the fault ends; it need not be constructed before the first
   /// tick
   explicit DirFault(DirState& off);

@@ -10,7 +10,6 @@ namespace wr {
 /// @role{steering-controller-states, Concrete State}
 class DirHolding final : public DirState {
  public:
-  /// @brief Binds the state to its successors.
   /// @param turning state that follows when a turn begins; it need not be constructed before the
   /// first tick
   /// @param off state that follows when orders no longer arrive; it need not be constructed before

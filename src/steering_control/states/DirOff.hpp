@@ -10,7 +10,6 @@ namespace wr {
 /// @role{steering-controller-states, Concrete State}
 class DirOff final : public DirState {
  public:
-  /// @brief Binds the state to its successor.
   /// @param holding state that follows when an order to follow arrives; it need not be constructed
   /// before the first tick
   explicit DirOff(DirState& holding);

@@ -35,7 +35,6 @@ class DirState {
   [[nodiscard]] SteeringState id() const;
 
  protected:
-  /// @brief Constructs a state with its identifier.
   /// @param id state, as in reports
   explicit DirState(SteeringState id);
   ~DirState() = default;

@@ -7,11 +7,10 @@ namespace wr {
 /// @brief The state in which the steering turns towards its target.
 /// @function Lets the motor turn as the algorithm demands, until the motor has come to rest.
 /// Monitors whether the steering moves.
-/// @secret How a turn is controlled and monitored, and the event that ends a turn.
+/// @secret The control and the monitoring of a turn, and the event that ends a turn.
 /// @role{steering-controller-states, Concrete State}
 class DirTurning final : public DirState {
  public:
-  /// @brief Binds the state to its successors.
   /// @param holding state that follows when the turn ends; it need not be constructed before the
   /// first tick
   /// @param off state that follows when orders no longer arrive; it need not be constructed before

@@ -14,12 +14,11 @@ namespace wr {
 /// that the turning motor induces against this current. A regulator corrects the error of this
 /// model.
 ///
-/// @secret The model of the motor's winding, and how the velocity of the motor is predicted.
+/// @secret The model of the motor's winding, and the rule that predicts the velocity of the motor.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentAlgorithm final : public WheelAlgorithm {
  public:
-  /// @brief Constructs the algorithm.
   CurrentAlgorithm();
 
   /// @brief Calculates the voltage. All quotients are rounded towards zero.

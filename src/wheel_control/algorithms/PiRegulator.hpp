@@ -21,9 +21,10 @@ struct PiGains {
 /// the errors. If the difference between the calculated and the applied voltage explains an error,
 /// the error is not added to the integral.
 ///
-/// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt
-/// are stored, and how a changed bit in the memory of the integral is corrected. With a wrong
-/// integral, the wheels of a robot would work against each other for a long time.
+/// @secret The rule that limits the integral while the voltage is limited, the form in which
+/// fractions of a millivolt are stored, and the correction of a changed bit in the memory of the
+/// integral. With a wrong integral, the wheels of a robot would work against each other for a long
+/// time.
 class PiRegulator final {
  public:
   /// @brief Three copies of a number: a bit that changes in one copy has no effect.

@@ -13,7 +13,6 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class TensionAlgorithm final : public WheelAlgorithm {
  public:
-  /// @brief Constructs the algorithm. The algorithm has no state.
   TensionAlgorithm() = default;
 
   /// @brief Returns the set-point as the voltage.

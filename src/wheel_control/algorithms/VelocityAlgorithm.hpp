@@ -14,7 +14,7 @@ namespace wr {
 /// corrects the effect of a load.
 ///
 /// @secret The model of a wheel that follows its set-point, the gains that correct a difference
-/// between wheel and model, and how a measured velocity is verified by means of voltage and
+/// between wheel and model, and the rule that verifies a measured velocity by means of voltage and
 /// current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}

@@ -15,7 +15,6 @@ namespace wr {
 /// @role{behaviour-extensions, Concrete Component}
 class Advance final : public WheelBehaviour {
  public:
-  /// @brief Binds the behaviour to a command.
   /// @param setTension sets the voltage of the wheel
   explicit Advance(WheelCommand& setTension);
 

@@ -16,15 +16,14 @@ namespace wr {
 /// @patternapp{behaviour-extensions, Decorator, Algorithm extensions to establish the wheels' behaviour}
 /// @why Some movements of a wheel combine or extend simpler movements. For example, a reversal is a
 /// stop that is followed by an advance in the other orientation.
-/// @changes An extension may change, or a new extension may be needed. This needs no change to the
-/// extended behaviour.
+/// @changes An extension may change, or a new extension may be needed. The extended behaviour does
+/// not change.
 class BehaviourDecorator : public WheelBehaviour {
  public:
   Tension apply(Tension demand, Velocity velocity) override;
   void resume(Tension applied) override;
 
  protected:
-  /// @brief Binds the decorator to the behaviour that it extends.
   /// @param wrapped the extended behaviour
   explicit BehaviourDecorator(WheelBehaviour& wrapped);
   ~BehaviourDecorator() = default;

@@ -12,17 +12,16 @@ namespace wr {
 /// @function Extends another behaviour. If the demand opposes the present orientation, stops the
 /// wheel, then changes the orientation of the wheel, and then lets the extended behaviour continue.
 ///
-/// @secret How a slow wheel is detected, and the conditions for a change of its orientation.
+/// @secret The rule that detects a slow wheel, and the conditions for a change of its orientation.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Decorator}
 class Reverse final : public BehaviourDecorator {
  public:
-  /// @brief Binds the behaviour to its parts. At this time the orientation of the wheel is
-  /// forwards.
   /// @param wrapped behaviour that applies a voltage in the present orientation
   /// @param stop stops the wheel
   /// @param setOrientation changes the orientation
+  /// @pre The orientation of the wheel is forwards.
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
   /// @brief Applies the demand if it agrees with the present orientation. Otherwise stops the

@@ -9,12 +9,11 @@ namespace wr {
 /// @function Extends another behaviour: limits how much the magnitude of the voltage rises in a
 /// cycle. A lower magnitude is applied at once.
 ///
-/// @secret How fast the voltage of a wheel may rise.
+/// @secret The greatest rate at which the voltage of a wheel rises.
 ///
 /// @role{behaviour-extensions, Concrete Decorator}
 class SoftStart final : public BehaviourDecorator {
  public:
-  /// @brief Binds the extension to a behaviour.
   /// @param wrapped behaviour that applies the limited voltage
   explicit SoftStart(WheelBehaviour& wrapped);
 

@@ -9,13 +9,12 @@ namespace wr {
 ///
 /// @function Lowers the voltage cycle by cycle, then stops the wheel.
 ///
-/// @secret How fast the voltage falls when a wheel is stopped.
+/// @secret The rate at which the voltage falls when a wheel is stopped.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Component}
 class Stop final : public WheelBehaviour {
  public:
-  /// @brief Binds the behaviour to its commands.
   /// @param setTension sets the voltage of the wheel
   /// @param stopWheel stops the wheel
   Stop(WheelCommand& setTension, WheelCommand& stopWheel);

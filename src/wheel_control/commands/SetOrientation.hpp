@@ -10,12 +10,11 @@ namespace wr {
 /// @function Sets the orientation of a wheel to forwards or backwards, according to the sign of a
 /// voltage.
 ///
-/// @secret How the orientation is determined from a voltage.
+/// @secret The rule that determines the orientation from a voltage.
 ///
 /// @role{wheel-commands, Concrete Command}
 class SetOrientation final : public WheelCommand {
  public:
-  /// @brief Binds the command to the wheel.
   /// @param wheel wheel whose orientation is set
   explicit SetOrientation(Wheel& wheel);
 

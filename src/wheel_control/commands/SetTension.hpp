@@ -15,7 +15,6 @@ namespace wr {
 /// @role{wheel-commands, Concrete Command}
 class SetTension final : public WheelCommand {
  public:
-  /// @brief Binds the command to the wheel.
   /// @param wheel wheel whose voltage is set
   explicit SetTension(Wheel& wheel);
 

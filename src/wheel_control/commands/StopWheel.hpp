@@ -14,7 +14,6 @@ namespace wr {
 /// @role{wheel-commands, Concrete Command}
 class StopWheel final : public WheelCommand {
  public:
-  /// @brief Binds the command to the wheel.
   /// @param wheel wheel that is stopped
   explicit StopWheel(Wheel& wheel);
 

@@ -16,7 +16,6 @@ namespace wr {
 /// @role{wheel-orders, Concrete Strategy}
 class ApplyControl final : public WheelOrder {
  public:
-  /// @brief Binds the order to controller and wheel.
   /// @param controller controls the wheel
   /// @param wheel wheel with the overcurrent trip
   ApplyControl(WheelController& controller, Wheel& wheel);

@@ -16,7 +16,6 @@ namespace wr {
 /// @role{wheel-orders, Concrete Strategy}
 class HaltWheel final : public WheelOrder {
  public:
-  /// @brief Binds the order to controller and wheel.
   /// @param controller stops the wheel
   /// @param wheel wheel with the overcurrent trip
   HaltWheel(WheelController& controller, Wheel& wheel);

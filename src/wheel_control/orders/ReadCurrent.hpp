@@ -17,7 +17,6 @@ namespace wr {
 /// @role{wheel-orders, Concrete Strategy}
 class ReadCurrent final : public WheelOrder {
  public:
-  /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the current
   /// @param controller returns the current that the controller uses
   ReadCurrent(CntSensor& sensor, WheelController& controller);

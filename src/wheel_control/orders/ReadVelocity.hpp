@@ -17,7 +17,6 @@ namespace wr {
 /// @role{wheel-orders, Concrete Strategy}
 class ReadVelocity final : public WheelOrder {
  public:
-  /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the velocity
   /// @param controller returns the velocity that the controller uses
   ReadVelocity(VelSensor& sensor, WheelController& controller);

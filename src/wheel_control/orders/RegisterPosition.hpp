@@ -15,7 +15,6 @@ namespace wr {
 /// @role{wheel-orders, Concrete Strategy}
 class RegisterPosition final : public WheelOrder {
  public:
-  /// @brief Binds the order to a sensor.
   /// @param sensor sensor for velocity and position of the wheel
   explicit RegisterPosition(VelSensor& sensor);
 

@@ -31,7 +31,7 @@ struct WheelWork {
 ///
 /// @function Carries out an order of the main controller for one wheel.
 ///
-/// @secret The actions that carry out an order.
+/// @secret The steps that carry out an order.
 ///
 /// @role{wheel-orders, Strategy}
 ///

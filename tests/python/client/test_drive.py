@@ -20,13 +20,14 @@ import pytest
 
 from weeding_robot_client import drive, exit_codes, monitor, procedures
 from weeding_robot_client import orders as orders_module
-from weeding_robot_client.keyboard import Hand, keys
+from weeding_robot_client.keyboard import HELP, KEYS, Hand, keys
 from weeding_robot_client.layout import FRAMES
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, WheelSetPoint
 from weeding_robot_client.reasons import CAUSES, CHECKS, faults
 from weeding_robot_client.recording import COLUMNS
-from weeding_robot_client.script import HELP, ScriptError, Wish, parse
+from weeding_robot_client.script import HELP as SCRIPT_HELP
+from weeding_robot_client.script import ScriptError, Wish, parse
 
 pytestmark = pytest.mark.runs_tools
 
@@ -58,7 +59,7 @@ def orders(mcu: Any) -> list[tuple[int, int, int]]:
 
 
 def test_the_script_of_the_help_is_understood() -> None:
-    lines = [line for line in HELP.splitlines() if line.startswith("  ")]
+    lines = [line for line in SCRIPT_HELP.splitlines() if line.startswith("  ")]
     script = parse("\n".join(lines))
     assert script.end_s == 9.0
     assert script.at(2.0) == Wish.of(Quantity.VELOCITY, 150.0, 10.0)
@@ -124,6 +125,46 @@ def test_a_script_without_end_is_refused() -> None:
 
 def test_keys_and_arrows() -> None:
     assert list(keys(b"w\x1b[A\x1bOBQ\x1b[D\x1b[C")) == [b"w", b"w", b"s", b"q", b"j", b"l"]
+
+
+# Name of a key in the help -> bytes that the terminal sends.
+SENT = {"up": b"\x1b[A", "down": b"\x1b[B", "right": b"\x1b[C", "left": b"\x1b[D", "space": b" "}
+
+
+def after(*names: str) -> Hand:
+    """Returns the state after these keys were pressed at the time 0 s."""
+    hand = Hand()
+    for name in names:
+        for key in keys(SENT.get(name, name.encode())):
+            hand.press(key, 0.0)
+    return hand
+
+
+@pytest.mark.parametrize(
+    ("effect", "expected"),
+    [
+        ("drive forwards", Wish.of(Quantity.VELOCITY, 50.0, 0.0, None)),
+        ("drive backwards", Wish.of(Quantity.VELOCITY, -50.0, 0.0, None)),
+        ("to the left", Wish.of(Quantity.VELOCITY, 0.0, 1.0, None)),
+        ("to the right", Wish.of(Quantity.VELOCITY, 0.0, -1.0, None)),
+        ("stop: halts the wheels", Wish(stop=True)),
+        ("acknowledge", Wish(acknowledge=True)),
+    ],
+)
+def test_each_key_has_the_effect_that_the_help_states(effect: str, expected: Wish) -> None:
+    (names,) = (names for names, text in KEYS.items() if effect in text)
+    for name in names.split(", "):
+        assert after(name).wish(0.0) == expected
+    assert effect in HELP
+
+
+def test_the_keys_of_the_help_change_the_speed_and_centre_the_steering() -> None:
+    (faster,) = (key for key, text in KEYS.items() if "faster" in text)
+    (slower,) = (key for key, text in KEYS.items() if "slower" in text)
+    (centre,) = (key for key, text in KEYS.items() if "steering to 0" in text)
+    assert (after(faster).speed_rpm, after(slower).speed_rpm) == (60.0, 40.0)
+    assert "10 rpm faster" in HELP
+    assert after("left", centre).steering_degrees == 0.0
 
 
 def velocity(hand: Hand, now: float) -> float:

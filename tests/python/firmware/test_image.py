@@ -73,7 +73,7 @@ def test_the_image_does_not_lock_the_chip(image: bytes) -> None:
     assert lock_problems(image) == []
     field = image[0x400:0x410]
     assert field[0xC] == 0xFE  # The chip is not secured, and mass erase is allowed.
-    assert field[0xD] == 0xFD  # EzPort is disabled, even if PTA4 is low at the reset.
+    assert field[0xD] == 0xF9  # EzPort and NMI are disabled, even if PTA4 is low at the reset.
     assert set(field[:0xC] + field[0xE:]) == {0xFF}
 
 

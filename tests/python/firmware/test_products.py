@@ -16,6 +16,7 @@ from tools.sizes import write_products
 from traceability.reading.products import (
     DEFAULT,
     DIFFERENT,
+    FUNCTIONS,
     HAS,
     PRODUCTS,
     RESULTS,
@@ -48,6 +49,12 @@ def test_each_product_has_a_composition() -> None:
 
 def test_the_modules_in_which_products_differ_exist() -> None:
     assert module_names(ROOT) >= DIFFERENT
+
+
+def test_some_products_have_a_function_and_other_products_do_not() -> None:
+    for having in FUNCTIONS.values():
+        assert having
+        assert having < PRODUCTS.keys()
 
 
 @pytest.mark.parametrize("product", PRODUCTS)

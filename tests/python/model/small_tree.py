@@ -18,10 +18,9 @@ namespace wr {
 ///
 /// @function Reads orders from the NAME.
 ///
-/// @secret How the NAME shows a new order.
+/// @secret The signal by which the NAME shows a new order.
 class NAME final : public Mode {
  public:
-  /// @brief Makes the mode.
   /// @param other the other mode [one that exists]
   explicit NAME(Mode& other) : other_(other) {}
 
@@ -65,7 +64,6 @@ namespace wr {
 /// @role{reading-modes, Context}
 class NAME final : public OperationState {
  public:
-  /// @brief Makes the state.
   /// @param next the next state
   explicit NAME(OperationState& next) : next_(next) {}
 
@@ -154,7 +152,6 @@ class OperationState;
 /// @role{operation-states, Context}
 class MainController {
  public:
-  /// @brief Makes a controller.
   /// @param initial the first state
   /// @param mode the first mode
   MainController(OperationState& initial, Mode& mode);
@@ -212,7 +209,7 @@ class MainController;
 /// @role{reading-modes, State}
 class Mode {
  public:
-  /// @brief Whether an order has come.
+  /// @brief Returns whether an order has arrived.
   /// @return true when there is one
   /// @satisfies FR-15
   [[nodiscard]] virtual bool newMessage() const = 0;
@@ -237,7 +234,7 @@ class Mode {
 
 @function Reads orders from one source.
 
-@secret Where orders come from.
+@secret The source of the orders.
 */
 """,
     "src/main_control/operation_states/OperationState.cpp": """\

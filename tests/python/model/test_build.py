@@ -29,7 +29,7 @@ def test_texts_come_from_the_comment_above_the_class(model: Model) -> None:
     rc = model.modules["RC"]
     assert rc.brief == "Orders from the RC."
     assert rc.function == "Reads orders from the RC."
-    assert rc.secret == "How the RC shows a new order."
+    assert rc.secret == "The signal by which the RC shows a new order."
     assert rc.logic == "main_control/operation_modes"
     assert rc.source == "src/main_control/operation_modes/RC.cpp"
 

@@ -142,7 +142,7 @@ def test_each_text_that_carries_the_verdict_counts(
     ("file", "old", "new"),
     [
         (TEXT, "set a waiting state", "set a\n  waiting state"),
-        (HEADER, "an order has come.", "an\n  /// order has come."),
+        (HEADER, "an order has arrived.", "an\n  /// order has arrived."),
         (BODY, "if (md.newMessage())", "// asks\n  if ( md.newMessage() )"),
         (TEST, "EXPECT_TRUE(", "// at once\n  EXPECT_TRUE( "),
         (SCENARIO, "order 1", "order 1  # the only one"),
@@ -187,7 +187,7 @@ def test_a_lost_tag_is_shown_at_the_method(tree: Path) -> None:
     change(tree, HEADER, "  /// @satisfies FR-15\n", "")
     (found,) = (one for one in run_checks(*build(tree)).findings if one.check == "suspect-method")
     assert found.place.file == HEADER
-    assert "has lost its @satisfies FR-15" in found.text
+    assert "has lost the tag @satisfies FR-15" in found.text
 
 
 @pytest.mark.parametrize(

@@ -65,6 +65,13 @@ def test_causes_have_first_checks(tables: dict[str, str], table: str) -> None:
     assert {name for name, check in checks.items() if not check} <= {"``None``", "``Debugger``"}
 
 
+def test_each_counter_has_first_checks(tables: dict[str, str]) -> None:
+    counters = {row[0]: row[1:] for row in rows(tables["counters.inc"])}
+    assert len(counters) == 13
+    assert {"``damaged``", "``stale_orders``", "``rejected_edges0`` to ``3``"} <= counters.keys()
+    assert all(meaning and check for meaning, check in counters.values())
+
+
 def test_the_page_includes_tables_that_exist(tables: dict[str, str]) -> None:
     used = set(re.findall(r"include:: /_generated/(\S+)", PAGE.read_text(encoding="utf-8")))
     assert used <= tables.keys()

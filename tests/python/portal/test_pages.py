@@ -21,6 +21,7 @@ from portal.paper_views import COMMON_CHECKS, ROLE_CHECKS, compared, families, h
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.site_build import check_texts
+from portal.tuned_values import chosen_values, other_lines
 from portal.tuning_page import control_values
 from portal.verification_views import (
     ModuleCoverage,
@@ -199,6 +200,7 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Por
         ),
         ("requirements/FR-15", [], ["The system shall wait.", "Why."], ["modules/RC.html#m-read"]),
         ("concordance", [], ["CR"], ["modules/RC.html", "machines.html#reading-modes"]),
+        ("products", [], ["reads the enable switch", "can pass ./wr bring-up", "yes", "no"], []),
         ("checks/tree-static", [], ["Each edge is one.", "holds"], []),
         ("checks/link-site", [], ["This check runs after the pages are written"], []),
     ],
@@ -420,6 +422,33 @@ def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> 
         ("A::kLimit", []),
     ]
     assert list(found) == ["A"]
+
+
+def test_the_values_to_choose_again_are_listed_by_module_with_their_numbers(tmp_path: Path) -> None:
+    folder = tmp_path / "client"
+    folder.mkdir()
+    (folder / "orders.py").write_text("import time\n\nEVERY_S = 0.1  # period\n")
+    place = Place("src/wheel_control/A.cpp", 7)
+    model = replace(
+        make_model(),
+        constants={
+            "A::kGains.integral": Constant(2094, "uV per 0.1 rpm", place),
+            "A::kTrack": Constant(1.582, "m", place),
+            "B::kMost": Constant(176, "0.1 rpm", place),
+        },
+    )
+    constants = ["A::kGains", "B::kMost", "A::kTrack", "C::kUnknown"]
+    lines = ["client/orders.py: EVERY_S", "client/orders.py: EVERY"]
+    tuned = Tuned("SystemConstants::winding", "It is.", constants, place, lines)
+    found = chosen_values(tmp_path, model, tuned)
+    assert {module: [(one.name, one.number) for one in ones] for module, ones in found.items()} == {
+        "A": [("kGains", "integral 2094 uV per 0.1 rpm"), ("kTrack", "1.582 m")],
+        "B": [("kMost", "17.6 rpm")],
+        "C": [("kUnknown", "")],
+    }
+    assert other_lines(tmp_path, tuned) == [
+        (Place("client/orders.py", 3), "EVERY_S = 0.1  # period")
+    ]
 
 
 def test_a_cell_of_the_matrix_of_uses_leads_to_the_row_with_its_reason(

@@ -6,10 +6,14 @@ from pathlib import Path
 import pytest
 
 from portal.tables import (
+    COMMAND_LINE,
     COMMANDS,
+    CONNECTION,
     DEBIAN,
     ROOMS,
     command_table,
+    connection_table,
+    key_table,
     package_table,
     room_table,
 )
@@ -32,11 +36,15 @@ TEXT
 
 def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:
     (tmp_path / COMMANDS).write_text(USAGE)
+    (tmp_path / COMMAND_LINE).parent.mkdir()
+    (tmp_path / COMMAND_LINE).write_text(
+        'MODULES = {\n    "portal": "tools.make_portal",\n    "test": "tools.parts.run",\n}\n'
+    )
     assert list(csv.reader(command_table(tmp_path).splitlines())) == [
-        ["command", "effect"],
-        ["``./wr portal``", "build and serve"],
-        ["``./wr test``", "run every test"],
-        ["``./wr bring-up``", "check a new robot"],
+        ["command", "effect", "source file"],
+        ["``./wr portal``", "build and serve", "``tools/make_portal.py``"],
+        ["``./wr test``", "run every test", "``tools/parts/run.py``"],
+        ["``./wr bring-up``", "check a new robot", "``wr``"],
     ]
 
 
@@ -70,3 +78,50 @@ def test_a_folder_of_the_simulator_needs_a_comment(tmp_path: Path) -> None:
     (tmp_path / ROOMS).write_text("# Physics.\nadd_room(plant STATIC)\n\nadd_room(web STATIC)\n")
     with pytest.raises(ValueError, match="no comment"):
         room_table(tmp_path)
+
+
+def test_each_key_is_a_row_with_linked_constants(tmp_path: Path) -> None:
+    table = key_table(tmp_path)
+    assert "* - ``left, j``\n     - turn the steering by :constant:`keyboard." in table
+    assert "{" not in table
+
+
+def test_the_reaction_to_each_frame_in_each_state_is_shown(tmp_path: Path) -> None:
+    (tmp_path / CONNECTION).parent.mkdir(parents=True)
+    (tmp_path / CONNECTION).write_text(
+        """\
+[states]
+Open = "Open"
+Ready = "Ready"
+
+[events]
+Hello = "hello"
+Order = "order"
+"1 s without Confirm" = "checkTime"
+
+[[transition]]
+from = "Open"
+on = "Hello"
+guard = ""
+to = "Ready"
+action = "Welcome"
+
+[[transition]]
+from = "Ready"
+on = "Order"
+guard = "fresh"
+to = "Ready"
+action = ""
+"""
+    )
+    assert connection_table(tmp_path).splitlines()[4:] == [
+        "   * - state",
+        "     - Hello",
+        "     - Order",
+        "   * - Open",
+        "     - Welcome, to Ready",
+        "     - unexpected",
+        "   * - Ready",
+        "     - unexpected",
+        "     - accepted, if fresh",
+    ]

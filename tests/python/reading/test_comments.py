@@ -20,7 +20,7 @@ namespace wr {
 ///   of two lines
 /// - another item
 ///
-/// @secret How it is measured.
+/// @secret The method by which it is measured.
 /// @hides{k64/Register.hpp}
 /// @role{wheels, Concrete State} @role{orders, Context}
 /// @patternapp{orders, State, Title with, a comma
@@ -75,7 +75,7 @@ def test_a_tag_has_its_text_its_arguments_and_its_line() -> None:
     assert (comment.place.line, comment.place.end) == (3, 19)
     assert comment.brief == "Speed of a `Wheel`, , and more, on two lines."
     assert comment.details == "Other items:\n- one item of two lines\n- another item"
-    assert comment.one("secret") == "How it is measured."
+    assert comment.one("secret") == "The method by which it is measured."
     assert comment.all("hides") == ["k64/Register.hpp"]
     roles = [(*tag.arguments, tag.place.line) for tag in comment.of("role")]
     assert roles == [("wheels", "Concrete State", 13), ("orders", "Context", 13)]
@@ -118,7 +118,7 @@ def test_only_comments_of_documentation_are_read() -> None:
 def test_a_comment_belongs_to_its_declaration(tmp_path: Path) -> None:
     facts = facts_of(tmp_path)
     fact = facts.classes["Speed"]
-    assert facts.comment(fact).one("secret") == "How it is measured."
+    assert facts.comment(fact).one("secret") == "The method by which it is measured."
     assert facts.comment(fact.methods[0]).brief == "Sets it."
     texts = {one.name: facts.comment(one).brief for one in fact.fields}
     assert texts["count"] == "behind the value"

@@ -23,6 +23,8 @@ inline constexpr int kMost = 128;
 inline constexpr int kWhole = kMost + 2;
 inline constexpr int kRate = 1'000;  // [Hz]
 inline constexpr int kPlain = 5;
+inline constexpr double kTrack = 1.582;  // [m]
+inline constexpr float kNoise = 0.1F;  // [V]
 
 // Greatest speed of something else [rpm].
 
@@ -69,6 +71,8 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
         ("kWhole", 130, ""),
         ("kRate", 1000, "Hz"),
         ("kPlain", 5, ""),
+        ("kTrack", 1.582, "m"),
+        ("kNoise", 0.1, "V"),
         ("Kind::First", 1, ""),
         ("Kind::Last", 0x82, ""),
         ("Limits::most", 3200, "0.1 rpm"),
@@ -82,7 +86,7 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
     ],
 )
 def test_a_constant_has_its_value_and_unit(
-    constants: dict[str, Constant], name: str, number: int, unit: str
+    constants: dict[str, Constant], name: str, number: float, unit: str
 ) -> None:
     found = constants[name]
     assert (found.number, found.unit) == (number, unit)

@@ -16,6 +16,7 @@ constexpr std::uint32_t kCtrl1 = 0x04;
 constexpr std::uint32_t kTimer = 0x08;
 constexpr std::uint32_t kImask1 = 0x28;
 constexpr std::uint32_t kIflag1 = 0x30;
+constexpr std::uint32_t kBuffer0 = 0x80;
 constexpr std::uint32_t kBuffer1 = 0x90;
 constexpr std::uint32_t kBuffer2 = 0xA0;
 constexpr unsigned kLine = 75;
@@ -64,6 +65,13 @@ class CanOfTheBoard : public testing::Test {
     EXPECT_EQ(can.read(kMcr, 4) & 0x08000000, 0U) << "NOTRDY";
   }
 
+  // Sends the frame in buffer 2, with the workaround for erratum 5829 of the controller.
+  void activate(std::uint32_t control) {
+    can.write(kBuffer2, 4, control);
+    can.write(kBuffer0, 4, 0x08000000);
+    can.write(kBuffer0, 4, 0x08000000);
+  }
+
   void pass(std::chrono::microseconds duration) {
     now.now += duration;
     can.advance();
@@ -81,7 +89,7 @@ TEST_F(CanOfTheBoard, SendsAFrame) {
   bringUp();
   can.write(kBuffer2 + 8, 4, 0x01020304);
   can.write(kBuffer2 + 12, 4, 0x05060708);
-  can.write(kBuffer2, 4, 0x0C080000);
+  activate(0x0C080000);
   pass(std::chrono::microseconds(221));
   EXPECT_FALSE(now.high);
   pass(std::chrono::microseconds(2));
@@ -118,19 +126,51 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
   can.arrive({.identifier = 0x101, .data = {2}});
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 6U);
-  static_cast<void>(can.read(kTimer, 4));
   can.write(kIflag1, 4, 2);
+  static_cast<void>(can.read(kTimer, 4));
   can.arrive({.identifier = 0x101, .data = {3}});
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 2U);
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x03000000U);
 }
 
+/// @brief A read of the control word locks the buffer. A frame that arrives then waits until the
+/// timer is read, and its flag is set when it is moved into the buffer.
+TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
+  bringUp();
+  can.arrive({.identifier = 0x101, .data = {1}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 2U);
+  can.arrive({.identifier = 0x101, .data = {2}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x01000000U);
+  can.write(kIflag1, 4, 2);
+  EXPECT_FALSE(now.high);
+  static_cast<void>(can.read(kTimer, 4));
+  EXPECT_TRUE(now.high);
+  EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 2U) << "the first frame was read, so no frame is lost";
+  EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x02000000U);
+  EXPECT_TRUE(now.findings.empty());
+}
+
+/// @brief If the buffer is unlocked first, a frame that waits sets the flag that the program then
+/// clears. This order causes a finding, also if no frame waits.
+TEST_F(CanOfTheBoard, FindsABufferThatIsUnlockedBeforeItsFlagIsCleared) {
+  bringUp();
+  can.arrive({.identifier = 0x101, .data = {1}});
+  pass(std::chrono::milliseconds(1));
+  static_cast<void>(can.read(kBuffer1, 4));
+  static_cast<void>(can.read(kTimer, 4));
+  EXPECT_EQ(now.findings.size(), 1U);
+  static_cast<void>(can.read(kTimer, 4));
+  EXPECT_EQ(now.findings.size(), 1U) << "no buffer is locked";
+}
+
 /// @brief Of two frames that wait for the bus, the frame with the smaller identifier is sent first.
 TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   bringUp();
   can.arrive({.identifier = 0x7FF, .data = {}});
-  can.write(kBuffer2, 4, 0x0C010000);
+  activate(0x0C010000);
   can.arrive({.identifier = 0x101, .data = {1}});
   pass(std::chrono::microseconds(100));
   EXPECT_EQ(can.read(kIflag1, 4), 0U);
@@ -139,6 +179,20 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
       << "the second frame of the other node is sent before the frame of the controller";
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
+}
+
+/// @brief Erratum 5829 of the controller: after the activation of a buffer, the program must write
+/// the code INACTIVE to buffer 0 twice. A frame that is sent without these writes causes a finding.
+TEST_F(CanOfTheBoard, FindsAFrameWithoutTheWritesToBufferZero) {
+  bringUp();
+  activate(0x0C010000);
+  pass(std::chrono::milliseconds(1));
+  EXPECT_TRUE(now.findings.empty());
+  can.write(kBuffer2, 4, 0x0C010000);
+  can.write(kBuffer0, 4, 0x08000000);
+  pass(std::chrono::milliseconds(1));
+  ASSERT_EQ(now.findings.size(), 1U);
+  EXPECT_NE(now.findings[0].find("5829"), std::string::npos);
 }
 
 /// @brief Four actions that the manual forbids cause findings: writing the timing outside of the

@@ -115,6 +115,24 @@ TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   EXPECT_EQ(reported(board, 3), 3U);
 }
 
+/// @brief A low level at PTA4 at the end of a reset requests the NMI, because this pin is the input
+/// of the NMI after a reset. The bit NMI_DIS of the flash option byte blocks the NMI if it is 0.
+TEST(ProcessorOfBoard, LowLevelOfTheNmiPinAtResetRaisesNmi) {
+  constexpr std::size_t kFlashOption = 0x40D;
+  for (const bool blocked : {false, true}) {
+    Guest guest("countsUp");
+    guest.handle(2, "tellsFault");
+    std::vector<std::uint8_t> image = guest.image();
+    image[kFlashOption] = blocked ? 0xFB : 0xFF;
+    VirtualBoard board(image, {.resetsAreFindings = false});
+    ASSERT_TRUE(board.runUntil(1us));
+    board.drive('A', 4, false);
+    board.reset(emulator::Reset::Pin);
+    ASSERT_TRUE(board.runUntil(10us));
+    EXPECT_EQ(reported(board, 3) == 2, !blocked);
+  }
+}
+
 /// @brief The cycle counter counts one cycle for each NOP instruction.
 TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   VirtualBoard board(Guest("measures100Instructions").image());

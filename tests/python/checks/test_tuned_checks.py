@@ -1,0 +1,69 @@
+"""Constants that depend on the period of a cycle are found, and so are wrong names of them in
+design/tuned.toml."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from traceability.checks.tuned_checks import check
+from traceability.model.build import build
+from traceability.schema import Finding
+
+CONTROLLER = "src/main_control/MainController.cpp"
+DESIGN = {
+    "clauses.toml": '[[pattern]]\nname = "State"\nroles = ["State"]\napplications = 2\n',
+    "requirement_numbers.toml": '[[requirement]]\nid = "FR-15"\n'
+    'constants = { "300 ms" = "MainController::kLifetime" }\n',
+}
+
+
+def found(root: Path, tuned: str) -> list[Finding]:
+    (root / "design/tuned.toml").write_text(tuned)
+    return list(check(*build(root)))
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """Writes a constant whose comment does not mention cycles, and a requirement whose rationale
+    counts the cycles in the time of this constant."""
+    write_tree(tmp_path)
+    for name, text in DESIGN.items():
+        (tmp_path / "design" / name).write_text(text)
+    source = tmp_path / CONTROLLER
+    text = source.read_text()
+    source.write_text(
+        text.replace("namespace wr {", "namespace wr {\n\nconstexpr int kLifetime = 300;")
+    )
+    requirement = tmp_path / "requirements/reading.dox"
+    text = requirement.read_text()
+    requirement.write_text(text.replace("a lost link.", "a lost link. It lasts for three cycles."))
+    return tmp_path
+
+
+def entry(constant: str, line: str) -> str:
+    return (
+        f'[[tuned]]\nto = "MainController::read"\nwhy = "It is."\nconstants = ["{constant}"]\n'
+        f'lines = ["{line}"]\n'
+    )
+
+
+def test_a_time_that_a_requirement_counts_in_cycles_must_be_declared(root: Path) -> None:
+    (finding,) = found(root, "")
+    assert (finding.place.file, finding.place.line) == (CONTROLLER, 7)
+    assert (
+        "MainController::kLifetime seems to depend on SystemConstants::cyclePeriod" in finding.text
+    )
+
+
+def test_a_name_or_a_line_that_does_not_exist_is_found(root: Path) -> None:
+    texts = [one.text for one in found(root, entry("MainController::kMore", f"{CONTROLLER}: kL"))]
+    assert "there is no constant MainController::kMore" in texts
+    assert f"no source line matches {CONTROLLER}: kL" in texts
+
+
+def test_a_declared_line_and_constant_are_accepted(root: Path) -> None:
+    (finding,) = found(root, entry("MainController::kLifetime", f"{CONTROLLER}: kLifetime"))
+    assert "seems to depend" in finding.text  # the entry is about another constant
