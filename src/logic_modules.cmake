@@ -56,7 +56,7 @@ foreach(folder IN LISTS folders)
   elseif(NOT CMAKE_CROSSCOMPILING)
     continue()
   else()
-    # Each product chooses its own versions of these source files, so they are not part of the library.
+    # Each product chooses its own versions of these source files. Therefore they are not part of the library.
     set(kind OBJECT)
     list(FILTER sources EXCLUDE REGEX "/(main|control_systems|pool)[.]cpp$")
     if(root STREQUAL "extensions")

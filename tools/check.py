@@ -27,9 +27,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--drift",
         nargs="*",
         metavar="CHECK",
-        help="first insert each fault of tests/drift in a copy of the project, and test whether "
-        "the checks find the fault; with names of checks: insert only the faults of these checks, "
-        "and do nothing else",
+        help="first test the checks: insert each seeded fault of tests/drift into a copy of the "
+        "project. If CHECK is given, test only these checks and stop.",
     )
     parser.add_argument(
         "--publish",

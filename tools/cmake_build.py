@@ -229,8 +229,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
 
 def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = None) -> None:
-    """Makes the target folder equal to the sources. ``texts`` replaces the contents of some files.
-    A file that is already equal keeps its modification time."""
+    """Makes the target folder equal to the sources. ``texts`` maps the name of a file to the text
+    that its copy gets. A file that is already equal keeps its modification time."""
     python = root / "tests/python"
     paths = [path for path in files_below(root, COPIED) if python not in path.parents]
     contents = {str(path.relative_to(root)): path.read_bytes() for path in paths}

@@ -31,7 +31,7 @@ ON_HOST = "debug"  # preset of the programs that are debugged on this computer
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
 SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"
-TEST_ADVICE = "the page Tests of the portal lists the names of the tests"
+TEST_ADVICE = "the page 'Tests' of the portal lists the names of the tests"
 WAIT = 20  # longest time until the virtual board opens its port [s]
 
 
@@ -90,11 +90,11 @@ def debug(root: Path, options: argparse.Namespace) -> int:
 
 
 def file_of(root: Path, name: str) -> str:
-    """Returns the file of a test. The name has the form Suite.Name, as on the page Tests."""
+    """Returns the file of a test. The name has the form Suite.Name, as on the page 'Tests'."""
     for file, found in tests_below(root):
         if found == name:
             return file
-    raise UsageError(f"there is no test {name}; the page Tests of the portal lists the names")
+    raise UsageError(f"there is no test {name}; the page 'Tests' of the portal lists the names")
 
 
 def filter_of(name: str) -> str:

@@ -102,8 +102,8 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path, texts: str, *, keep: bool) -> int:
-    """Runs the process. Returns 0 if no step failed, even with findings. Otherwise,
-    returns INCOMPLETE.
+    """Runs the process. Returns 0 if no step failed, even if there are findings. Otherwise, returns
+    INCOMPLETE.
     """
     steps = Steps(root, len(PARTS))
     with no_collection():

@@ -20,7 +20,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Generates a model of the state machines of design/fsm and of their "
         "composition in design/proofs/robot.pml. Proves the properties of "
         "design/proofs/properties.toml with the model checker Spin. The results are in "
-        "build/results/proofs.json and on the page Proofs of the portal. The exit code "
+        "build/results/proofs.json and on the page 'Proofs' of the portal. The exit code "
         f"{MISSING} means that Spin or a C compiler is missing.",
     )
     parser.add_argument(

@@ -63,8 +63,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--long",
         action="store_true",
-        help="also run the long tests of the tools. Also insert each fault of tests/drift in a "
-        "copy of the project, and test whether the checks find the fault",
+        help="also run the long tests of the tools, and test the checks: insert each seeded "
+        "fault of tests/drift into a copy of the project",
     )
     parser.add_argument(
         "--ci",

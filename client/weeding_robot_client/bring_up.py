@@ -82,10 +82,10 @@ _UNSEEN = (
 POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, True): None,
     (True, False): (
-        "motor leads and Hall pair are both swapped",
+        "the motor leads and the Hall wires are swapped",
         "Swap the two motor leads and the two Hall wires of this wheel.",
     ),
-    (False, True): ("the Hall pair is swapped", "Swap the two Hall wires of this wheel."),
+    (False, True): ("the Hall wires are swapped", "Swap the two Hall wires of this wheel."),
     (False, False): ("the motor leads are swapped", "Swap the two motor leads of this wheel."),
     (True, None): _UNSEEN,
     (False, None): _UNSEEN,
@@ -406,7 +406,7 @@ class BringUp:
             raise FailError(
                 str(start),
                 "Find the cause of this reset first. The section 'Causes of a reset, and kinds of "
-                "faults' of the page PC protocol lists the first checks for each cause.",
+                "faults' of the page 'PC protocol' lists the first checks for each cause.",
             )
         return str(start)
 
@@ -502,10 +502,13 @@ class BringUp:
         angle = max(abs(report.steering_set_point_degrees) for report in reports)
         if velocity > STICK_RPM or angle > STICK_DEGREES:
             raise FailError(
-                f"centred sticks order {velocity:g} rpm and {angle:g} degrees",
+                f"with centred sticks, the remote control orders {velocity:g} rpm "
+                f"and {angle:g} degrees; it must order about 0",
                 "Set the trims of the transmitter to 0.",
             )
-        return f"centred sticks order {velocity:g} rpm and {angle:g} degrees"
+        return (
+            f"with centred sticks, the remote control orders {velocity:g} rpm and {angle:g} degrees"
+        )
 
     def _transmitter_off(self) -> str:
         if self.orders.report and "RC" in self.orders.report.stop_sources:

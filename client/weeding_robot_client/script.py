@@ -117,7 +117,7 @@ def load(path: Path) -> Script:
     try:
         return parse(path.read_text(encoding="utf-8"), str(path))
     except UnicodeDecodeError as error:
-        raise ScriptError(f"{path}: the file is not a text in UTF-8") from error
+        raise ScriptError(f"{path}: the file is not UTF-8 text; save it as UTF-8") from error
 
 
 def parse(text: str, name: str = "script") -> Script:

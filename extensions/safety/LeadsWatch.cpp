@@ -8,10 +8,10 @@ namespace wr {
 
 namespace {
 
-// The model of the motor has three parameters: 1. the resistance and 2. the motor constant, both
-// relative to the nominal value and divided by the relative supply voltage; 3. the voltage that the
-// offset of the current sensor causes. The array contains the variances of these parameters before
-// the first cycle.
+// The model of the motor has three parameters. The first two are the resistance and the motor
+// constant, both relative to the nominal value and divided by the relative supply voltage. The
+// third is the voltage that the offset of the current sensor causes. The array contains the
+// variances of these parameters before the first cycle.
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
 constexpr float kMaxDeviation = 0.5F;  // greatest deviation of a parameter from its nominal value
 // Increase of each variance in a cycle, because the temperature and the battery voltage change.

@@ -12,7 +12,8 @@
 
 namespace wr {
 
-/// @brief A stage that stops the whole robot when one device of the robot fails.
+/// @brief A stage that stops the robot after a fault of a component, or when the emergency stop is
+/// pressed.
 ///
 /// @function Checks the contact of the emergency-stop circuit, the steering and every wheel in each
 /// cycle, until a check finds a fault. Then latches a protective stop: the wheels halt and the

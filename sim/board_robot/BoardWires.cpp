@@ -65,7 +65,7 @@ BoardWires::BoardWires(emulator::VirtualBoard& board) : physics(kSeed), board_(b
     board_.drive(pin.port, pin.number, false);
   }
   measure();
-  board_.onTime(plant::Robot::kStep, [this] { beat(); });
+  board_.onTime(plant::Robot::kStep, [this] { step(); });
 }
 
 void BoardWires::take(const emulator::Event& event) {
@@ -76,7 +76,7 @@ void BoardWires::take(const emulator::Event& event) {
   }
 }
 
-void BoardWires::beat() {
+void BoardWires::step() {
   drive();
   for (const plant::HallEdge& edge : physics.step()) {
     const Pin pin = kWheelWires.at(edge.wheel).hall.at(edge.sensor);

@@ -24,7 +24,7 @@ class BoardWires {
   plant::RemoteControl remoteControl;
 
  private:
-  void beat();
+  void step();
   void drive();
   void measure();
 

@@ -7,7 +7,7 @@
 namespace wr::emulator {
 
 void StimulusQueue::add(const Level& level) {
-  // Most levels are added in the order of their times, so the search begins at the end.
+  // Most levels are added in the order of their times. Therefore the search begins at the end.
   auto place = levels_.end();
   while (place != levels_.begin() && std::prev(place)->at > level.at) {
     --place;

@@ -63,10 +63,10 @@ struct Fault {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Longest time of observation [ms]. FR-227 detects a drift of the angle sensor by 0.5
-/// degrees per second within 6.9 s. A slower drift may be detected after the observation. If Hall
-/// edges are lost, it takes seconds until the number of implausible edges reaches the limit of
-/// FR-279.
+/// @brief Longest time of observation [ms]. The firmware detects a drift of the angle sensor by 0.5
+/// degrees per second within 6.9 s (FR-227). A slower drift may be detected after the observation.
+/// If Hall edges are lost, it takes seconds until the number of implausible edges reaches the limit
+/// of FR-279.
 inline constexpr int kLongestWindow = 7000;
 
 /// @brief Returns the duration of the observation after the fault [ms]. Except for a slow drift of

@@ -10,8 +10,8 @@ class Random {
   /// @param seed chooses the sequence
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  /// @brief Returns a random number from 0 to a limit.
-  /// @param end the limit, greater than 0; the number is less than the limit
+  /// @brief Returns a random number that is at least 0 and less than `end`.
+  /// @param end limit, greater than 0
   [[nodiscard]] std::uint32_t below(std::uint32_t end) {
     state_ += 0x9E3779B97F4A7C15U;
     std::uint64_t mixed = (state_ ^ state_ >> 30U) * 0xBF58476D1CE4E5B9U;

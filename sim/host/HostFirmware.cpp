@@ -118,7 +118,7 @@ void HostFirmware::clockPulse() {
   cycleTimer_.periodPassed();
 }
 
-void HostFirmware::beat() {
+void HostFirmware::tick() {
   tickTimer_.periodPassed();
 }
 
@@ -138,7 +138,7 @@ Microseconds HostFirmware::period() const {
   return cycleTimer_.period();
 }
 
-Microseconds HostFirmware::beatPeriod() const {
+Microseconds HostFirmware::tickPeriod() const {
   return tickTimer_.period();
 }
 

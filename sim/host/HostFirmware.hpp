@@ -78,7 +78,7 @@ class HostFirmware {
   void rcDirection(Angle direction);
 
   /// @brief Runs one tick.
-  void beat();
+  void tick();
 
   /// @brief Returns the pins of the firmware.
   /// @return the pins; the owner of the robot connects them to its surroundings
@@ -90,7 +90,7 @@ class HostFirmware {
 
   /// @brief Returns the period of the ticks.
   /// @return the period; 0 before start().
-  [[nodiscard]] Microseconds beatPeriod() const;
+  [[nodiscard]] Microseconds tickPeriod() const;
 
   /// @brief Returns the main controller.
   [[nodiscard]] MainController& controller();

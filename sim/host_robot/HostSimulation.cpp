@@ -58,7 +58,7 @@ void HostSimulation::start() {
 
 void HostSimulation::beginPeriods() {
   const Instant begin = time.now() + kStartUp;
-  nextBeat_ = begin + robot.beatPeriod();
+  nextTick_ = begin + robot.tickPeriod();
   nextPulse_ = begin + robot.period() + kToWheels;
 }
 
@@ -101,16 +101,16 @@ void HostSimulation::runWhole(Instant until) {
 }
 
 void HostSimulation::pass(Instant until) {
-  while (std::min(nextStep_, nextBeat_) <= until) {
-    const Instant next = std::min(nextStep_, nextBeat_);
+  while (std::min(nextStep_, nextTick_) <= until) {
+    const Instant next = std::min(nextStep_, nextTick_);
     bringEdges(next + Microseconds(-1));
     advanceTo(next);
     if (next == nextStep_) {
       step();
     }
-    if (next == nextBeat_) {
-      nextBeat_ = next + robot.beatPeriod();
-      robot.beat();
+    if (next == nextTick_) {
+      nextTick_ = next + robot.tickPeriod();
+      robot.tick();
     }
   }
   bringEdges(until);

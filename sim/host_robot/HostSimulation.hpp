@@ -68,7 +68,7 @@ class HostSimulation {
   HostWires binding_;
   std::vector<Edge> edges_;  // remaining edges of this ms, in the order of time
   Instant nextStep_;
-  Instant nextBeat_;
+  Instant nextTick_;
   Instant nextPulse_;
 };
 

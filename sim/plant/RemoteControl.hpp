@@ -55,8 +55,8 @@ class RemoteControl {
   static constexpr std::chrono::microseconds kDeflection{500};
   static constexpr std::int64_t kJitter = 2;  ///< [us]
 
-  /// @brief Moves the sticks and switches the transmitter on, or switches it off. The change takes
-  /// effect with the next pulses.
+  /// @brief Sets the positions of the sticks and switches the transmitter on. Without positions,
+  /// switches it off. The change takes effect with the next pulses.
   /// @param sticks positions of the sticks; nothing: the transmitter is off
   void set(const std::optional<Sticks>& sticks);
 

@@ -326,7 +326,7 @@ class Outside {
  public:
   explicit Outside(const Settings& settings) {
     // A scenario needs no serial line, because it plays the PC. A client cannot follow a run that
-    // is as fast as possible, so this run has no pseudo-terminal.
+    // is as fast as possible. Therefore this run has no pseudo-terminal.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }

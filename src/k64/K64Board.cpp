@@ -37,9 +37,9 @@ constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) |
 
 // Greatest number of reads of the status register in one step of startClock(). If the step is not
 // complete after these reads, it has failed. One read takes at least 8 and at most 20 periods of
-// the core clock: the access to the register takes at least 2 periods, and the other instructions
-// of the loop take at least 6. The core uses the internal FLL or the external clock. Even if three
-// steps take 20 ms each, the fourth step fails before the watchdog time-out.
+// the core clock. The access to the register takes at least 2 of these periods. The other
+// instructions of the loop take at least 6 periods. The core uses the internal FLL or the external
+// clock. Even if three steps take 20 ms each, the fourth step fails before the watchdog time-out.
 constexpr std::uint32_t kMaxClockPolls = 125'000;
 constexpr std::uint64_t kMinPeriods = 8;
 constexpr std::uint64_t kMaxPeriods = 20;

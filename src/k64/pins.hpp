@@ -52,10 +52,10 @@ struct PinRow {
 };
 
 // The pins that the firmware uses, one pin in each source line. The signals of the peripherals have
-// the names of the manual. After reset PTA2 is the debug output SWO; no debug probe of this board
+// the names of the manual. After reset PTA2 is the debug output SWO. No debug probe of this board
 // needs SWO. PTE25 is also connected to the accelerometer, which the firmware does not use. The
-// firmware does not use the connector pin J2-2: up to revision D of the board J2-2 is PTA0, a pin
-// of the debugger, and from revision E on J2-2 is PTC12.
+// firmware does not use the connector pin J2-2. Up to revision D of the board, J2-2 is PTA0, a pin
+// of the debugger. From revision E on, J2-2 is PTC12.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "The button is not used. The flash configuration disables the non-maskable interrupt of this pin."},
@@ -94,12 +94,12 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::B, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE14", "J4-6", "Current of the rear left wheel."},
     {{Port::B, 11, Mux::Alt0, Role::Peripheral}, "ADC1_SE15", "J4-8", "Current of the rear right wheel."},
     {{Port::C, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE6b", "J4-12", "Angle of the steering."},
-    {{Port::A, 1, Mux::Gpio, Role::Input}, "steering_left_end", "J1-8", "Low while the left end stop is not reached; high when it is reached or a wire is broken."},
-    {{Port::C, 18, Mux::Gpio, Role::Input}, "steering_right_end", "J6-8", "Low while the right end stop is not reached; high when it is reached or a wire is broken."},
+    {{Port::A, 1, Mux::Gpio, Role::Input}, "steering_left_end", "J1-8", "Low while the left end stop is not reached. High when it is reached or a wire is broken."},
+    {{Port::C, 18, Mux::Gpio, Role::Input}, "steering_right_end", "J6-8", "Low while the right end stop is not reached. High when it is reached or a wire is broken."},
     {{Port::B, 18, Mux::Gpio, Role::Input}, "rc_velocity", "J1-1", "Pulses of the remote control: velocity."},
     {{Port::B, 19, Mux::Gpio, Role::Input}, "rc_direction", "J1-3", "Pulses of the remote control: direction."},
     {{Port::B, 23, Mux::Gpio, Role::Input}, "rc_enable", "J1-10", "Pulses of the remote control: enable switch."},
-    {{Port::E, 25, Mux::Gpio, Role::Input}, "emergency_stop", "J2-18", "Low while the emergency stop is released; high when it is pressed or a wire is broken."},
+    {{Port::E, 25, Mux::Gpio, Role::Input}, "emergency_stop", "J2-18", "Low while the emergency stop is released. High when it is pressed or a wire is broken."},
 });
 // clang-format on
 

@@ -25,7 +25,7 @@ struct DirTarget {
   friend constexpr bool operator==(const DirTarget&, const DirTarget&) = default;
 };
 
-/// @brief The state and the measurements of the steering at a tick.
+/// @brief The state and the measurements of the steering in one tick.
 /// @datatype
 struct DirStatus {
   SteeringState state = SteeringState::Off;  ///< state of the controller

@@ -22,8 +22,8 @@ class SteeringDevice;
 /// @patternapp{steering-timer-interrupt, Command, Process timer interruptions for the steering system}
 /// @why Several elements of the steering work at each tick of the timer. The timer executes a
 /// command object. Therefore the timer names no element of the steering.
-/// @changes The actions at a tick may change, and so may the elements that these actions affect.
-/// The timer does not change.
+/// @changes The actions in a tick, and the elements that these actions affect. The timer does not
+/// change.
 class DirCtrlTimeOut final : public Command {
  public:
   /// @param sensor measures the position

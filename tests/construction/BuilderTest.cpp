@@ -74,7 +74,7 @@ class BuilderTest : public testing::Test {
     timer.connect([this] { builder.clock().expired(); });
     tickTimer.connect([this] { poolBuilder.timer().expired(); });
     director.start();
-    for (int beat = 0; beat < 8; ++beat) {
+    for (int tick = 0; tick < 8; ++tick) {
       tickTimer.periodPassed();
     }
   }
@@ -173,7 +173,7 @@ TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   EXPECT_EQ(tickTimer.period(), Microseconds(0));
   director.start();
   EXPECT_EQ(tickTimer.period(), milliseconds(1));
-  for (int beat = 0; beat < 8; ++beat) {
+  for (int tick = 0; tick < 8; ++tick) {
     tickTimer.periodPassed();
   }
   EXPECT_TRUE(pins.wheels[1].current.sample().has_value());

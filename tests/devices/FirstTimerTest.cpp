@@ -22,7 +22,7 @@ class MockCommand : public Command {
 
 /// @brief start() starts the timer with the cycle period of 100 ms.
 /// @verifies FR-1
-TEST(FirstTimer, FR1_BeatsEvery100Milliseconds) {
+TEST(FirstTimer, FR1_ClockPulseEvery100Milliseconds) {
   testing::StrictMock<MockTimer> timer;
   testing::StrictMock<MockCommand> command;
   FirstTimer firstTimer(timer, command);
@@ -33,7 +33,7 @@ TEST(FirstTimer, FR1_BeatsEvery100Milliseconds) {
 /// @brief At each clock pulse, the timer is first acknowledged, so that a clock pulse during the
 /// command is not lost. Then the command is executed once.
 /// @verifies FR-1
-TEST(FirstTimer, FR1_EachBeatExecutesTheCommandOnce) {
+TEST(FirstTimer, FR1_EachClockPulseExecutesTheCommandOnce) {
   testing::StrictMock<MockTimer> timer;
   testing::StrictMock<MockCommand> command;
   FirstTimer firstTimer(timer, command);

@@ -38,7 +38,7 @@ class SecondTimerTest : public testing::Test {
 
 /// @brief start() starts the timer with the tick period of 1 ms.
 /// @verifies FR-100
-TEST_F(SecondTimerTest, FR100_BeatsEveryMillisecond) {
+TEST_F(SecondTimerTest, FR100_TicksEveryMillisecond) {
   secondTimer.start();
   EXPECT_EQ(timer.started, milliseconds(1));
 }
@@ -46,22 +46,22 @@ TEST_F(SecondTimerTest, FR100_BeatsEveryMillisecond) {
 /// @brief At each tick, the timer is first acknowledged, so that a tick during the commands is not
 /// lost. Then each command is executed once, in the order in which the commands were added.
 /// @verifies FR-100
-TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
+TEST_F(SecondTimerTest, FR100_EachTickExecutesAllCommands) {
   LoggingCommand first("first");
   LoggingCommand second("second");
   secondTimer.add(first);
   secondTimer.add(second);
   secondTimer.expired();
   secondTimer.expired();
-  const std::vector<std::string> beat = {"acknowledge", "first", "second"};
-  std::vector<std::string> twice = beat;
-  twice.insert(twice.end(), beat.begin(), beat.end());
+  const std::vector<std::string> tick = {"acknowledge", "first", "second"};
+  std::vector<std::string> twice = tick;
+  twice.insert(twice.end(), tick.begin(), tick.end());
   EXPECT_EQ(events, twice);
 }
 
 /// @brief A tick is acknowledged even if no command was added.
 /// @verifies FR-100
-TEST_F(SecondTimerTest, FR100_BeatWithoutCommands) {
+TEST_F(SecondTimerTest, FR100_TickWithoutCommands) {
   secondTimer.expired();
   EXPECT_EQ(events, std::vector<std::string>{"acknowledge"});
 }

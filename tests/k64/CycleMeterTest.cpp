@@ -89,9 +89,9 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
 }
 
 /// @brief The number of instructions in all exceptions is at least the number of instructions in
-/// all complete control cycles, because the last control cycle is incomplete. The sum of the
-/// instructions that are counted for each address is less than 5 % lower than the number of
-/// instructions in all exceptions, because it does not include instructions that an IT block skips.
+/// all complete control cycles. The last control cycle is incomplete. The sum of the instructions
+/// that are counted for each address is less than 5 % lower than the number of instructions in all
+/// exceptions. This sum does not include instructions that an IT block skips.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);
   board_robot::CycleMeter::Cost whole;

@@ -216,9 +216,9 @@ TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
-/// @brief A clock that starts 135 ms after the reset is too late, because a step of its start has
-/// failed after at most 125 ms. No cycle runs until the watchdog repeats the start. The new start
-/// reports the step that failed.
+/// @brief A clock that starts 135 ms after the reset is too late. A step of its start has failed
+/// after at most 125 ms. No cycle runs until the watchdog repeats the start. The new start reports
+/// the step that failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter125MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});

@@ -57,8 +57,8 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
 }
 
 /// @brief At full control load, no byte is lost. The orders set the greatest velocity for all
-/// wheels, and the steering turns from side to side. The remote control sends pulses, each cycle
-/// sends a report, and the serial line to the robot is never idle.
+/// wheels, and the steering turns from side to side. The remote control sends pulses. The robot
+/// sends a report in each cycle. The serial line to the robot is never idle.
 /// @verifies FR-37
 /// @verifies FR-49
 /// @verifies FR-171

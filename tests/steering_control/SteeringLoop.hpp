@@ -143,8 +143,8 @@ class SteeringLoop {
   SampledAngle function;
   DirSensor sensor{input, function, control.clock, control.position};
   DirCtrlTimeOut timeOut{sensor, control.controller, control.motor.device};
-  FakePeriodicTimer beat;
-  SecondTimer timer{beat};
+  FakePeriodicTimer tickTimer;
+  SecondTimer timer{tickTimer};
   DirSystem system{{.target = control.target, .status = control.status, .timebase = control.clock}};
   ControlSystemPool pool;
   int time = 0;  // ms

@@ -125,8 +125,9 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   }
 }
 
-/// @brief An ordered angle that is at most 0.3 degrees away from the start angle starts at most one
-/// move in a minute. This is true even if the angle is very close to the edge of the dead band.
+/// @brief If the ordered angle differs from the initial angle by at most 0.3 degrees, the steering
+/// moves at most once in a minute. This is true even if the angle is very close to the edge of the
+/// dead band.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
   const unsigned first = seed();
@@ -337,9 +338,9 @@ TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief If the sensor keeps its value from any moment of a turn on, the steering is in fault before
-/// the edge of a wheel has moved 5 cm further: 10.6 degrees at a radius of 0.27 m. At full rate the
-/// fault is detected within 320 ms.
+/// @brief The sensor keeps its value from any moment of a turn on. The steering is in fault before
+/// the edge of a wheel has moved 5 cm further. At a radius of 0.27 m these are 10.6 degrees. At
+/// full rate the fault is detected within 320 ms.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_AStuckSensorIsFoundBeforeFiveCentimetres) {
   constexpr int kFullRate = 1200;  // time from the order until the motor turns at full rate, ms

@@ -37,9 +37,9 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief At a step from 0 rpm to 150 rpm with sensor noise, the error of the velocity is below 2
-/// %, beginning 2 s after the order, and below 1 %, beginning 3 s after the order. The overshoot is
-/// less than 10 %.
+/// @brief The order is a step from 0 rpm to 150 rpm, with sensor noise. From 2 s after the order
+/// on, the error of the velocity is below 2 %. From 3 s after the order on, it is below 1 %. The
+/// overshoot is less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {

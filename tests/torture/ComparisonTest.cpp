@@ -92,7 +92,7 @@ TEST(TortureComparisonTest, ARunWithoutItsEndIsNotComplete) {
   EXPECT_FALSE(complete({}));
 }
 
-/// @brief Only entries and exits count as events of exceptions.
+/// @brief Only the entry and the exit of a handler count as exception events.
 TEST(TortureComparisonTest, EntriesAndExitsAreCounted) {
   EXPECT_EQ(exceptionEvents({kEntered, kLeft, kEnd}), 2U);
 }

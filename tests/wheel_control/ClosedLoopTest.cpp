@@ -220,9 +220,9 @@ TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   }
 }
 
-/// @brief With a load that needs 6.8 A to 8 A, the wheel cannot reach the first ordered velocity,
-/// because the supply voltage is too low. The velocity after the second order has an overshoot of
-/// less than the greater of 10 % and 3 rpm.
+/// @brief With a load that needs 6.8 A to 8 A, the supply voltage is too low for the first ordered
+/// velocity. The velocity after the second order has an overshoot of less than the greater of 10 %
+/// and 3 rpm.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   for (const double load : {3.3, 3.6, 3.9}) {

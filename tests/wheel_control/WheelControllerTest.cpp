@@ -417,8 +417,8 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A wheel that does not turn at 2.0 V never counts as a wheel without motion feedback,
-/// because this voltage may be too low to turn a wheel. A creeping wheel counts as a moving wheel.
+/// @brief A wheel that does not turn at 2.0 V never counts as a wheel without motion feedback. This
+/// voltage may be too low to turn a wheel. A creeping wheel counts as a moving wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {

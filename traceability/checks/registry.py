@@ -43,8 +43,9 @@ WHY = {
         "specification. To do this, the developer need not read the other modules."
     ),
     "secret": (
-        "Names that only one module may use hide a design decision, the secret of this module. If "
-        "another module uses these names, a change of the decision also changes that other module."
+        "Each module hides a design decision, its secret. Only this module uses the names that "
+        "belong to the secret. If another module uses these names, a change of the decision also "
+        "changes that other module."
     ),
     "pattern": (
         "A pattern makes changes easy only while the code has the structure of the pattern. Each "
@@ -130,8 +131,8 @@ _FIXED = [
         "Each class, method, function, constant or value that a text names exists in the code or "
         "in the paper. The texts are comments of the code, literals in the pages of docs/, and "
         "texts of design/. Each test that a page or a text of design/ names exists. If a page "
-        "states that a class derives from another class, it does. `paper-stale` checks the names "
-        "in design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
+        "states that a class derives from another class, this is true. `paper-stale` checks the "
+        "names in design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed.",
         "write the name that the code has now.",
@@ -587,9 +588,9 @@ _FIXED = [
         "same event are declared in the order in which the code evaluates their guards. A guard "
         "that names a state of another machine, such as 'in Reconnecting', is not compared. The "
         "table [guards] of the file lists the conditions of each guard. Before each change, the "
-        "code checks the conditions of the guard. The table [actions] of the file lists the methods of each "
-        "action. Before each change, the code calls the methods of the action. If an operation "
-        "calls a method of this table, a transition of the operation has this action.",
+        "code checks the conditions of the guard. The table [actions] of the file lists the "
+        "methods of each action. Before each change, the code calls the methods of the action. If "
+        "an operation calls a method of this table, a transition of the operation has this action.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -636,7 +637,7 @@ _FIXED = [
         "property.",
         "A proof of an older design does not count. The check reports nothing until Spin has run "
         "on the present design.",
-        "correct the design, or the formula; the page Proofs shows the counterexample.",
+        "correct the design, or the formula; the page 'Proofs' shows the counterexample.",
     ),
     Check(
         "uses-apart",

@@ -1,5 +1,5 @@
 """The list of the files for other tools. Each entry has the file name, a description, and the
-function that makes the file."""
+function that generates the file."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ class ToolFile:
     name: str
     text: str  # description on the page Exports
     make: Callable[[Path, Model, Report], str]
-    # file of the project that must exist so that the exported file can be made; empty if no such
-    # file is necessary
+    # file of the project from which the exported file is generated; empty if no such file is
+    # necessary
     source: Path = Path()
 
 

@@ -1,5 +1,5 @@
-"""Reads the machine code of the firmware image. All proofs use the same result, so the machine code
-is read only once."""
+"""Reads the machine code of the firmware image. All proofs use the same result. Therefore the
+machine code is read only once."""
 
 from __future__ import annotations
 

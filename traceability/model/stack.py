@@ -255,8 +255,8 @@ class Prover:
         )
 
     def _kind_of(self, body: str, way: Sequence[tuple[str, int]]) -> str:
-        """Returns the class of the object whose method is the body. If the body is inlined in a
-        method of a subclass that calls it for its own object, returns this subclass."""
+        """Returns the class of the object on which the method ``body`` runs. If ``body`` is inlined
+        in a method of a subclass that calls it for its own object, returns this subclass."""
         kind = _class_of(body)
         for place in way[1:]:
             callers = {

@@ -110,8 +110,8 @@ def code_hash(path: Path) -> str:
 def _reader_hash(board: bool) -> str:
     here = Path(__file__).parent
     own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
-    # Most facts contain a Place. The class Place is in no module of READERS, so the hash must
-    # contain the fields of Place.
+    # Most facts contain a Place. The class Place is in no module of READERS. Therefore the hash
+    # must contain the fields of Place.
     shape = repr(signature(Place))
     return hashlib.sha256(own + f"{Place} {shape} {clang_arguments(board)}".encode()).hexdigest()
 

@@ -176,7 +176,7 @@ class Entries:
         """Reports a problem for each expected file that does not exist."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
-            text, fix = "there is no such file", "write the file: a complete design contains it"
+            text, fix = "there is no such file", "create the file, or restore it with git"
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:

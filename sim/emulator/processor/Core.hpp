@@ -168,8 +168,8 @@ class Core {
   [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
   [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
 
-  /// @brief Loads successive words for LDM and VLDM. After a trap, the words that were loaded
-  /// before the trap keep their new values.
+  /// @brief Loads successive words for LDM and VLDM. If a load traps, the elements of `words` that
+  /// were loaded before keep their new values.
   [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
   [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
 

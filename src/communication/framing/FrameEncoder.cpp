@@ -49,8 +49,8 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   for (std::size_t rest = end % 4; rest != 0; --rest) {
     encodeNext();
   }
-  // The loop encodes four bytes before each jump back, because the jump takes as much time as the
-  // encoding of one byte.
+  // A jump takes as much time as the encoding of one byte. Therefore the loop encodes four bytes
+  // before each jump back.
   // bound: (kMaxBody + 1) / 4
   for (std::size_t rounds = end / 4; rounds != 0; --rounds) {
     encodeNext();

@@ -16,14 +16,14 @@ namespace wr {
 /// @changes The transport of the data. The format of the data. A new source or a new destination.
 class Serializable {
  public:
-  /// @brief Reads all fields of the object, and ends the reading.
+  /// @brief Reads all fields of the object. The source cannot return the same data again.
   /// @param reader the source
   /// @return false when the source does not contain the whole object, or when a field is out of its
   /// range
   /// @isr{no}
   [[nodiscard]] virtual bool readFrom(Reader& reader) = 0;
 
-  /// @brief Writes all fields of the object, and ends the writing.
+  /// @brief Writes all fields of the object, and checks whether the destination had space for them.
   /// @param writer the destination
   /// @return false when the destination has no space for the whole object
   /// @isr{no}

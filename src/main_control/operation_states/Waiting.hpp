@@ -6,8 +6,8 @@
 
 namespace wr {
 
-/// @brief The state after the first failed reads: the robot still follows its set-points, and
-/// further failed reads are counted.
+/// @brief The state after the first failed reads. The robot still follows its set-points. The state
+/// counts further failed reads.
 ///
 /// @function Counts failed reads. When their number reaches a limit, sets the next state. When a
 /// message arrives, sets the state Working. Meanwhile the control systems follow the set-points

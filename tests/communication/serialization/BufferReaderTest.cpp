@@ -145,7 +145,7 @@ TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
   }
 }
 
-/// @brief A read that reads no field also consumes the signals: they cannot be read again.
+/// @brief A read consumes the signals even if it reads no field. The signals cannot be read again.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AReadWithoutFieldsConsumes) {
   velocitySignal(1);

@@ -166,8 +166,8 @@ TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief A rejected order neither stops the robot nor releases a stop. If a rejected order
-/// contains a stop, the caller must pass the order to heedStop().
+/// @brief offer() changes no stop when it rejects an order. If the rejected order contains a stop,
+/// the caller passes it to heedStop(), which latches the stop.
 /// @verifies FR-240
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {

@@ -202,7 +202,7 @@ void takeSamples() {
     if (const auto value = analogInputs[input]->sample()) {
       samples[input] = {static_cast<std::uint16_t>(samples[input].count + 1), *value};
     }
-    // A sample is already requested, so this call has no effect.
+    // A sample is already requested. Therefore this call has no effect.
     static_cast<void>(analogInputs[input]->sample());
   }
 }

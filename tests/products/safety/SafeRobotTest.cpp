@@ -77,7 +77,7 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
 }
 
 /// @brief With orders of 24 V and of 10 A, wheel 0 reaches the speed limit of 290 rpm within 6 rpm,
-/// in both directions, and no wheel is ever faster than 305 rpm.
+/// in both directions. No wheel is ever faster than 305 rpm.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();

@@ -54,9 +54,9 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
-/// @brief At each speed up to 300 rpm (30 edges in a cycle), and at each moment of the failure, a
-/// wheel that stops moving is detected before the robot has driven 0.27 m. The circumference of a
-/// wheel with a radius of 0.272 m has 600 edges.
+/// @brief A wheel that stops moving is detected before the robot has driven 0.27 m. This is tested
+/// at each speed up to 300 rpm (30 edges in a cycle), and at each moment of the failure. The
+/// circumference of a wheel with a radius of 0.272 m has 600 edges.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFoundWithin27Centimetres) {
   constexpr double kMetresPerEdge = 2 * std::numbers::pi * 0.272 / 600;

@@ -104,10 +104,10 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.5 V, and 20 rpm in the opposite direction, the voltage of the wheel may differ from
-/// the voltage of the motor model by up to 40 % of 1.5 V plus half of the induced voltage of 1.047
-/// V. A current of 0.96 A does not cause a stop. A current of 0.93 A causes a stop in the second
-/// cycle.
+/// @brief The wheel has 1.5 V and turns at 20 rpm in the opposite direction. The voltage of the
+/// wheel may differ from the voltage of the motor model by up to 40 % of 1.5 V plus half of the
+/// induced voltage of 1.047 V. A current of 0.96 A does not cause a stop. A current of 0.93 A
+/// causes a stop in the second cycle.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -154,8 +154,8 @@ TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
   EXPECT_EQ(cycle(measured(-35, 0.78), 3.0, 30), StopCause::WrongDirection);
 }
 
-/// @brief A fault that is present in every second cycle is detected, because each cycle without the
-/// fault lowers the count of the fault by only half a cycle. A fault in every third cycle is not
+/// @brief A fault that is present in every second cycle is detected. Each cycle without the fault
+/// lowers the count of the fault by only half a cycle. A fault in every third cycle is not
 /// detected.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
@@ -329,9 +329,9 @@ TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsTheSameBackwards) {
   EXPECT_EQ(wheel.examine(measured(-60, -2), Tension(-9882), &followed), StopCause::Tracking);
 }
 
-/// @brief While a wheel is halted and still has voltage, its measurements are checked too: a motor
-/// that turns its wheel in the wrong direction, a voltage that does not match, and swapped leads
-/// each cause a stop.
+/// @brief While a wheel is halted and still has voltage, its measurements are checked too. Three
+/// faults each cause a stop: a motor that turns its wheel in the wrong direction, a voltage that
+/// does not match, and swapped leads.
 /// @verifies FR-275
 /// @verifies FR-277
 /// @verifies FR-307
@@ -358,9 +358,9 @@ TEST_F(SupervisedWheel, FR275_FR277_FR307_AHaltedWheelIsChecked) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief At 1.0 V, which is the voltage of the bring-up, a difference of 1.375 V between the
-/// voltage of a wheel at rest and the voltage of the motor model does not cause a stop. At 1.1 V,
-/// the permitted difference is smaller, and the same current causes a stop.
+/// @brief The voltage of the bring-up is 1.0 V. At this voltage, a difference of 1.375 V between
+/// the voltage of a wheel at rest and the voltage of the motor model does not cause a stop. At 1.1
+/// V, the permitted difference is smaller, and the same current causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.0, 0), 0);

@@ -139,8 +139,11 @@ def test_the_motors_are_connected_while_the_emergency_stop_is_pressed(
     ("fault", "finding"),
     [
         ({"leads_swapped": True}, "the motor leads are swapped"),
-        ({"hall_swapped": True}, "the Hall pair is swapped"),
-        ({"leads_swapped": True, "hall_swapped": True}, "both swapped"),
+        ({"hall_swapped": True}, "the Hall wires are swapped"),
+        (
+            {"leads_swapped": True, "hall_swapped": True},
+            "the motor leads and the Hall wires are swapped",
+        ),
         ({"hall_dead": True}, "the Hall sensors gave no edges"),
         ({"blocked": True}, "no motion"),
         ({"current_reversed": True}, "the current has the wrong sign"),

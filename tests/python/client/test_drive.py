@@ -329,7 +329,7 @@ def test_a_script_that_is_no_text_is_wrong_usage(
     script = tmp_path / "script"
     script.write_bytes(b"\xff\xfe")
     assert drive.run(options(mcu, script=script)) == exit_codes.USAGE
-    assert f"{script}: the file is not a text in UTF-8" in capsys.readouterr().err
+    assert f"{script}: the file is not UTF-8 text; save it as UTF-8" in capsys.readouterr().err
 
 
 def test_a_missing_script_is_named(

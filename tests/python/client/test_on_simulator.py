@@ -244,7 +244,7 @@ def test_a_whole_bring_up_passes(robot: Path, world: Control, images: Path) -> N
     ("fault", "finding"),
     [
         ("leads 1", "the motor leads are swapped"),
-        ("hall-swapped 1", "the Hall pair is swapped"),
+        ("hall-swapped 1", "the Hall wires are swapped"),
         ("hall 1", "the Hall sensors gave no edges"),
         ("block 1", "no motion"),
     ],

@@ -99,7 +99,8 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "received byte of the UART not read": (
-        "uart-overrun",  # The overrun is found before the repeated interrupt counts as a storm.
+        # The overrun is found before the repeated interrupt causes the finding interrupt-storm.
+        "uart-overrun",
         (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
     "transmit interrupt of the UART never switched off": (

@@ -216,7 +216,7 @@ def test_the_constant_in_the_head_of_a_loop_is_its_bound(tmp_path: Path) -> None
 
 
 def test_a_table_of_jumps_is_seen(tmp_path: Path) -> None:
-    """The paths of this function cannot be followed, so the function has no bound."""
+    """The paths of this function cannot be followed. Therefore the function has no bound."""
     table = "    tbb [pc, r0]\n    .byte 1, 2\n    .align 1\n    bx lr\n"
     assert code_of(tmp_path, table).hidden
     assert not code_of(tmp_path, MEMORY).hidden

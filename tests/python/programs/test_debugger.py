@@ -105,7 +105,7 @@ def test_it_stops_before_the_first_instruction_and_at_a_function(start: Start) -
     text = gdb(port, "monitor time", f"break {CYCLE}", "continue", "monitor time", "bt", "kill")
     begin, stopped = instants(text)
     assert begin == (0.0, 0)
-    assert 100 < stopped[0] < 120  # The first clock pulse comes 100 ms after the start.
+    assert 100 < stopped[0] < 120  # The first clock pulse occurs 100 ms after the start.
     assert re.search(r"Breakpoint 1, .*MainController::cycle", text)
     assert re.search(r"^#\d+ +<signal handler called>", text, re.MULTILINE)
     # The debugger unwinds the stack through the exception.

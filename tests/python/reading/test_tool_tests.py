@@ -17,7 +17,7 @@ def write(path: Path, text: str) -> None:
 
 
 def test_results_are_valid_only_for_the_present_files(tmp_path: Path) -> None:
-    """The tests of the pages run after the pages are built, so the pages cannot have their
+    """The tests of the pages run after the pages are built. Therefore the pages cannot have their
     results."""
     for folder in ("model", "reading", "site"):
         write(tmp_path / f"tests/python/{folder}/test_it.py", "")

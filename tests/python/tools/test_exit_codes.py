@@ -23,7 +23,7 @@ NONE = "/no-folder/none"
 WITHOUT_FILE = {
     f"plot {NONE}.mcap": "./wr monitor",
     f"debug {NONE}.scenario": "sim/scenario/examples",
-    "debug tests/python/none.py::test_none": "the page Tests",
+    "debug tests/python/none.py::test_none": "the page 'Tests'",
     f"sim --scenario {NONE}.scenario": "sim/scenario/examples",
     f"sim --board --trace {NONE}.csv --cycles 1": "make the folder",
     "impact src/none.hpp": "name a file of the project",

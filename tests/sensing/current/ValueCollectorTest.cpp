@@ -19,7 +19,7 @@ namespace wr::test {
 namespace {
 
 /// A timer whose ticks the test triggers.
-class BeatTimer final : public PeriodicTimer {
+class TickTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}
   void stop() override {}
@@ -57,8 +57,8 @@ class CurrentTest : public testing::Test {
   CountingCommand overcurrent;
   ValueCollector collector{overcurrent, time};
   ReadCnt readCnt{input, collector};
-  BeatTimer beat;
-  SecondTimer timer{beat};
+  TickTimer tickTimer;
+  SecondTimer timer{tickTimer};
   SampledCurrent function;
   Pipe<Current> pipe;
   CntSensor sensor{collector, function, pipe};
@@ -68,7 +68,7 @@ class CurrentTest : public testing::Test {
 /// read, and the next sample is requested.
 /// @verifies FR-100
 /// @verifies FR-125
-TEST_F(CurrentTest, FR100_EachBeatSamples) {
+TEST_F(CurrentTest, FR100_EachTickSamples) {
   for (int i = 1; i <= 80; ++i) {
     tick(2048);
     EXPECT_EQ(input.conversions, i);
@@ -117,9 +117,10 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   }
 }
 
-/// @brief If no conversion has ended at a tick, there is no sample. A new sample is requested.
+/// @brief If no conversion has ended since the previous tick, this tick has no sample. The command
+/// still calls the input once at this tick.
 /// @verifies FR-125
-TEST_F(CurrentTest, FR125_BeatWithoutSample) {
+TEST_F(CurrentTest, FR125_TickWithoutSample) {
   ticks(71, 2048);
   tick(std::nullopt);
   EXPECT_EQ(collector.record().number, 0U);
@@ -381,8 +382,8 @@ TEST(Overcurrent, FR128_SwitchesTheDriverOff) {
   FakeAnalogInput input;
   ValueCollector collector(wheel.cutOff(), time);
   ReadCnt readCnt(input, collector);
-  BeatTimer beat;
-  SecondTimer timer(beat);
+  TickTimer tickTimer;
+  SecondTimer timer(tickTimer);
   timer.add(readCnt);
   const auto ticks = [&](int count, std::uint16_t sample) {
     for (int i = 0; i < count; ++i) {

@@ -26,10 +26,10 @@ class ControlCycleOfRobotOnHost : public testing::Test {
   // Advances the time by a whole period at once. Then runs the ticks of the second timer, because
   // the steering completes no work without these ticks.
   void skipPeriod() {
-    constexpr int kBeats = 8;
+    constexpr int kTicks = 8;
     robot.time.advance(robot.robot.period());
-    for (int beat = 0; beat < kBeats; ++beat) {
-      robot.robot.beat();
+    for (int tick = 0; tick < kTicks; ++tick) {
+      robot.robot.tick();
     }
   }
 

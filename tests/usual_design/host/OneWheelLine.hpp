@@ -21,7 +21,7 @@
 namespace wr::test {
 
 /// A design of Main Control and one wheel on the host, connected to the simulated robot. The caller
-/// advances the time step by step. The other wheels have no firmware, so they coast.
+/// advances the time step by step. The other wheels have no firmware. Therefore they coast.
 /// @tparam Design the design
 template <class Design>
 class OneWheelLine final : public scenario::RobotSession {
