@@ -320,9 +320,9 @@ inline answer_frame() {
   :: else ->
      heed_stop();
      pc_ordered = pc_ordered || good_order;
-     pc_mcu_connection_if_in_range = good_order;
+     pc_mcu_connection_if_fresh_and_in_range = good_order;
      pc_mcu_connection_step(pc_mcu_connection_on_Order);
-     pc_mcu_connection_if_in_range = false;
+     pc_mcu_connection_if_fresh_and_in_range = false;
      take_order()
   fi;
   pc_mcu_connection_did = 0;
