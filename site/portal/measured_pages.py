@@ -4,6 +4,7 @@ mutants and of the baseline design.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,9 +16,13 @@ from traceability.model.made_changes import proven, unproven
 from traceability.reading import baseline_record
 from traceability.reading.change_kits import touched_lines
 from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
+from traceability.reading.products import CALLS_SUFFIX, PAPER
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
+# The source files of the extensions that are compiled only for the K64. The firmware image in which
+# executed lines are recorded contains none of them.
+UNMEASURED = re.compile(r"extensions/\w+/k64/\w+\.cpp")
 # Smallest shown difference [instructions in a cycle] between a function of this design and the same
 # function of the baseline design.
 LEAST_DIFFERENCE = 20
@@ -38,6 +43,9 @@ class DriverFile:
 def virtual_k64(portal: Portal) -> dict[str, Any]:
     return {
         "drivers": driver_coverage(portal),
+        "recorded": PAPER + CALLS_SUFFIX,
+        "recorded_product": PAPER,
+        "unmeasured": sorted(filter(UNMEASURED.match, portal.model.files)),
         "torture": [t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
     }
 
