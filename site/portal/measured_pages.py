@@ -15,8 +15,10 @@ from portal.portal import Portal
 from traceability.model.made_changes import proven, unproven
 from traceability.reading import baseline_record
 from traceability.reading.change_kits import touched_lines
+from traceability.reading.fault_kinds import fault_kinds, sensor_faults
 from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
-from traceability.reading.products import CALLS_SUFFIX, PAPER
+from traceability.reading.plain_constants import plain_constants
+from traceability.reading.products import CALLS_SUFFIX, DEFAULT, PAPER
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
@@ -113,11 +115,31 @@ def robustness(portal: Portal) -> dict[str, Any]:
         "faults": faults,
         "fuzz": portal.model.campaigns.get(FUZZ),
         "outcomes": OUTCOMES,
+        "product": DEFAULT,
+        "kinds": fault_kinds(portal.root),
+        "sensor_faults": sensor_faults(portal.root),
         "judged": Place("sim/faults/Verdict.hpp", 1),
+        "limits": limits_of_outputs(portal.root),
         "wide": True,
         "top": MOST_SHOWN,
         "modules": by_silence(faults.result["modules"]) if faults else [],
     }
+
+
+def limits_of_outputs(root: Path) -> dict[str, float]:
+    """Returns the limits beyond which the campaign of the faults judges an output as wrong. The
+    result is empty if a limit is not found.
+    """
+    names = {
+        "drive": "kWrongDrive",  # fraction of the supply voltage
+        "angle": "kWrongAngle",  # [degree]
+        "short": "kShort",  # [ms]
+        "late": "kSafeWithin",  # [ms]
+    }
+    constants = plain_constants(root)
+    found = {key: constants.get(f"faults::Verdict::{name}") for key, name in names.items()}
+    limits = {key: constant.number for key, constant in found.items() if constant}
+    return limits if limits.keys() == names.keys() else {}
 
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
