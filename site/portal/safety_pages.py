@@ -22,9 +22,30 @@ def safety(portal: Portal) -> dict[str, Any]:
         "case": case,
         "figures": portal.metrics,
         "by_level": [(level, count(portal, level)) for level in reversed(case.levels)],
+        "open_points": list(open_points(portal)),
         "tested": product_runs(portal),
         "played_on": played_on(portal, case.scenarios.values()),
     }
+
+
+@dataclass
+class OpenPoint:
+    """A known exception or an open point of a safety goal, or the part of a requirement that its
+    verification does not show.
+    """
+
+    id: str  # of the goal or of the requirement
+    kind: str
+    text: str
+
+
+def open_points(portal: Portal) -> Iterator[OpenPoint]:
+    for goal in portal.model.safety.goals.values():
+        yield from (OpenPoint(goal.id, "known exception", text) for text in goal.exceptions)
+        yield from (OpenPoint(goal.id, "open point", text) for text in goal.open_points)
+    for requirement in portal.model.requirements.values():
+        if requirement.partly:
+            yield OpenPoint(requirement.id, "partly verified", requirement.partly)
 
 
 @dataclass

@@ -12,7 +12,7 @@ import pytest
 from portal.navigation import verify
 from portal.pages import all_pages
 from portal.portal import Portal
-from portal.safety_pages import Compared, longest, product_runs
+from portal.safety_pages import Compared, longest, open_points, product_runs
 from portal.search import safety_entries
 from tests.python.model.small_case import make_model, report_of, write_case
 from tests.python.portal.fixture import REPORT, make_project
@@ -83,6 +83,20 @@ def test_the_pages_of_a_case_lead_to_each_other(tmp_path: Path) -> None:
         "HZ-1": "safety/hazards.html#HZ-1",
         "AU-1": "safety/index.html#AU-1",
     }
+
+
+def test_the_page_lists_all_exceptions_and_open_points(tmp_path: Path) -> None:
+    portal = portal_of(tmp_path, "verified")
+    goal = replace(portal.model.safety.goals["SG-1"], exceptions=["Late."], open_points=["Slope."])
+    case = replace(portal.model.safety, goals={"SG-1": goal})
+    requirement = replace(portal.model.requirements["FR-1"], partly="only one product.")
+    model = replace(portal.model, safety=case, requirements={"FR-1": requirement})
+    found = list(open_points(Portal(tmp_path, model, portal.report, [])))
+    assert [(one.id, one.kind, one.text) for one in found] == [
+        ("SG-1", "known exception", "Late."),
+        ("SG-1", "open point", "Slope."),
+        ("FR-1", "partly verified", "only one product."),
+    ]
 
 
 def test_the_page_lists_the_products_that_the_tests_ran(tmp_path: Path) -> None:
