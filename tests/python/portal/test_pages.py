@@ -144,6 +144,13 @@ def test_missed_lines_of_drivers_are_joined(portal: Portal) -> None:
     assert file.missed == [Place("a.cpp", 3, 5), Place("a.cpp", 7, 7)]
 
 
+def test_a_check_leads_to_the_values_that_it_examines(portal: Portal) -> None:
+    check = replace(CHECKS[0], result="execution.html#stack")
+    found = Portal(portal.root, portal.model, REPORT, [check, CHECKS[1]])
+    (page,) = (page for page in all_pages(found) if page.name == f"checks/{check.id}")
+    assert read_page(page.body).links["@/execution.html#stack"] == "Execution: stack"
+
+
 def test_an_inherited_method_is_found_at_its_base() -> None:
     model = make_model()
     model.modules["RC"] = replace(model.modules["RC"], methods=[])
