@@ -29,10 +29,12 @@ from portal.tables import (
     COMMANDS,
     DEBIAN,
     PRODUCTS,
+    REVIEWS,
     ROOMS,
     command_table,
     package_table,
     product_table,
+    review_questions,
     room_table,
 )
 from portal.writing import remove_others, write_changed
@@ -91,6 +93,7 @@ INCLUDED = (
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
+    (REVIEWS, "review_questions.inc", review_questions),
     (ROOMS, "rooms.inc", room_table),
 )
 FRAME = "frame.txt"  # file with the layout and the navigation that surround each body
