@@ -30,7 +30,7 @@ SECONDS = 600  # time limit of a run
 
 def measure_all(root: Path, log: TextIO) -> str:
     """Plays the scenarios of the paper with the firmware image of the robot, and with a firmware
-    image that contains only the design of the paper."""
+    image without extensions."""
     record: Record = {}
     notes = [f"{paper.title}: {measure(root, paper, record, log)}" for paper in SCENARIOS]
     keep(root, BENCH, record)

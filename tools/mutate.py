@@ -100,7 +100,12 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
     assert run.model is not None
     if options.publish:
         command = f"./wr mutate --minutes {options.minutes:g} --seed {seed}"
-        score = {"found": run.killed(), "justified": run.justified(), "tried": len(run.tried)}
+        score = {
+            "found": run.killed(),
+            "justified": run.justified(),
+            "tried": len(run.tried),
+            "total": len(run.mutants),
+        }
         publish(root, "mutation", command, run.model.commit, score)
     for mutant in run.survivors():
         print(f"{mutant.file}:{mutant.line}: no test finds this change: {mutant.change}")

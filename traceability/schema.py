@@ -854,6 +854,16 @@ class LastRecord:
     date: str  # YYYY-MM-DD
     # number of faults for which a justification states that no test can find them
     justified: int = 0
+    total: int | None = None  # number of possible faults; None if the record does not state it
+
+    @property
+    def extent(self) -> str:
+        """Returns a sentence that states whether the run tried all possible faults."""
+        if self.total is None:
+            return "The record does not state whether the run tried all possible faults."
+        if self.tried == self.total:
+            return "The run tried all possible faults."
+        return f"The run tried {self.tried:,} of {self.total:,} possible faults."
 
 
 @dataclass(frozen=True)

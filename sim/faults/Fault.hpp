@@ -13,11 +13,11 @@ namespace wr::faults {
 
 /// @brief Kind of a fault, by the part of the robot that it affects.
 enum class Kind : std::uint8_t {
-  Ram,        ///< a bit of .data or .bss
-  Code,       ///< a bit of the program in RAM
-  Stack,      ///< a bit of the stack in use
-  Register,   ///< a bit of a core register
-  Flash,      ///< a bit of the firmware image in flash
+  Ram,        ///< a changed bit of an object or a constant in RAM (.data or .bss)
+  Code,       ///< a changed bit of the program in RAM
+  Stack,      ///< a changed bit of the stack in use
+  Register,   ///< a changed bit of a core register
+  Flash,      ///< a changed bit of the firmware image in flash
   Interrupt,  ///< an interrupt that is lost, late, or raised without a cause
   Sensor,     ///< a sensor that is stuck, inaccurate or noisy
   Serial,     ///< noise on the serial line from the PC

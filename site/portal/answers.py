@@ -34,6 +34,7 @@ class Question:
     part: str = ""
     also: str = ""  # additional words by which the search finds the question
     code: str = ""  # commands or source lines that the page of the question shows after the answer
+    see: list[str] = field(default_factory=list)  # addresses of further pages with evidence
 
     @property
     def line(self) -> str:

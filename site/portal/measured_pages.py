@@ -4,6 +4,7 @@ mutants and of the baseline design.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,10 +15,16 @@ from portal.portal import Portal
 from traceability.model.made_changes import proven, unproven
 from traceability.reading import baseline_record
 from traceability.reading.change_kits import touched_lines
+from traceability.reading.fault_kinds import fault_kinds, sensor_faults
 from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
+from traceability.reading.plain_constants import plain_constants
+from traceability.reading.products import CALLS_SUFFIX, DEFAULT, PAPER
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
+# The source files of the extensions that are compiled only for the K64. The firmware image in which
+# executed lines are recorded contains none of them.
+UNMEASURED = re.compile(r"extensions/\w+/k64/\w+\.cpp")
 # Smallest shown difference [instructions in a cycle] between a function of this design and the same
 # function of the baseline design.
 LEAST_DIFFERENCE = 20
@@ -38,6 +45,9 @@ class DriverFile:
 def virtual_k64(portal: Portal) -> dict[str, Any]:
     return {
         "drivers": driver_coverage(portal),
+        "recorded": PAPER + CALLS_SUFFIX,
+        "recorded_product": PAPER,
+        "unmeasured": sorted(filter(UNMEASURED.match, portal.model.files)),
         "torture": [t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
     }
 
@@ -105,11 +115,31 @@ def robustness(portal: Portal) -> dict[str, Any]:
         "faults": faults,
         "fuzz": portal.model.campaigns.get(FUZZ),
         "outcomes": OUTCOMES,
+        "product": DEFAULT,
+        "kinds": fault_kinds(portal.root),
+        "sensor_faults": sensor_faults(portal.root),
         "judged": Place("sim/faults/Verdict.hpp", 1),
+        "limits": limits_of_outputs(portal.root),
         "wide": True,
         "top": MOST_SHOWN,
         "modules": by_silence(faults.result["modules"]) if faults else [],
     }
+
+
+def limits_of_outputs(root: Path) -> dict[str, float]:
+    """Returns the limits beyond which the campaign of the faults judges an output as wrong. The
+    result is empty if a limit is not found.
+    """
+    names = {
+        "drive": "kWrongDrive",  # fraction of the supply voltage
+        "angle": "kWrongAngle",  # [degree]
+        "short": "kShort",  # [ms]
+        "late": "kSafeWithin",  # [ms]
+    }
+    constants = plain_constants(root)
+    found = {key: constants.get(f"faults::Verdict::{name}") for key, name in names.items()}
+    limits = {key: constant.number for key, constant in found.items() if constant}
+    return limits if limits.keys() == names.keys() else {}
 
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:

@@ -80,6 +80,7 @@ class CheckText:
     holds: str
     blind: str
     fix: str
+    result: str = ""  # address of the section that shows the values that the check examines
 
 
 @dataclass

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from portal.portal import Page, Portal
 from traceability.model.safety_case import requirements_of, scenarios_of
-from traceability.reading.products import DEFAULT
-from traceability.schema import BenchScenario, SafetyGoal
+from traceability.reading.products import DEFAULT, HAS, PRODUCTS
+from traceability.schema import BenchScenario, FaultScenario, SafetyGoal, Test
 
 PAPER_PRODUCT = "weeding_robot_paper"
 TIMING = "no-wait-states"
+SAFE_MODULE = "SafeSystem"  # Only the products with safety functions contain this module.
 
 
 def safety(portal: Portal) -> dict[str, Any]:
@@ -21,7 +22,69 @@ def safety(portal: Portal) -> dict[str, Any]:
         "case": case,
         "figures": portal.metrics,
         "by_level": [(level, count(portal, level)) for level in reversed(case.levels)],
+        "open_points": list(open_points(portal)),
+        "tested": product_runs(portal),
+        "played_on": played_on(portal, case.scenarios.values()),
     }
+
+
+@dataclass
+class OpenPoint:
+    """A known exception or an open point of a safety goal, or the part of a requirement that its
+    verification does not show.
+    """
+
+    id: str  # of the goal or of the requirement
+    kind: str
+    text: str
+
+
+def open_points(portal: Portal) -> Iterator[OpenPoint]:
+    for goal in portal.model.safety.goals.values():
+        yield from (OpenPoint(goal.id, "known exception", text) for text in goal.exceptions)
+        yield from (OpenPoint(goal.id, "open point", text) for text in goal.open_points)
+    for requirement in portal.model.requirements.values():
+        if requirement.partly:
+            yield OpenPoint(requirement.id, "partly verified", requirement.partly)
+
+
+@dataclass
+class ProductRuns:
+    """A product, and the numbers of tests and fault scenarios that ran its firmware image on the
+    virtual board.
+    """
+
+    name: str
+    safe: bool  # whether the product has safety functions
+    tests: int
+    scenarios: int
+
+
+def product_runs(portal: Portal) -> list[ProductRuns]:
+    tests = portal.model.tests.values()
+    scenarios = portal.model.safety.scenarios.values()
+    return [
+        ProductRuns(
+            name,
+            SAFE_MODULE in HAS[name],
+            sum(name in images_of([test]) for test in tests),
+            sum(name in played_on(portal, [scenario]) for scenario in scenarios),
+        )
+        for name in PRODUCTS
+    ]
+
+
+def played_on(portal: Portal, scenarios: Iterable[FaultScenario]) -> list[str]:
+    """Returns the firmware images with which the tests played these scenarios."""
+    names = {name for scenario in scenarios for name in scenario.tests}
+    return images_of(portal.model.tests[name] for name in sorted(names))
+
+
+def images_of(tests: Iterable[Test]) -> list[str]:
+    """Returns the firmware images on which the tests ran."""
+    return sorted(
+        {image for test in tests for run in test.results.values() for image in run.images}
+    )
 
 
 def count(portal: Portal, level: str) -> int:
@@ -44,6 +107,7 @@ def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
         verdict=portal.report.goals[goal.id],
         requirements=requirements_of(model, goal),
         scenarios=scenarios_of(model, goal),
+        played_on=played_on(portal, scenarios_of(model, goal)),
     )
 
 

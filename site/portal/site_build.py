@@ -63,7 +63,7 @@ def build_site(root: Path, model: Model, report: Report) -> SiteResult:
 def check_texts() -> list[CheckText]:
     from traceability.checks.registry import CHECKS
 
-    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
+    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix, c.result) for c in CHECKS]
 
 
 # A forked process inherits these data. They are too large to be sent to the process.

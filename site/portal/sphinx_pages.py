@@ -31,12 +31,14 @@ from portal.tables import (
     DEBIAN,
     KEYBOARD,
     PRODUCTS,
+    REVIEWS,
     ROOMS,
     command_table,
     connection_table,
     key_table,
     package_table,
     product_table,
+    review_questions,
     room_table,
 )
 from portal.writing import remove_others, write_changed
@@ -95,6 +97,7 @@ INCLUDED = (
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
+    (REVIEWS, "review_questions.inc", review_questions),
     (ROOMS, "rooms.inc", room_table),
     (KEYBOARD, "keys.inc", key_table),
     (CONNECTION, "connection.inc", connection_table),

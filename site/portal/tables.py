@@ -10,6 +10,7 @@ import tomllib
 from collections.abc import Iterable
 from pathlib import Path
 
+from traceability.model.reviews import QUESTIONS
 from traceability.reading.products import LIST, listed
 from weeding_robot_client.keyboard import KEYS
 
@@ -18,6 +19,7 @@ COMMAND_LINE = Path("tools/cli.py")
 DEBIAN = Path("setup/debian.txt")
 PRODUCTS = LIST
 ROOMS = Path("sim/CMakeLists.txt")
+REVIEWS = Path("traceability/model/reviews.py")
 COMMAND = re.compile(r"^  ([a-z-]+) +(.+)$", re.MULTILINE)
 # A folder of the simulator: the comment above it, its name, and the libraries that it links.
 ROOM = re.compile(r"((?:^ *#.*\n)+) *add_room\((\w+) (?:STATIC|OBJECT) ?([^)]*)\)", re.MULTILINE)
@@ -63,6 +65,11 @@ def product_table(root: Path) -> str:
         for product in listed(root)
     )
     return list_table((30, 34, 36), ("product", "its composition", "its parts"), rows)
+
+
+def review_questions(_root: Path) -> str:
+    """Returns the list of the questions of a review."""
+    return "".join(f"* {question}\n" for question in QUESTIONS.values())
 
 
 def room_table(root: Path) -> str:

@@ -19,6 +19,7 @@ class Check:
     blind: str
     fix: str
     reason: str = ""  # reason for this check, if the reason of its family does not fit
+    result: str = ""  # address of the section that shows the values that the check examines
 
     @property
     def why(self) -> str:
@@ -532,6 +533,7 @@ _FIXED = [
         "The check does not count the stack that is needed if a second fault occurs in a fault "
         "handler. It reads only the firmware image of weeding_robot.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
+        result="execution.html#stack",
     ),
     Check(
         "time-bound",

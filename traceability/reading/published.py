@@ -49,6 +49,6 @@ def last_score(root: Path, name: str) -> LastRecord | None:
     if record is None:
         return None
     found, tried = record.result["found"], record.result["tried"]
-    justified = record.result.get("justified", 0)
+    justified, total = record.result.get("justified", 0), record.result.get("total")
     command = record.command.removeprefix("./wr ")
-    return LastRecord(command, record.commit, found, tried, False, record.date, justified)
+    return LastRecord(command, record.commit, found, tried, False, record.date, justified, total)

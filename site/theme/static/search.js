@@ -305,10 +305,11 @@
       const isNamed = group === "Messages" ? isQuoted(pieces(title), all) : exact.has(id);
       const score = PHRASE * (near.get(id) || 0) + WORDS * contained ** WHOLE + (LIBRARY * own) / most;
       const weight = weightOf(id) * (asked.has(group) ? ASKED : 1);
-      return { id, terms, score: score * weight + (isNamed ? NAMED * weightOf(id) : 0) };
+      return { id, terms, unnamed: score * weight, score: score * weight + (isNamed ? NAMED * weightOf(id) : 0) };
     });
     hits.sort((a, b) => b.score - a.score || a.id - b.id);
-    return hits.filter(({ score }) => score >= LEAST * hits[0].score).slice(0, MOST);
+    const least = LEAST * Math.max(...hits.map(({ unnamed }) => unnamed)); // without NAMED, so that a name does not remove all other hits
+    return hits.filter(({ score }) => score >= least).slice(0, MOST);
   }
 
   /* Returns the hits in groups. The first group is "Best hits". The other hits are in the group of their entry. The

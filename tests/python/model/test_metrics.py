@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from traceability.model.metrics import sizes, with_others
 from traceability.schema import LastRecord
 
@@ -32,3 +34,18 @@ def test_the_sizes_count_the_lines_of_tools_tests_and_tables(tmp_path: Path) -> 
 def test_a_record_contains_the_number_of_faults_that_were_not_found() -> None:
     record = LastRecord("mutate", "0123abcd45", found=7, tried=10, current=True, date="2026-11-27")
     assert with_others(record)["others"] == 3
+
+
+@pytest.mark.parametrize(
+    ("total", "text"),
+    [
+        (None, "The record does not state whether the run tried all possible faults."),
+        (10, "The run tried all possible faults."),
+        (2000, "The run tried 10 of 2,000 possible faults."),
+    ],
+)
+def test_a_record_states_whether_all_possible_faults_were_tried(
+    total: int | None, text: str
+) -> None:
+    record = LastRecord("mutate", "0123abcd45", 7, 10, True, "2026-11-27", total=total)
+    assert with_others(record)["extent"] == text

@@ -2,9 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from portal.answers import Question, with_metrics
+from portal.answers import QUESTIONS, Question, with_metrics
+from portal.pages import all_pages
+from portal.portal import Portal
+from tests.python.portal.fixture import REPORT, make_project
+from tests.python.portal.page_reader import read_page
+
+QUESTION = """
+[[question]]
+ask = "How?"
+answer = "So."
+topic = "Verify"
+clicks = ["tests.html"]
+holds = ["words"]
+see = ["virtual_k64.html#faults", "docs/tour.html"]
+"""
 
 
 def answer(text: str, **metrics: float | None) -> str:
@@ -34,6 +50,17 @@ def test_an_answer_shows_a_value_of_the_last_record_of_a_command() -> None:
 def test_the_items_of_a_list_are_one_line_in_the_table_of_the_questions() -> None:
     question = Question("How?", "Two steps:\n- Build.\n- Flash.", "x", [])
     assert question.line == "Two steps: Build. Flash."
+
+
+def test_an_answer_links_to_further_evidence(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    (tmp_path / QUESTIONS).parent.mkdir(exist_ok=True)
+    (tmp_path / QUESTIONS).write_text(QUESTION, encoding="utf-8")
+    portal = Portal(tmp_path, model, REPORT, [])
+    (page,) = (page for page in all_pages(portal) if page.name == "answers/how")
+    links = read_page(page.body).links
+    assert links["@/virtual_k64.html#faults"] == "Run-time checks of the virtual board"
+    assert links["@/docs/tour.html"] == "Tour"
 
 
 def test_an_answer_cannot_name_an_unknown_metric() -> None:

@@ -55,6 +55,7 @@ from traceability.schema import (
     Tuned,
 )
 
+ROOT = Path(__file__).parents[3]
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),
     CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "fix it."),
@@ -142,6 +143,13 @@ def test_missed_lines_of_drivers_are_joined(portal: Portal) -> None:
     (file,) = covered
     assert (file.executed, file.lines) == (2, 5)
     assert file.missed == [Place("a.cpp", 3, 5), Place("a.cpp", 7, 7)]
+
+
+def test_a_check_leads_to_the_values_that_it_examines(portal: Portal) -> None:
+    check = replace(CHECKS[0], result="execution.html#stack")
+    found = Portal(portal.root, portal.model, REPORT, [check, CHECKS[1]])
+    (page,) = (page for page in all_pages(found) if page.name == f"checks/{check.id}")
+    assert read_page(page.body).links["@/execution.html#stack"] == "Execution: stack"
 
 
 def test_an_inherited_method_is_found_at_its_base() -> None:
@@ -512,6 +520,26 @@ def test_the_tiles_of_the_page_of_robustness_add_up_to_the_number_of_faults(tmp_
     for number in (faults["cases"], *counts.values()):
         assert tiles.split().count(f"{number:,}") == 1
     assert f"all kinds {faults['cases']:,} " in " ".join(page.text.split())
+
+
+def test_the_page_of_robustness_explains_the_kinds_and_the_limits(tmp_path: Path) -> None:
+    counts = dict(zip(OUTCOMES, (3962, 9, 1464, 2, 3, 4), strict=True))
+    faults: dict[str, Any] = {"identity": "1", "cases": 5444, "outcomes": counts, "silent": []}
+    faults |= {"kinds": {"flash": counts, "sensor": counts}, "modules": {}, "safe_after": None}
+    record = Published("./wr campaign faults", "abc", "2026-01-01", faults)
+    model = replace(make_project(tmp_path), campaigns={"faults": record})
+    for file in ("faults/Fault.hpp", "faults/Fault.cpp", "faults/Verdict.hpp", "plant/Robot.hpp"):
+        copied = tmp_path / "sim" / file
+        copied.parent.mkdir(parents=True, exist_ok=True)
+        copied.write_text((ROOT / "sim" / file).read_text(encoding="utf-8"), encoding="utf-8")
+    text = " ".join(shown(tmp_path, model)["robustness"].text.split())
+    assert "flash a changed bit of the firmware image in flash" in text
+    assert "noise on the serial line" not in text, "the record has no fault of this kind"
+    assert "The 3,962 harmless faults of the flash are harmless until the next reset." in text
+    assert "1,464 of the 5,444 faults of sensors were detected late." in text
+    assert "edges of a wheel are lost (1 to 60, in edges per second)" in text
+    assert "The limits are 5 % of the supply voltage for the voltage of a wheel" in text
+    assert "wrong for more than 300 ms before the detection" in text
 
 
 def test_a_change_that_an_extension_makes_names_two_products(portal: Portal) -> None:

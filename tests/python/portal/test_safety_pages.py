@@ -12,7 +12,7 @@ import pytest
 from portal.navigation import verify
 from portal.pages import all_pages
 from portal.portal import Portal
-from portal.safety_pages import Compared, longest
+from portal.safety_pages import Compared, longest, open_points, product_runs
 from portal.search import safety_entries
 from tests.python.model.small_case import make_model, report_of, write_case
 from tests.python.portal.fixture import REPORT, make_project
@@ -20,7 +20,15 @@ from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.safety_case import safety_of
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import read_sources
-from traceability.schema import BenchRun, BenchScenario, SafetyCost, Spread, TouchedFile
+from traceability.schema import (
+    HOST,
+    VIRTUAL_K64,
+    BenchRun,
+    BenchScenario,
+    SafetyCost,
+    Spread,
+    TouchedFile,
+)
 
 TIMES = Spread(0.2, 0.1, 0.25)
 RUN = BenchRun(report_ms=TIMES, load=TIMES, start_us=TIMES, jitter_us=0, times_us=[], cycles=1)
@@ -75,6 +83,34 @@ def test_the_pages_of_a_case_lead_to_each_other(tmp_path: Path) -> None:
         "HZ-1": "safety/hazards.html#HZ-1",
         "AU-1": "safety/index.html#AU-1",
     }
+
+
+def test_the_page_lists_all_exceptions_and_open_points(tmp_path: Path) -> None:
+    portal = portal_of(tmp_path, "verified")
+    goal = replace(portal.model.safety.goals["SG-1"], exceptions=["Late."], open_points=["Slope."])
+    case = replace(portal.model.safety, goals={"SG-1": goal})
+    requirement = replace(portal.model.requirements["FR-1"], partly="only one product.")
+    model = replace(portal.model, safety=case, requirements={"FR-1": requirement})
+    found = list(open_points(Portal(tmp_path, model, portal.report, [])))
+    assert [(one.id, one.kind, one.text) for one in found] == [
+        ("SG-1", "known exception", "Late."),
+        ("SG-1", "open point", "Slope."),
+        ("FR-1", "partly verified", "only one product."),
+    ]
+
+
+def test_the_page_lists_the_products_that_the_tests_ran(tmp_path: Path) -> None:
+    portal = portal_of(tmp_path, "verified")
+    test = portal.model.tests["Safety.FR1_Stops"]
+    run = replace(test.results[HOST], images=["weeding_robot", "weeding_robot_paper_calls"])
+    portal.model.tests[test.id] = replace(test, results={VIRTUAL_K64: run})
+    rows = {one.name: (one.safe, one.tests, one.scenarios) for one in product_runs(portal)}
+    assert rows["weeding_robot"] == (True, 1, 1)
+    assert rows["weeding_robot_pc"] == (True, 0, 0)
+    assert rows["weeding_robot_paper"] == (False, 0, 0), "the image for recordings is another image"
+    found = pages(portal)
+    assert "no fault scenario was played with these images" in found["safety/index"].text
+    assert "@/safety/index.html#tested" in found["safety/SG-1"].links
 
 
 @pytest.mark.parametrize(

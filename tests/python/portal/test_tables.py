@@ -15,6 +15,7 @@ from portal.tables import (
     connection_table,
     key_table,
     package_table,
+    review_questions,
     room_table,
 )
 
@@ -32,6 +33,12 @@ TEXT
 }
   other     no command
 """
+
+
+def test_each_question_of_a_review_is_an_item(tmp_path: Path) -> None:
+    items = review_questions(tmp_path).splitlines()
+    assert len(items) == 6, "the answer to the question about reviews names six questions"
+    assert all(item.startswith("* ") and item.endswith("?") for item in items)
 
 
 def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from traceability.reading.build_evidence import git
+from traceability.reading.build_evidence import git, library_version, program_version
 
 
 def test_the_output_of_git_is_empty_when_git_is_not_installed(
@@ -10,3 +10,27 @@ def test_the_output_of_git_is_empty_when_git_is_not_installed(
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     assert git(tmp_path, "rev-parse", "HEAD") == ""
+
+
+def test_the_version_of_a_program_is_the_first_number_with_a_point(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = tmp_path / "spin"
+    program.write_text("#!/bin/sh\n[ $1 = -V ] && echo 'Spin Version 6.5.2 -- 6 December 2019'\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/bin")
+    assert program_version("spin", "-V") == "6.5.2"
+    assert program_version("spin", "--version") == "unknown"
+    assert program_version("absent", "--version") == "not installed"
+
+
+def test_the_version_of_a_library_comes_from_its_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert library_version("libunicorn-dev") == "unknown"
+    program = tmp_path / "dpkg-query"
+    program.write_text("#!/bin/sh\n[ $3 = libunicorn-dev ] && printf 2.0.1\n")
+    program.chmod(0o755)
+    assert library_version("libunicorn-dev") == "2.0.1"
+    assert library_version("libabsent-dev") == "not installed"

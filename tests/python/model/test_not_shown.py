@@ -1,0 +1,40 @@
+"""The list of the evidence that a build lacks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from tests.python.model.small_case import make_model, report_of, write_case
+from traceability.model.design_model import Model
+from traceability.model.not_shown import not_shown
+from traceability.reading.published import Published
+from traceability.schema import BuildEvidence, LintRun
+
+
+def texts(root: Path, **values: Any) -> list[str]:
+    write_case(root)
+    model: Model = replace(make_model(root), **values)
+    return [one.text for one in not_shown(model, report_of(model))]
+
+
+def build(lint: LintRun | None) -> BuildEvidence:
+    return BuildEvidence("abc", [], "Linux", 4, {}, {}, [], lint)
+
+
+def test_a_static_analysis_that_was_not_run_is_listed(tmp_path: Path) -> None:
+    missing = "The static analysis (./wr lint) was not run in this build."
+    part = "These steps of the static analysis (./wr lint) were not run in this build: clang-tidy."
+    steps = {"ruff": "passed", "clang-tidy": "not run"}
+    assert missing in texts(tmp_path, build=build(None))
+    assert part in texts(tmp_path, build=build(LintRun("abc", steps)))
+    complete = texts(tmp_path, build=build(LintRun("abc", {"clang-tidy": "passed"})))
+    assert not [text for text in complete if "static analysis" in text]
+
+
+def test_silent_faults_of_the_last_campaign_are_listed(tmp_path: Path) -> None:
+    record = Published("", "aab5f7d322", "2026", {"cases": 100, "outcomes": {"silent": 3}})
+    found = texts(tmp_path, campaigns={"faults": record})
+    (text,) = (one for one in found if "campaign" in one)
+    assert "at commit aab5f7d, 3 of 100 faults caused wrong outputs" in text
