@@ -62,8 +62,8 @@ class K64Board {
   static void enableGuards();
 
   /// @brief Sets the vector table that the core uses in place of the table in flash.
-  /// @param table first word of the new vector table; its address has the alignment that the
-  /// table needs: the next power of two above its size
+  /// @param table first word of the new vector table. Its address is a multiple of the next power
+  /// of two above the size of the table in bytes
   /// @isr{no}
   static void moveVectors(const std::uint32_t* table);
 

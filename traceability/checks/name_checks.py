@@ -39,6 +39,8 @@ DERIVES = re.compile(
 FILTER = re.compile(r"--gtest_filter='([^']+)'")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
+FRAMES = "design/frames.toml"
+FIELD = re.compile(r'\{ name = "(\w+)",( each = "wheel",)?')
 PLACEHOLDER = "Class"  # In docs/, Class::method is an example that represents any method.
 # File of design/ -> the check that reports wrong names in this file. For all other texts, this
 # check is doc-name.
@@ -55,7 +57,7 @@ class Words:
 
     def knows(self, name: str) -> bool:
         owner, _, member = name.rpartition("::")
-        if not owner:
+        if not owner or name in self.code:
             return name in self.code or name in self.paper
         if owner == PLACEHOLDER:
             return True
@@ -129,8 +131,20 @@ def _words(model: Model, facts: Facts) -> Words:
     for path in files_below(facts.root, (*DESIGN, "sim", "traceability/reading/products.py")):
         if path.suffix in (".hpp", ".cpp", ".py"):
             code.update(IDENTIFIER.findall(code_of(path.read_text(encoding="utf-8"))))
+    code |= _fields(facts.root) | {constant.name for constant in facts.syntax.values}
     paper = {word for entry in model.paper for word in re.findall(r"[\w:]+", entry.name)}
     return Words(code, paper, facts)
+
+
+def _fields(root: Path) -> set[str]:
+    """Returns the names of the fields and values of the frames. A field that exists for each wheel
+    has a name for each wheel."""
+    path = root / FRAMES
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    found = FIELD.findall(text)
+    return {name for name, _ in found} | {
+        f"{name}{wheel}" for name, each in found if each for wheel in range(4)
+    }
 
 
 def _comments(facts: Facts) -> Iterator[tuple[Place, str]]:

@@ -182,13 +182,19 @@ class _Changes:
         return on_itself and not call.virtual and call.target.rpartition("::")[0] in self.family
 
     def _targets(self, places: list[str]) -> list[str]:
-        methods = {
-            self.names[instance.kind]
-            for instance in self.references.objects(places, self.base)
-            if instance.name.startswith(f"{self.code.composition}::")
-            and instance.kind in self.names
-        }
-        return sorted(methods) or [""]
+        """Returns the states to which an argument may refer, in the order in which the code names
+        them. In ``wanted ? first : second``, the state for a true condition is named first."""
+        states = [
+            state
+            for place in places
+            for state in sorted(
+                self.names[instance.kind]
+                for instance in self.references.objects([place], self.base)
+                if instance.name.startswith(f"{self.code.composition}::")
+                and instance.kind in self.names
+            )
+        ]
+        return list(dict.fromkeys(states)) or [""]
 
     def initial(self) -> set[str]:
         """Returns the initial states. A state is an initial state if the composition passes it to
