@@ -85,11 +85,18 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _products(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds names in design/products.toml for which no module exists."""
+    """Finds names in design/products.toml for which no module exists, and modules of the extensions
+    that this file does not list."""
     file = str(PRODUCT_LIST)
     products = listed(facts.root) if (facts.root / PRODUCT_LIST).exists() else []
     place = Place(file, 1)
-    for name in sorted({name for product in products for name in product.has}):
+    named = {name for product in products for name in product.has}
+    for module in model.modules.values() if products else ():
+        extends = module.header.startswith("extensions/") and not module.datatype
+        if extends and module.name not in named:
+            text = f"{file} does not list {module.name}"
+            yield Finding(module.place, "module-used", text, "add the module to a part")
+    for name in sorted(named):
         if name not in model.modules:
             text = f"{file} lists {name}, which is not a module"
             yield Finding(

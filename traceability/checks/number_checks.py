@@ -49,7 +49,7 @@ def _specification(
     ]
     constants = [
         quantity_of(constant)
-        for file in {file for one in near for file in (one.header, one.source)} - {None}
+        for file in {file for one in near for file in (one.header, one.source) if file}
         for constant in by_file.get(file, [])
     ]
     named = {*module.requirements, *(name for m in module.methods for name in m.satisfies)}

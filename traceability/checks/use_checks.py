@@ -3,11 +3,13 @@ cycle of uses exists."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.reading.syntax import includes_of
 from traceability.reading.translation_units import is_board
 from traceability.schema import AllowedUse, Finding, Place, Use, is_extension
@@ -18,6 +20,7 @@ VIRTUAL_BOARD = "sim/emulator/"
 # include the headers of the drivers.
 PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
 OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
+DRIVER = re.compile(r"\bK64\w+")  # name of a driver that is no English word
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -30,6 +33,16 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     yield from _idle_cycles(model, facts)
     yield from _cycles(allowed, facts)
     yield from _board(facts.root)
+    yield from _drivers(model, facts.root)
+
+
+def _drivers(model: Model, root: Path) -> Iterator[Finding]:
+    """Finds files of src outside the drivers that name a driver, in the code or in a comment."""
+    drivers = {module.name for module in model.modules.values() if is_board(module.header)}
+    for place, line in lines_below(root, ("src",), (".hpp", ".cpp", ".dox")):
+        for name in drivers.intersection(DRIVER.findall(line)) if not is_board(place.file) else ():
+            text = f"the file names the driver {name}"
+            yield Finding(place, "uses-board", text, "name the interface of the driver")
 
 
 def _board(root: Path) -> Iterator[Finding]:

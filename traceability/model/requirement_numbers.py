@@ -43,6 +43,7 @@ UNITS = {
 _UNIT = (
     r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s|cycles?|samples?|edges?|bytes?|times|baud)"
 )
+_NAMED = re.compile(r"\bN = (\d+)")  # the number of cycles that the paper calls N
 _LIST = rf"(?=(?: to | and | or |, )[\d.]+ ?(?P<later>{_UNIT})(?![\w/]))"
 _STATED = re.compile(
     rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(WORDS)})"
@@ -66,6 +67,8 @@ def stated_numbers(text: str) -> dict[str, Quantity]:
         kind, scale = UNITS[_singular(unit)]
         amount = Fraction(WORDS.get(match["number"]) or match["number"])
         quantities[f"{match['number']} {unit}"] = Quantity(kind, amount * scale)
+    for number in _NAMED.findall(text):
+        quantities[f"N = {number}"] = Quantity("cycle", Fraction(number))
     return quantities
 
 
