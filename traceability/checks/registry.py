@@ -1111,8 +1111,9 @@ _FIXED = [
         "Every reference in docs/ has a target. Every path that begins with a folder of the "
         "project exists, in a page, a requirement, a comment, a text of design/ or another text. "
         "Each command of ./wr that a page names exists with its options. An option without a "
-        "command is an option of a command or a program that the page names. The products, test "
-        "programs, folders of the build, used pins and keys that a page names exist too. Pages and "
+        "command is an option of a command or a program that the page names. If an option has a "
+        "list of values, a value behind the option is in this list. The products, test programs, "
+        "folders of the build, used pins and keys that a page names exist too. Pages and "
         "help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It does not find the option "
         "of another command that the page also names.",
