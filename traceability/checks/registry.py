@@ -1106,6 +1106,19 @@ _FIXED = [
         "run tests/python/client/examples.py, which writes the examples.",
     ),
     Check(
+        "doc-scenario",
+        "Scenarios agree with their descriptions",
+        "docs/scenarios.rst names every action, fault, parameter and true value that a scenario "
+        "can contain. Each word of a scenario on this page exists, and each fault in its table has "
+        "the right number of arguments. Each number with a unit in a comment of a scenario is a "
+        "value in the lines of this scenario, or a value in a requirement that the comment names. "
+        "A time can also be the difference of two times, and a percentage the difference of two "
+        "values.",
+        "The check does not find a value that another line of the scenario also has. It does not "
+        "read a number that follows the word about.",
+        "correct the comment or the scenario, or name the requirement that states the number.",
+    ),
+    Check(
         "link-doc",
         "Links of hand-written pages",
         "Every reference in docs/ has a target. Every path that begins with a folder of the "
