@@ -132,8 +132,10 @@ _FIXED = [
         "Each class, method, function, constant or value that a text names exists in the code or "
         "in the paper. The texts are comments of the code, literals in the pages of docs/, and "
         "texts of design/. Each test that a page or a text of design/ names exists. If a page "
-        "states that a class derives from another class, this is true. `paper-stale` checks the "
-        "names in design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
+        "states that a class derives from another class, this is true. Each attribute of a report "
+        "that a page names is an attribute of the client's classes, and the table of these "
+        "attributes in docs/client.rst is complete. `paper-stale` checks the names in "
+        "design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed.",
         "write the name that the code has now.",
