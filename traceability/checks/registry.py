@@ -780,7 +780,10 @@ _FIXED = [
         "Each number with a unit in a requirement is linked with a constant in "
         "design/requirement_numbers.toml. The number is in digits or written as a word. The "
         "constant has this value. design/requirement_numbers.toml also lists the numbers for which "
-        "the code has no constant, with the reason.",
+        "the code has no constant, with the reason. If the @evidence of a requirement has a bound "
+        "other than 0, the requirement states this number. If a metric in design/closed_loop.toml "
+        "names a requirement, its limit is a number of this requirement, or the percentage of the "
+        "target that the requirement states.",
         "The check does not find numbers whose unit is not in its list of units. It cannot judge "
         "whether the linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
