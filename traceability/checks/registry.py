@@ -1105,9 +1105,10 @@ _FIXED = [
         "Worked examples of the protocol are consistent",
         "For each example in docs/protocol_examples.txt, the stated check sum and the stated "
         "bytes on the serial line are equal to the values that are computed from the body of the "
-        "frame.",
-        "The check does not detect whether the body has the described content. Tests of the "
-        "firmware and of the client decode the body.",
+        "frame. The body contains the frame that the text of the example names, and the numbers of "
+        "this text.",
+        "The check does not compare other words of the text, such as the cause of a stop. Tests of "
+        "the firmware and of the client decode the body.",
         "run tests/python/client/examples.py, which writes the examples.",
     ),
     Check(
