@@ -9,6 +9,7 @@ from traceability.checks.link_checks import missing_parts
 from traceability.checks.list_checks import wrong_counts
 from traceability.checks.option_checks import literal_exit_codes, missing_options, wrong_values
 from traceability.checks.path_checks import missing_paths
+from traceability.checks.pin_checks import wrong_pins
 from traceability.model.design_model import Model
 from traceability.reading.comments import TAGS
 from traceability.reading.source_facts import Facts
@@ -23,6 +24,7 @@ TEXT_CHECKS = (
     wrong_values,
     literal_exit_codes,
     missing_parts,
+    wrong_pins,
     wrong_counts,
 )
 

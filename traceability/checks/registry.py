@@ -1132,10 +1132,12 @@ _FIXED = [
         "Each command of ./wr that a page names exists with its options. An option without a "
         "command is an option of a command or a program that the page names. If an option has a "
         "list of values, a value behind the option is in this list. The products, test programs, "
-        "folders of the build, used pins and keys that a page names exist too. Pages and "
-        "help texts insert the exit codes.",
+        "folders of the build, used pins and keys that a page names exist too. If a page or an "
+        "answer names a signal or a connector directly next to a pin, src/k64/pins.hpp lists them "
+        "for this pin. Pages and help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It does not find the option "
-        "of another command that the page also names.",
+        "of another command that the page also names. It does not find a wrong pin in a sentence "
+        "that does not contain the words of the table of pins.",
         "correct the target.",
     ),
     Check(
