@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.checks.link_checks import missing_parts
-from traceability.checks.list_checks import wrong_counts
+from traceability.checks.list_checks import wrong_counts, wrong_totals
 from traceability.checks.option_checks import literal_exit_codes, missing_options, wrong_values
 from traceability.checks.path_checks import missing_paths
 from traceability.checks.pin_checks import wrong_pins
@@ -26,6 +26,7 @@ TEXT_CHECKS = (
     missing_parts,
     wrong_pins,
     wrong_counts,
+    wrong_totals,
 )
 
 

@@ -122,7 +122,9 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
         "a parameter. Each tag is defined in this project. Each link has a target. If the sentence "
         "before a list on a page states the number of the items, the list has this number of "
-        "items.",
+        "items. If a text states how many hazards, safety goals, assumptions of use, products, "
+        "modules, design patterns, applications, state machines, or scenarios of the paper there "
+        "are, the project has this number of them.",
         _TEXT_BLIND,
         "correct the comment or the page as the message explains.",
     ),
