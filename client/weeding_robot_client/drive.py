@@ -25,10 +25,10 @@ from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import HELP, Script, ScriptError, Wish, load
 
 DESCRIPTION = f"""\
-Sends orders to the robot every 100 ms, because an order is valid for 200 ms. Without --script
-the keyboard orders the motion. While no key is pressed, the orders are neutral, which arms the
-robot after 0.5 s. A stop that is already in force stays until it is released. When the terminal is
-lost or the program is suspended, the program orders the robot to stop.
+Sends orders to the robot every {1000 * ORDER_EVERY_S:.0f} ms, because an order is valid for 200 ms.
+Without --script the keyboard orders the motion. While no key is pressed, the orders are neutral,
+which arms the robot after 0.5 s. A stop that is already in force stays until it is released. When
+the terminal is lost or the program is suspended, the program orders the robot to stop.
 
 {keyboard.HELP}
 

@@ -14,8 +14,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from weeding_robot_client.messages import Order, Quantity
-from weeding_robot_client.orders import ACKNOWLEDGE_S
-from weeding_robot_client.script import Wish
+from weeding_robot_client.script import ACKNOWLEDGE_S, Wish
 
 DEAD_MAN_S = 0.3
 SPEED_STEP_RPM = 10.0

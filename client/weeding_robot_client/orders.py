@@ -9,12 +9,11 @@ from collections.abc import Callable, Iterator
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Report
 from weeding_robot_client.reasons import inhibited
-from weeding_robot_client.script import Wish
+from weeding_robot_client.script import ACKNOWLEDGE_S, Wish
 
-ORDER_EVERY_S = 0.1
+ORDER_EVERY_S = 0.1  # one control cycle
 CONNECT_WITHIN_S = 5.0
 ARM_WITHIN_S = 5.0
-ACKNOWLEDGE_S = 0.3  # three cycles of 100 ms, so that the robot reads the order at least once
 STOP_ORDERS = 3
 STOP_EVERY_S = 0.05
 
@@ -27,7 +26,7 @@ def order_ids() -> Iterator[int]:
 
 
 class Orders:
-    """Sends the present order every 100 ms, because an order is valid for only 200 ms."""
+    """Sends the present order every ``ORDER_EVERY_S``. The previous order is then still valid."""
 
     def __init__(self, link: Link, observe: Observer = lambda _report: None) -> None:
         self.link = link

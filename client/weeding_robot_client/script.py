@@ -42,7 +42,7 @@ WORDS = re.compile(
     r"\s*(?:(stop|release|acknowledge|end)\b|(?:wheel\s+(\S+)\s+)?(\w+)\s+(\S+)\s+(\w+))\s*"
 )
 UNITS = {"velocity": "rpm", "tension": "V", "current": "A", "steering": "deg"}
-ACKNOWLEDGE_S = 0.3
+ACKNOWLEDGE_S = 0.3  # three control cycles, so that the robot reads the order at least once
 
 Points = tuple[WheelSetPoint, WheelSetPoint, WheelSetPoint, WheelSetPoint]
 STILL: Points = all_wheels(Quantity.VELOCITY, 0.0)

@@ -25,6 +25,7 @@ from traceability.checks import (
     register_checks,
     requirement_checks,
     safety_checks,
+    scenario_checks,
     secret_checks,
     stack_checks,
     state_machine_checks,
@@ -68,6 +69,7 @@ FAMILIES = (
     number_checks.check,
     protocol_checks.check,
     safety_checks.check,
+    scenario_checks.check,
 )
 
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.checks.link_checks import missing_parts
-from traceability.checks.list_checks import wrong_counts
-from traceability.checks.option_checks import literal_exit_codes, missing_options
+from traceability.checks.list_checks import wrong_counts, wrong_totals
+from traceability.checks.option_checks import literal_exit_codes, missing_options, wrong_values
 from traceability.checks.path_checks import missing_paths
+from traceability.checks.pin_checks import wrong_pins
 from traceability.model.design_model import Model
 from traceability.reading.comments import TAGS
 from traceability.reading.source_facts import Facts
@@ -17,10 +18,21 @@ from traceability.sources import DESIGN, files_below
 
 READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "README.md")
 
+TEXT_CHECKS = (
+    missing_paths,
+    missing_options,
+    wrong_values,
+    literal_exit_codes,
+    missing_parts,
+    wrong_pins,
+    wrong_counts,
+    wrong_totals,
+)
+
 
 def check(_model: Model, facts: Facts) -> list[Finding]:
     findings = [Finding(place, "syntax-error", text) for place, text in facts.syntax.errors]
-    for find in (missing_paths, missing_options, literal_exit_codes, missing_parts, wrong_counts):
+    for find in TEXT_CHECKS:
         findings += find(facts.root)
     for problem in facts.declared.entries.problems:
         findings.append(Finding(problem.place, "design-entry", problem.text, problem.fix))

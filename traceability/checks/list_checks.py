@@ -1,5 +1,6 @@
 """doc-warning: if the sentence before a list states a number of items, the list has this number
-of items."""
+of items. If a text states how many scenarios, hazards or other parts the project has, the project
+has this number of parts."""
 
 from __future__ import annotations
 
@@ -12,10 +13,27 @@ from traceability.schema import Finding, Place
 from traceability.sources import files_below
 
 PAGES = ("README.md", "CONTRIBUTING.md", "docs", "changes", "ports")
-WORDS = ("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+TEXTS = (*PAGES, "design/questions.toml", "requirements", "site/templates")
+SUFFIXES = (".md", ".rst", ".toml", ".dox", ".html")
+_WORDS = "two three four five six seven eight nine ten eleven twelve thirteen"
+WORDS = _WORDS.split(" ")
 NUMBERS = {word: number for number, word in enumerate(WORDS, 2)}
 WORD = re.compile(rf"\b({'|'.join(NUMBERS)})\b", re.IGNORECASE)
 ITEM = re.compile(r"( *)(?:[*-]|\d+\.|#\.) ")
+# Part of the project -> the texts that mean all parts of this kind. {} is the number.
+TOTALS = {
+    "scenario": r"(?:{} scenarios of the paper|[Tt]he {} scenarios)",
+    "assumption": r"(?:{} assumptions of use|[Tt]he {} assumptions)",
+    "hazard": r"[Tt](?:here are|he) {} hazards",
+    "goal": r"[Tt](?:here are|he) {} (?:safety )?goals",
+    "product": r"(?:[Tt]here are|[Aa]ll) {} products",
+    "application": r"(?:{} applications of patterns|[Tt]he {} (?:pattern )?applications)",
+    "pattern": r"{} design patterns",
+    "machine": r"(?:[Tt]here are|[Tt]he) {} state machines",
+    "module": r"[Tt]he {} (?:design )?modules",
+}
+SOME = r"(?! (?:above|below|that|with|without)\b)"  # These words begin a limitation.
+NUMBER = rf"(\d+|{'|'.join(WORDS)}|{'|'.join(map(str.capitalize, WORDS))})"
 SENTENCE = re.compile(r"(?<=[.?]) ")
 
 
@@ -30,6 +48,46 @@ def wrong_counts(root: Path) -> Iterator[Finding]:
                     text = f"the text states {stated[0]} items, but the list has {items}"
                     place = Place(str(path.relative_to(root)), number + 1)
                     yield Finding(place, "doc-warning", text, "correct the number, or the list")
+
+
+def wrong_totals(root: Path) -> Iterator[Finding]:
+    """Finds texts that state a wrong number of scenarios, hazards or other parts of the project."""
+    totals = {part: total for part, total in _totals(root).items() if total}
+    patterns = {
+        part: re.compile(rf"\b{TOTALS[part].replace('{}', NUMBER)}\b{SOME}") for part in totals
+    }
+    for path in files_below(root, TEXTS, SUFFIXES) if totals else ():
+        text = re.sub(r"\s", " ", path.read_text(encoding="utf-8"))
+        for part, pattern in patterns.items():
+            for match in pattern.finditer(text):
+                stated = next(filter(None, match.groups())).lower()
+                if NUMBERS.get(stated, stated) not in (totals[part], str(totals[part])):
+                    line = path.read_text(encoding="utf-8").count("\n", 0, match.start()) + 1
+                    said = f"the text states '{match[0]}', but there are {totals[part]}"
+                    place = Place(str(path.relative_to(root)), line)
+                    yield Finding(place, "doc-warning", said, "correct the number")
+
+
+def _totals(root: Path) -> dict[str, int]:
+    """Returns the number of parts of each kind."""
+
+    def lines(file: str, start: str) -> list[str]:
+        path = root / "design" / file
+        text = path.read_text(encoding="utf-8") if path.is_file() else ""
+        return [line for line in text.splitlines() if line.startswith(start)]
+
+    return {
+        "scenario": len(files_below(root, ("sim/scenario/bench",), (".scenario",))),
+        **{
+            part: len(lines("safety_case.toml", f"[[{part}]]"))
+            for part in ("assumption", "hazard", "goal")
+        },
+        "product": len(lines("products.toml", "[[product]]")),
+        "application": len(lines("applications.toml", "[[application]]")),
+        "pattern": len(set(lines("applications.toml", "pattern ="))),
+        "machine": len(files_below(root, ("design/fsm",), (".toml",))),
+        "module": sum(int(line.split("=")[1]) for line in lines("modules.toml", "total =")),
+    }
 
 
 def _stated(lines: list[str]) -> list[str]:

@@ -1,11 +1,13 @@
 """doc-name: each name of the code in a text exists in the code or in the paper.
 
 A text is a comment of the code, a literal of a page of docs/, or a text of design/. Each test that
-a page or a text of design/ names exists, too.
+a page or a text of design/ names exists, too. The attributes of a report in the pages are those of
+the client.
 """
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -37,6 +39,13 @@ DERIVES = re.compile(
     r"\b([A-Z]\w+)`{0,2}\s+derives\s+from\s+(?::module:)?`{0,2}([A-Z]\w+)(?![\w:])"
 )
 FILTER = re.compile(r"--gtest_filter='([^']+)'")
+# The client's classes of a report, and the table of their attributes.
+MESSAGES = "client/weeding_robot_client/messages.py"
+OF_REPORT = ("Report", "WheelReport", "ReportedSetPoint")
+ATTRIBUTES = ".. list-table:: Attributes of a report"
+ROW = re.compile(r" +\* - (.*)")
+IN_ROW = re.compile(r"(?:``|\.)([a-z]\w*)")
+ATTRIBUTE = re.compile(r"(?<![\w./])report((?:\.[a-z]\w*\b(?:\[\d\])?(?!\())+)")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
 FRAMES = "design/frames.toml"
@@ -93,6 +102,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
             )
     yield from _tests(model, facts.root)
     yield from _derivations(facts)
+    yield from wrong_attributes(facts.root)
 
 
 def _tests(model: Model, root: Path) -> Iterator[Finding]:
@@ -124,6 +134,47 @@ def _derivations(facts: Facts) -> Iterator[Finding]:
                 said = f"the text states that {name} derives from {base}, but it does not"
                 place = Place(str(path.relative_to(facts.root)), line)
                 yield Finding(place, "doc-name", said, "write the name of the base class")
+
+
+def wrong_attributes(root: Path) -> Iterator[Finding]:
+    """Finds attributes of a report that the classes of the client do not have, and fields of these
+    classes that the table of the attributes does not list."""
+    if not (root / MESSAGES).is_file():
+        return
+    fields, members = _of_report((root / MESSAGES).read_text(encoding="utf-8"))
+    listed: set[str] = set()
+    in_table = False
+    for place, line in lines_below(root, IN_PAGES, PAGES):
+        in_table = line.startswith(ATTRIBUTES) or (in_table and not line[:1].strip())
+        row = ROW.match(line) if in_table else None
+        names = set(IN_ROW.findall(row[1])) if row else set()
+        listed |= names
+        names = names.union(*map(IDENTIFIER.findall, ATTRIBUTE.findall(line)))
+        for name in sorted(names - members):
+            text = f"a report of the client has no attribute {name}"
+            yield Finding(place, "doc-name", text, "write the name of an attribute")
+    for name, number in fields.items() if listed else ():
+        if name not in listed:
+            text = f"the table of the attributes of a report does not list {name}"
+            yield Finding(Place(MESSAGES, number), "doc-name", text, "add it to docs/client.rst")
+
+
+def _of_report(code: str) -> tuple[dict[str, int], set[str]]:
+    """Returns the fields of the classes of a report with their lines, and all members of these
+    classes."""
+    fields: dict[str, int] = {}
+    members: set[str] = set()
+    for owner in ast.parse(code).body:
+        for node in (
+            owner.body if isinstance(owner, ast.ClassDef) and owner.name in OF_REPORT else ()
+        ):
+            if isinstance(node, ast.FunctionDef):
+                members.add(node.name)
+            elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+                members.add(node.target.id)
+                if not ast.unparse(node.annotation).startswith("ClassVar"):
+                    fields[node.target.id] = node.lineno
+    return fields, members
 
 
 def _words(model: Model, facts: Facts) -> Words:

@@ -1,6 +1,7 @@
 """req-number: each number with a unit in the text of a requirement is linked to a constant in the
-code, and has the value of this constant. module-number: each number with a unit in the
-specification of a module is the value of a constant, or a number of a requirement."""
+code, and has the value of this constant. Each limit of a metric is a number of its requirement.
+module-number: each number with a unit in the specification of a module is the value of a constant,
+or a number of a requirement."""
 
 from __future__ import annotations
 
@@ -16,8 +17,10 @@ from traceability.model.requirement_numbers import (
     limits_of_range,
     quantity_of,
     stated_numbers,
+    states,
 )
 from traceability.reading.ast_facts import ConstantFact
+from traceability.reading.closed_loop_record import DECLARED, declared
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Module, Place, Requirement, RequirementNumbers
 
@@ -104,6 +107,8 @@ def _requirements(model: Model, facts: Facts) -> Iterator[Finding]:
         stated_in = model.requirements.get(entry.requirement)
         yield from _linked(entry, stated_numbers(stated_in.text if stated_in else ""), facts)
     yield from _unneeded(model, without)
+    yield from wrong_bounds(model)
+    yield from wrong_limits(model, facts)
 
 
 def _unlinked(
@@ -150,3 +155,38 @@ def _unneeded(model: Model, without: dict[str, Place]) -> Iterator[Finding]:
         if number not in needed:
             text = f"no requirement states {number}"
             yield Finding(place, "req-number", text, "remove the entry")
+
+
+def wrong_bounds(model: Model) -> Iterator[Finding]:
+    """Finds bounds of an @evidence that the requirement does not state. A bound of 0 is not a
+    number of the text: it means that there is no finding."""
+    for requirement in model.requirements.values():
+        for evidence in requirement.evidence:
+            bound = Fraction(str(evidence.bound))
+            if evidence.bound and not states(requirement.text, bound, evidence.unit):
+                text = f"{requirement.id} does not state {evidence.bound:g} {evidence.unit}"
+                yield Finding(evidence.place, "req-number", text, "correct one of the two numbers")
+
+
+def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds limits in design/closed_loop.toml that their requirement does not state. The limit of
+    an error can also be a percentage of the target that the requirement states."""
+    if not (facts.root / DECLARED).is_file():
+        return
+    places = {scenario.name: scenario.place for scenario in model.closed_loop}
+    for scenario in declared(facts.root):
+        for figure in scenario["figure"]:
+            requirement = model.requirements.get(figure.get("requirement", ""))
+            if requirement is None:
+                continue
+            limit = Fraction(str(figure["limit"]))
+            target = Fraction(str(figure.get("target", 0))) * Fraction(str(figure.get("scale", 1)))
+            share = 100 * limit / abs(target) if target and figure["kind"] == "error" else None
+            if states(requirement.text, limit, figure["unit"]) or (
+                share and states(requirement.text, share, "%")
+            ):
+                continue
+            entries = facts.declared.entries
+            place = entries.line_in(places[scenario["name"]], f'"{figure["title"]}"')
+            text = f"{requirement.id} does not state {figure['limit']} {figure['unit']}"
+            yield Finding(place, "req-number", text, "correct the limit, or name its requirement")

@@ -1,4 +1,5 @@
-"""link-doc: the commands and options that texts name exist, and the exit codes are inserted."""
+"""link-doc: the commands, the options and their values that texts name exist, and the exit codes
+are inserted."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ from itertools import groupby
 from pathlib import Path
 
 from traceability.reading.command_options import (
+    accepted_values,
     options_of_commands,
     options_of_programs,
     texts_of_programs,
@@ -25,10 +27,13 @@ OPTION = re.compile(r"(?<![\w-])--[a-z][a-z0-9-]*")
 LITERAL = re.compile(r"(?<!`)(?:`{1,2}|<code>)(--[a-z][a-z0-9-]*[^`<]*)")
 OTHER_PROGRAM = re.compile(r"``\w[^`]*``")  # a literal with a command of another program
 COMMENT = re.compile(r"^\s*\./wr [^#]*# (.*)")
+VALUE = re.compile(r"(?<![\w-])(--[a-z][a-z0-9-]*)[ =]([a-z][\w:-]*)")  # an option and its value
 # The place and the text of a line.
 Line = tuple[Place, str]
 # An exit code that is written as a number. The build of the pages inserts the number of a name.
 EXIT_CODE = re.compile(r"\b[Ee]xit code (?:is )?(?:then )?(\d+)\b")
+EXIT_CODES = ".. list-table:: Exit codes"
+ROW = re.compile(r"\s+\* - (\d+)$")  # a row of a table that begins with a number
 INSERTED = {".rst": "write :exit:`NAME`", ".html": "write {{ codes.NAME }}", ".py": "write {NAME}"}
 FIX = "name a command that ./wr --help lists"
 
@@ -94,6 +99,17 @@ def _wrong_in(section: list[Line], options: _Options) -> Iterator[Finding]:
                 yield Finding(place, "link-doc", text, "name an option that exists")
 
 
+def wrong_values(root: Path) -> Iterator[Finding]:
+    """Finds values of options that the option does not accept."""
+    values = accepted_values(root)
+    for place, line in lines_below(root, PAGES, SUFFIXES) if values else ():
+        for option, value in VALUE.findall(line) if "--" in line else ():
+            accepted = {word.partition(":")[0] for word in values.get(option, {value})}
+            if value.partition(":")[0] not in accepted:
+                text = f"the option {option} does not accept {value}"
+                yield Finding(place, "link-doc", text, "name a value that the option accepts")
+
+
 def _is_comment(place: Place, line: str) -> bool:
     return place.file.endswith(".toml") and line.startswith("#")
 
@@ -114,8 +130,11 @@ def _alone(line: str) -> Iterator[str]:
 
 def literal_exit_codes(root: Path) -> Iterator[Finding]:
     """Finds exit codes that a page or a help text does not insert from exit_codes.py."""
+    in_table = False
     for place, line in lines_below(root, (*PAGES, "client"), tuple(INSERTED)):
         insert = INSERTED.get(Path(place.file).suffix)  # None: nothing is inserted in this file
-        for code in EXIT_CODE.findall(line) if insert else ():
+        in_table = line.startswith(EXIT_CODES) or (in_table and not line[:1].strip())
+        codes = EXIT_CODE.findall(line) + (ROW.findall(line) if in_table else [])
+        for code in codes if insert else ():
             fix = f"{insert}, with a name of exit_codes.py"
             yield Finding(place, "link-doc", f"the exit code {code} is not inserted", fix)

@@ -122,7 +122,9 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
         "a parameter. Each tag is defined in this project. Each link has a target. If the sentence "
         "before a list on a page states the number of the items, the list has this number of "
-        "items.",
+        "items. If a text states how many hazards, safety goals, assumptions of use, products, "
+        "modules, design patterns, applications, state machines, or scenarios of the paper there "
+        "are, the project has this number of them.",
         _TEXT_BLIND,
         "correct the comment or the page as the message explains.",
     ),
@@ -132,8 +134,10 @@ _FIXED = [
         "Each class, method, function, constant or value that a text names exists in the code or "
         "in the paper. The texts are comments of the code, literals in the pages of docs/, and "
         "texts of design/. Each test that a page or a text of design/ names exists. If a page "
-        "states that a class derives from another class, this is true. `paper-stale` checks the "
-        "names in design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
+        "states that a class derives from another class, this is true. Each attribute of a report "
+        "that a page names is an attribute of the client's classes, and the table of these "
+        "attributes in docs/client.rst is complete. `paper-stale` checks the names in "
+        "design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed.",
         "write the name that the code has now.",
@@ -780,7 +784,10 @@ _FIXED = [
         "Each number with a unit in a requirement is linked with a constant in "
         "design/requirement_numbers.toml. The number is in digits or written as a word. The "
         "constant has this value. design/requirement_numbers.toml also lists the numbers for which "
-        "the code has no constant, with the reason.",
+        "the code has no constant, with the reason. If the @evidence of a requirement has a bound "
+        "other than 0, the requirement states this number. If a metric in design/closed_loop.toml "
+        "names a requirement, its limit is a number of this requirement, or the percentage of the "
+        "target that the requirement states.",
         "The check does not find numbers whose unit is not in its list of units. It cannot judge "
         "whether the linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
@@ -1102,10 +1109,24 @@ _FIXED = [
         "Worked examples of the protocol are consistent",
         "For each example in docs/protocol_examples.txt, the stated check sum and the stated "
         "bytes on the serial line are equal to the values that are computed from the body of the "
-        "frame.",
-        "The check does not detect whether the body has the described content. Tests of the "
-        "firmware and of the client decode the body.",
+        "frame. The body contains the frame that the text of the example names, and the numbers of "
+        "this text.",
+        "The check does not compare other words of the text, such as the cause of a stop. Tests of "
+        "the firmware and of the client decode the body.",
         "run tests/python/client/examples.py, which writes the examples.",
+    ),
+    Check(
+        "doc-scenario",
+        "Scenarios agree with their descriptions",
+        "docs/scenarios.rst names every action, fault, parameter and true value that a scenario "
+        "can contain. Each word of a scenario on this page exists, and each fault in its table has "
+        "the right number of arguments. Each number with a unit in a comment of a scenario is a "
+        "value in the lines of this scenario, or a value in a requirement that the comment names. "
+        "A time can also be the difference of two times, and a percentage the difference of two "
+        "values.",
+        "The check does not find a value that another line of the scenario also has. It does not "
+        "read a number that follows the word about.",
+        "correct the comment or the scenario, or name the requirement that states the number.",
     ),
     Check(
         "link-doc",
@@ -1113,11 +1134,14 @@ _FIXED = [
         "Every reference in docs/ has a target. Every path that begins with a folder of the "
         "project exists, in a page, a requirement, a comment, a text of design/ or another text. "
         "Each command of ./wr that a page names exists with its options. An option without a "
-        "command is an option of a command or a program that the page names. The products, test "
-        "programs, folders of the build, used pins and keys that a page names exist too. Pages and "
-        "help texts insert the exit codes.",
+        "command is an option of a command or a program that the page names. If an option has a "
+        "list of values, a value behind the option is in this list. The products, test programs, "
+        "folders of the build, used pins and keys that a page names exist too. If a page or an "
+        "answer names a signal or a connector directly next to a pin, src/k64/pins.hpp lists them "
+        "for this pin. Pages and help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It does not find the option "
-        "of another command that the page also names.",
+        "of another command that the page also names. It does not find a wrong pin in a sentence "
+        "that does not contain the words of the table of pins.",
         "correct the target.",
     ),
     Check(

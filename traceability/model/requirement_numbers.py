@@ -40,6 +40,12 @@ UNITS = {
     "time": ("repetition", Fraction(1)),  # as in "seven times"
     "baud": ("baud", Fraction(1)),
 }
+# Units of limits that no constant of the firmware has.
+_OF_LIMITS = {
+    "mm": ("length", Fraction(1)),
+    "m": ("length", Fraction(1000)),
+    "KiB": ("byte", Fraction(1024)),
+}
 _UNIT = (
     r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s|cycles?|samples?|edges?|bytes?|times|baud)"
 )
@@ -101,6 +107,20 @@ def is_same(stated: Quantity, constant: Quantity) -> bool:
 
 def constants_named(name: str, constants: Iterable[ConstantFact]) -> list[ConstantFact]:
     return [constant for constant in constants if constant.name == name]
+
+
+def states(text: str, number: Fraction, unit: str) -> bool:
+    """Returns whether a text states a number with its unit, or with another unit of the same
+    kind. A unit that is not in the list of units, such as "modules", must be the same."""
+    units = {**UNITS, **_OF_LIMITS}
+    kind, scale = units.get(_singular(unit), ("", Fraction(1)))
+    same = {name: factor for name, (other, factor) in units.items() if other == kind}
+    for name, factor in (same or {_singular(unit): scale}).items():
+        value = number * scale / factor
+        written = re.escape(f"{float(value):.10g} {name}")
+        if re.search(rf"(?<![\w.]){written}s?(?![\w/])", text):
+            return True
+    return False
 
 
 def _singular(unit: str) -> str:

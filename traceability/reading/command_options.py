@@ -1,4 +1,5 @@
-"""Reads the commands of ./wr, the programs of the simulator, and the options of each."""
+"""Reads the commands of ./wr, the programs of the simulator, the options of each, and the values
+of the options."""
 
 from __future__ import annotations
 
@@ -13,6 +14,8 @@ from traceability.sources import files_below
 FOLDERS = ("tools", "client")  # their Python files declare the options of ./wr
 PROGRAMS = "sim/programs"
 DECLARED = re.compile(r'add_(?:option|flag)\w*(?:<[\w:<>]*>)?\(\s*"(--[a-z][\w-]*)')
+# The values that an option accepts, or the message about a wrong value.
+ACCEPTED = re.compile(r"->check\(CLI::(?:IsMember|Validator)\((.*?)\)\)", re.DOTALL)
 FOR_ALL = {"--help"}  # option that each command and each program has
 # Name of a function, with the name of its file if the function is in another file.
 Name = tuple[str, str]
@@ -55,6 +58,26 @@ def options_of_programs(root: Path) -> dict[str, set[str]]:
             included = [text, *(headers[name] for name in headers if f'/{name}"' in text)]
             options[path.stem] = FOR_ALL.union(*map(DECLARED.findall, included))
     return options
+
+
+def accepted_values(root: Path) -> dict[str, set[str]]:
+    """Returns the words that each option with a list of values accepts. If several commands or
+    programs have the option, returns the words of all of them."""
+    values: dict[str, set[str]] = {}
+    for path in files_below(root, (PROGRAMS,), (".cpp", ".hpp")):
+        for part in re.split(r"(?=\badd_(?:option|flag))", path.read_text(encoding="utf-8")):
+            option, accepted = DECLARED.match(part), ACCEPTED.search(part)
+            if option and accepted:
+                words = " ".join(re.findall(r'"([^"]*)"', accepted[1])).replace(",", " ").split()
+                values.setdefault(option[1], set()).update(words)
+    for _, code in _python(root, "choices="):
+        for node in ast.walk(ast.parse(code)):
+            if isinstance(node, ast.Call):
+                choices = [word.value for word in node.keywords if word.arg == "choices"]
+                if choices and isinstance(choices[0], ast.Tuple):
+                    option, words = ast.literal_eval(node.args[0]), ast.literal_eval(choices[0])
+                    values.setdefault(option, set()).update(words)
+    return values
 
 
 def _functions(root: Path) -> dict[Name, _Function]:

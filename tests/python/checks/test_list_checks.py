@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from traceability.checks.list_checks import wrong_counts
+from traceability.checks.list_checks import wrong_counts, wrong_totals
 
 LIST = "* first\n  and more\n\n  * inner\n* second\n\nNo item.\n* other\n"
 
@@ -26,3 +26,28 @@ def test_a_wrong_number_of_items_is_found(tmp_path: Path, sentence: str, found: 
     (tmp_path / "docs").mkdir()
     (tmp_path / "docs" / "page.rst").write_text(f"Text.\n\n{sentence}\n\n{LIST}")
     assert [finding.text for finding in wrong_counts(tmp_path)] == found
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("There are two hazards. The 2 assumptions of use.", []),
+        ("There are three hazards.", ["the text states 'There are three hazards', but"]),
+        ("They meet 3\nassumptions of use.", ["the text states '3 assumptions of use', but there"]),
+        ("Three hazards are new, and the three hazards above, or the two hazards that remain.", []),
+        ("Six design patterns, and five modules.", ["the text states 'Six design patterns', but"]),
+        ("The seven goals.", []),
+    ],
+)
+def test_a_wrong_number_of_parts_is_found(tmp_path: Path, text: str, found: list[str]) -> None:
+    files = {
+        "design/safety_case.toml": "[[hazard]]\n[[hazard]]\n[[assumption]]\n[[assumption]]\n",
+        "design/applications.toml": 'pattern = "State"\npattern = "State"\npattern = "Pool"\n',
+        "docs/page.rst": text,
+    }
+    for name, content in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(content)
+    findings = [finding.text for finding in wrong_totals(tmp_path)]
+    assert len(findings) == len(found)
+    assert all(one.startswith(part) for one, part in zip(findings, found, strict=True))

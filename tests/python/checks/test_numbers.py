@@ -7,6 +7,7 @@ from traceability.model.requirement_numbers import (
     is_same,
     quantity_of,
     stated_numbers,
+    states,
 )
 from traceability.reading.ast_facts import ConstantFact
 from traceability.schema import Place
@@ -32,3 +33,13 @@ def test_a_number_is_compared_in_the_unit_of_the_constant() -> None:
 
 def test_a_part_of_a_unit_is_exact() -> None:
     assert stated_numbers("0.05 degrees")["0.05 degrees"] == Quantity("angle", Fraction(5))
+
+
+def test_a_limit_is_stated_in_any_unit_of_its_kind() -> None:
+    text = "shall be within 1.5 m in 2 s, with at most 128 KiB and 133 modules, within 0.5 degrees"
+    for number, unit in (("1500", "mm"), ("2000", "ms"), ("0.5", "degrees"), ("131072", "bytes")):
+        assert states(text, Fraction(number), unit)
+        assert not states(text, Fraction(number) + 1, unit)
+    assert states(text, Fraction(133), "modules")
+    assert not states(text, Fraction(133), "applications")
+    assert not states(text, Fraction(5), "m")

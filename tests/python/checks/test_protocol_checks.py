@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.client.examples import BY_KIND, examples
 from tests.python.model.small_tree import write_tree
 from traceability.checks import run_checks
+from traceability.checks.protocol_checks import not_in_body
 from traceability.model.build import build
 
 HEADER = "src/main_control/operation_states/Kind.hpp"
@@ -96,3 +98,25 @@ def test_the_message_states_both_numbers(found: list[tuple[str, str, int, str]])
         "Second of Kind is 16, not 15",
         "the frame Welcome has the type 0x81 in FrameType, not 0x91",
     ]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "stated"),
+    [
+        ("hello", "confirm", "confirm"),
+        ("order 258", "order 259", "order 259"),
+        ("12.50 degrees to the right", "12.50 degrees to the left", "steering 12.50"),
+        ("150.0 rpm", "15.0 rpm", "at 15.0 rpm"),
+        ("current -2.5 A", "current 2.5 A", "current 2.5 A"),
+        ("firmware 1.0.0", "firmware 1.0.1", "firmware 1.0.1"),
+        ("0x00004a6e", "0x00004a6f", "at 0x00004a6f"),
+        ("trip of wheel 2", "trip of wheel 4", "wheel 4"),
+    ],
+)
+def test_the_text_of_an_example_is_compared_with_its_body(
+    right: str, wrong: str, stated: str
+) -> None:
+    text, _, body, *_ = next(example for example in examples() if right in example[0])
+    assert list(not_in_body(bytes.fromhex(body), text, BY_KIND)) == []
+    (found,) = not_in_body(bytes.fromhex(body), text.replace(right, wrong), BY_KIND)
+    assert found.startswith(stated)

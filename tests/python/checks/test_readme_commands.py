@@ -4,7 +4,7 @@ checks find all other names."""
 from pathlib import Path
 
 from traceability.checks.link_checks import missing_parts
-from traceability.checks.option_checks import literal_exit_codes, missing_options
+from traceability.checks.option_checks import literal_exit_codes, missing_options, wrong_values
 from traceability.checks.path_checks import missing_paths
 
 NONE = "no command or program that this page names has the option"
@@ -66,12 +66,40 @@ def test_commands_and_options_that_are_missing_are_found(tmp_path: Path) -> None
     ]
 
 
+def test_a_value_that_the_option_does_not_accept_is_found(tmp_path: Path) -> None:
+    files = {
+        "sim/programs/wr_board.cpp": """app.add_option("--mode", mode, "stop; or warn")
+            ->check(CLI::IsMember({"stop", "warn"}));
+            app.add_option("--line", line)->check(CLI::Validator(
+            [](const std::string& kind) { return kind + " is not pty or tcp:PORT"; }, ""));
+            app.add_option("--image", image)->check(CLI::ExistingFile);""",
+        "tools/flash.py": 'parser.add_argument("--with", choices=("drive", "pyocd"))',
+        "docs/page.rst": "``--mode warn``, ``--mode=halt``, ``--mode`` or\n"
+        "--line tcp:0 --image any --line udp:0\n``--with drive``, ``--with usb``\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    assert [(one.place.line, one.text) for one in wrong_values(tmp_path)] == [
+        (1, "the option --mode does not accept halt"),
+        (2, "the option --line does not accept udp:0"),
+        (3, "the option --with does not accept usb"),
+    ]
+
+
 def test_an_exit_code_that_is_a_number_is_found(tmp_path: Path) -> None:
     (tmp_path / "docs").mkdir()
     page = "It ends with exit code 5.\nThe exit code is then :exit:`FOUND`, or exit code\n"
     (tmp_path / "docs" / "page.rst").write_text(page)
     (found,) = literal_exit_codes(tmp_path)
     assert (found.place.line, found.text) == (1, "the exit code 5 is not inserted")
+
+
+def test_an_exit_code_in_a_table_that_is_a_number_is_found(tmp_path: Path) -> None:
+    (tmp_path / "docs").mkdir()
+    table = ".. list-table:: Exit codes\n\n   * - :exit:`DONE`\n     - done\n   * - 3\n"
+    (tmp_path / "docs" / "page.rst").write_text(f"{table}\nText\n\n   * - 7\n")
+    assert [one.place.line for one in literal_exit_codes(tmp_path)] == [5]
 
 
 def test_a_folder_that_is_missing_is_found(tmp_path: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import signal
 import subprocess
@@ -14,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from tools.campaign import command, kinds
+from tools.campaign import command, fuzz, kinds
 from tools.campaign.chunks import Chunk, Store, chunks_of, identity_of, whole_part
 from tools.campaign.faults import counted, summarise, times
 from tools.campaign.kinds import KINDS, Kind
@@ -326,11 +325,40 @@ def test_without_a_record_there_is_none(tmp_path: Path) -> None:
     assert campaign_metrics({}) == {}
 
 
-def test_the_committed_record_adds_up() -> None:
-    record = read_published(SOURCE, "faults")
+def committed(name: str) -> dict[str, Any]:
+    """Returns the committed result of a campaign. Its command has the number of its cases."""
+    record = read_published(SOURCE, name)
     assert record is not None
-    result = record.result
+    assert f"--count {record.result['cases']} " in record.command
+    return dict(record.result)
+
+
+def test_the_committed_record_of_the_faults_adds_up() -> None:
+    result = committed("faults")
     assert sum(result["outcomes"].values()) == result["cases"]
     for outcome in OUTCOMES:
         assert sum(k[outcome] for k in result["kinds"].values()) == result["outcomes"][outcome]
-    assert json.dumps(result)
+    silent = [case for case in result["silent"] if case["outcome"] in ("silent", "hung")]
+    assert len(silent) == len(result["silent"])
+
+
+def test_the_committed_record_of_the_inputs_adds_up() -> None:
+    result = committed("fuzz")
+    assert sum(result["inputs"].values()) == result["outcomes"]["inputs"]
+    assert len(result["failures"]) == min(result["outcomes"]["failures"], fuzz.LISTED)
+
+
+def test_the_committed_record_of_the_drives_has_the_times_of_its_list() -> None:
+    """The list contains the drives with the longest cycles, with and without noise."""
+    result = committed("loads")
+    outcomes, listed = result["outcomes"], result["longest"]
+    times = [drive["longest_ns"] for drive in listed]
+    assert times == sorted(times, reverse=True)
+    for noise, name in ((True, "noise_ms"), (False, "longest_ms")):
+        longest = next((drive for drive in listed if drive["noise"] == noise), None)
+        if longest:
+            assert outcomes[name] == round(longest["longest_ns"] / 1e6, 4)
+        else:
+            assert outcomes[name] <= times[-1] / 1e6
+    assert outcomes["median_ms"] <= outcomes["longest_ms"]
+    assert sum(drive["noise"] for drive in listed) <= outcomes["noisy"] <= result["cases"]

@@ -121,3 +121,13 @@ def test_the_help_shows_the_table_of_the_codes() -> None:
 def test_each_error_has_a_code_of_the_table() -> None:
     codes = {error: error.code for error in (FailureError, MissingError, UsageError)}
     assert codes == {FailureError: FAILED, MissingError: MISSING, UsageError: USAGE}
+
+
+def test_the_simulators_have_the_same_codes() -> None:
+    header = (ROOT / "sim/programs/Program.hpp").read_text()
+    (values,) = re.findall(r"enum class Exit \{(.*?)\}", header)
+    codes = {name.upper(): int(code) for name, code in re.findall(r"(\w+) = (\d+)", values)}
+    assert codes == {name: getattr(exit_codes, name) for name in codes}
+    footer = (ROOT / "sim/programs/Program.cpp").read_text().partition('"Exit codes: ')[2]
+    shown = re.findall(r"\b(\d) ", footer.partition(");")[0])
+    assert [int(code) for code in shown] == list(codes.values())

@@ -1,0 +1,31 @@
+"""The words and the connector next to a pin are those of the table of pins."""
+
+from pathlib import Path
+
+import pytest
+
+from traceability.checks.pin_checks import wrong_pins
+
+ROWS = """
+{{Port::A, 1, Mux::Gpio, Role::Input}, "left_end", "J1-8", "High when the end stop is reached."},
+{{Port::C, 18, Mux::Gpio, Role::Input}, "right_end", "J6-8", "High when the end stop is reached."},
+{{Port::C, 8, Mux::Gpio, Role::LowOutput}, "steering_step", "J1-7", "Each pulse turns by a step."},
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("   * - end stops PTA1, PTC18 and the step PTC8", []),
+        ("   * - end stops PTA1, PTC8", ["PTC8 is not the pin of 'end stops'"]),
+        ("- left end: PTA1 (J1-8)\n- steering: PTC18", ["PTC18 is not the pin of 'steering'"]),
+        ("PTC8 (J6-8), PTC18, J6-8", ["PTC8 is not the pin of 'J6-8'"]),
+        ("PTA1\n(right end stop)", ["PTA1 is not the pin of 'right end stop'"]),
+        ("When PTC8 is low, connect the contact to PTC18. PTA0 (left end)", []),
+    ],
+)
+def test_a_pin_next_to_another_signal_is_found(tmp_path: Path, text: str, found: list[str]) -> None:
+    for name, content in (("src/k64/pins.hpp", ROWS), ("docs/page.rst", text)):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(content)
+    assert [finding.text for finding in wrong_pins(tmp_path)] == found

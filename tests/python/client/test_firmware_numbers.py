@@ -1,0 +1,64 @@
+"""Numbers of the client, and of the oracle of the fuzzers, equal the numbers of the firmware and of
+the table of the frames. The client and the oracle do not read the firmware."""
+
+import re
+from pathlib import Path
+
+from weeding_robot_client import bring_up, capture, drive, orders, script
+from weeding_robot_client.frames import VERSION
+from weeding_robot_client.layout import FRAMES, LAYOUTS
+
+ROOT = Path(__file__).parents[3]
+LINKTYPE_USER0 = 147  # first of the 16 link types for private use in a capture file
+
+
+def milliseconds(name: str) -> int:
+    """Returns a time of the firmware."""
+    text = (ROOT / "src/services/SystemConstants.hpp").read_text(encoding="utf-8")
+    (value,) = re.findall(rf"\b{name}\(\) const {{ return milliseconds\((\d+)\);", text)
+    return int(value)
+
+
+def oracle() -> dict[str, list[int]]:
+    """Returns the constants of the oracle. A list has one number for each of its members."""
+    text = (ROOT / "tests/fuzz/LinkOracle.cpp").read_text(encoding="utf-8")
+    found = re.findall(r"^ *constexpr .*?\b(k\w+)(?: = |\{)([^;}]+)", text, re.MULTILINE)
+    return {
+        name: [int(number, 0) for number in values.replace("'", "").split(",")]
+        for name, values in found
+    }
+
+
+def test_the_client_sends_one_order_in_each_cycle() -> None:
+    cycle = milliseconds("cyclePeriod")
+    assert round(1000 * orders.ORDER_EVERY_S) == cycle < milliseconds("orderLifetime")
+    assert round(1000 * bring_up.CYCLE_S) == cycle
+    assert round(1000 * script.ACKNOWLEDGE_S) == 3 * cycle
+    numbers = re.findall(r"(\d+) ms", drive.DESCRIPTION)
+    assert [int(number) for number in numbers] == [cycle, milliseconds("orderLifetime")]
+
+
+def test_the_oracle_has_the_numbers_of_the_table_of_the_frames() -> None:
+    order = LAYOUTS["Order"]
+    quantities = FRAMES.enumerations["quantity"].entries
+    expected = {
+        "kVersion": [VERSION],
+        "kHello": [LAYOUTS["Hello"].kind],
+        "kConfirm": [LAYOUTS["Confirm"].kind],
+        "kKeepAlive": [LAYOUTS["KeepAlive"].kind],
+        "kOrder": [order.kind],
+        "kOrderLength": [order.size],
+        "kCommands": [order.of("commands").offset],
+        "kSteeringAt": [order.of("steering_set_point").offset],
+        "kWheelsAt": [order.of("quantity0").offset],
+        "kSteeringLimit": [order.of("steering_set_point").limit],
+        "kWheelLimits": [entry.limit for entry in quantities],
+        "kSecond": [1000 * milliseconds("linkTimeout")],
+        "kOrderLife": [1000 * milliseconds("orderLifetime")],
+    }
+    assert oracle() | expected == oracle()
+
+
+def test_the_dissector_has_the_link_type_of_the_capture() -> None:
+    names = re.findall(r"\bUSER\d+", capture.DISSECTOR.read_text(encoding="utf-8"))
+    assert set(names) == {f"USER{capture.USER0 - LINKTYPE_USER0}"}

@@ -1,0 +1,177 @@
+"""doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts, and each
+number with a unit in a comment of a scenario is also in a line of the scenario."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.model.requirement_numbers import WORDS
+from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
+from traceability.schema import Finding, Place
+from traceability.sources import files_below
+
+PAGE = "docs/scenarios.rst"
+FOLDER = "sim/scenario"
+# The files that read the actions of a scenario, and the files that name fields and their values.
+READERS = tuple(f"{FOLDER}/{name}.cpp" for name in ("Scenario", "WorldAction", "GroundTruth"))
+NAMES = (
+    *(f"{FOLDER}/{name}.cpp" for name in ("FrameFields", "ControlChannel")),
+    *("design/frames.toml", "design/board_findings.toml"),
+)
+# A word that a reader compares, or the first member of a row in a table of words.
+READ = re.compile(r'(?:== |takeIf\(|nextIs\(|skip\(|\{)"([a-z][\w-]*)"')
+NAMED = re.compile(r'"([A-Za-z][\w-]*)"')
+FAULT = re.compile(r'\{"([\w-]+)", \{plant::Fault::\w+, (true|false), (true|false)\}\}')
+LITERAL = re.compile(r"``([^`]+)``")
+LINE = re.compile(r"^ +((?:at|from) \d.*)")  # a line of a scenario in a literal block
+WORD = re.compile(r"(?<![\w./-])[A-Za-z][a-z][\w-]*(?![\w./])")
+BYTE = re.compile(r"[0-9a-f]{2}")
+FAULTS = ".. list-table:: Faults"
+FIRST_CELL = re.compile(r" +\* - (.*)")
+
+# Unit in a comment -> the kind of its quantity, and the factor to the unit of the scenario.
+UNITS = {
+    **{"s": ("time", 1000), "second": ("time", 1000), "seconds": ("time", 1000)},
+    **{"ms": ("time", 1), "minutes": ("time", 60_000)},
+    **{"%": ("share", 1), "percent": ("share", 1)},
+    **{"rpm": ("velocity", 10), "m/s": ("speed", 1000), "m": ("way", 1000), "mm": ("way", 1)},
+    **{"V": ("voltage", 1000), "A": ("current", 1000)},
+    **{"degree": ("angle", 100), "degrees": ("angle", 100), "electrical degrees": ("phase", 1)},
+}
+# A number that follows the word "about" is not compared.
+STATED = re.compile(
+    rf"(?<![\w.-])(?<!\babout )-?(\d+(?:\.\d+)?|one|{'|'.join(WORDS)}) ?"
+    rf"({'|'.join(sorted(UNITS, key=len, reverse=True))})(?![\w^/])"
+)
+# The times before an action: at T, or from T to U every D.
+WHEN = re.compile(r"(?:at|from|to|every) (\d+)")
+INTEGER = re.compile(r"(?<![\w.])\d+(?![\w.])")
+RANGE = re.compile(r"between (-?\d+) (-?\d+)")
+CITED = re.compile(r"\bN?FR-\d+\b")
+# A range of an expectation is about a number if its ends differ from it by at most this share.
+NARROW = Fraction(1, 8)
+Amount = tuple[str, Fraction]  # the kind of a quantity, and its amount in the unit of the scenario
+
+
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    if (facts.root / PAGE).is_file():
+        yield from wrong_words(facts.root)
+        yield from _wrong_faults(facts.root)
+    texts = {name: requirement.text for name, requirement in model.requirements.items()}
+    for path in files_below(facts.root, (FOLDER,), (".scenario",)):
+        for line, number in missing_numbers(path.read_text(encoding="utf-8"), texts):
+            text = f"the comment states {number}, but no line of the scenario has this value"
+            yield Finding(Place(str(path.relative_to(facts.root)), line), "doc-scenario", text)
+
+
+# ---- words of the page -------------------------------------------------------
+
+
+def wrong_words(root: Path) -> Iterator[Finding]:
+    """Finds words of the page that scenarios do not have, and words of scenarios that the page does
+    not name. Numbers of wheels at the ends of words are ignored."""
+    read = [(place, READ.findall(line)) for place, line in lines_below(root, READERS, ())]
+    known = {_stem(word) for _, words in read for word in words}
+    known |= {
+        _stem(word) for _, line in lines_below(root, NAMES, ()) for word in NAMED.findall(line)
+    }
+    known |= {_stem(path.stem) for path in files_below(root, (FOLDER,), (".scenario",))}
+    named: set[str] = set()
+    for place, line in lines_below(root, (PAGE,), ()):
+        texts = [text for text in LITERAL.findall(line) if not text.startswith(("--", "./"))]
+        words = {word for text in [*texts, *LINE.findall(line)] for word in WORD.findall(text)}
+        named |= {_stem(word) for word in words}
+        for word in sorted(words):
+            if _stem(word) not in known and not (word.isupper() or BYTE.fullmatch(word)):
+                yield Finding(place, "doc-scenario", f"scenarios have no word {word}")
+    for place, words_read in read:
+        for word in words_read:
+            if _stem(word) not in named:
+                text = f"{PAGE} does not name {word}"
+                yield Finding(place, "doc-scenario", text, "describe the word on the page")
+
+
+def _stem(word: str) -> str:
+    return word.rstrip("0123")
+
+
+def _wrong_faults(root: Path) -> Iterator[Finding]:
+    """Finds faults in the table of the page that do not exist, or that have another number of
+    arguments."""
+    faults = {
+        name: [wheel, value].count("true")
+        for _, line in lines_below(root, READERS, ())
+        for name, wheel, value in FAULT.findall(line)
+    }
+    in_table = False
+    for place, line in lines_below(root, (PAGE,), ()):
+        in_table = line.startswith(FAULTS) or (in_table and not line[:1].strip())
+        cell = FIRST_CELL.match(line) if in_table else None
+        for literal in LITERAL.findall(cell[1]) if cell else ():
+            name, *arguments = literal.split()
+            if faults.get(name) != len(arguments):
+                yield Finding(place, "doc-scenario", f"scenarios have no fault '{literal}'")
+
+
+# ---- numbers in comments -----------------------------------------------------
+
+
+def missing_numbers(scenario: str, requirements: dict[str, str]) -> Iterator[tuple[int, str]]:
+    """Yields the numbers with a unit in the comments of a scenario that are neither in its lines
+    nor in a requirement that its comments name. Each number comes with its line."""
+    parts = [line.partition("#") for line in scenario.splitlines()]
+    has_value = _Values([code for code, _, _ in parts])
+    comment, starts = "", []
+    for _, _, text in parts:
+        starts.append(len(comment))
+        comment += f"{text.strip()} " if text else ""
+    cited = {
+        _amount(match)
+        for name in CITED.findall(comment)
+        for match in STATED.finditer(requirements.get(name, ""))
+    }
+    for match in STATED.finditer(comment):
+        amount = _amount(match)
+        if amount not in cited and amount not in has_value:
+            yield sum(start <= match.start() for start in starts), match[0]
+
+
+def _amount(match: re.Match[str]) -> Amount:
+    kind, factor = UNITS[match[2]]
+    number = Fraction(1 if match[1] == "one" else WORDS.get(match[1]) or match[1])
+    return kind, number * factor
+
+
+class _Values:
+    """The values in the lines of a scenario."""
+
+    def __init__(self, lines: list[str]) -> None:
+        actions = " ".join(WHEN.sub("", line) for line in lines)
+        self._numbers = set(map(int, INTEGER.findall(actions)))
+        self._times = {int(time) for line in lines for time in WHEN.findall(line)}
+        ends = [sorted(abs(int(end)) for end in pair) for pair in RANGE.findall(actions)]
+        self._ranges = [(low, high) for low, high in ends]
+
+    def __contains__(self, amount: Amount) -> bool:
+        """Returns whether a line has the value. A line also has a time if it is the difference of
+        two times, a percentage if two numbers differ by it, and a value in the middle of an
+        expected range."""
+        kind, number = amount
+        if number in self._numbers:
+            return True
+        if kind == "time":
+            return any(time + number in {0, *self._times} for time in (0, *self._times))
+        if kind == "share":
+            ends = [
+                n * (1 + share) for n in self._numbers for share in (number / 100, -number / 100)
+            ]
+            return any(end in self._numbers for end in ends if end)
+        return any(
+            low <= number <= high and max(number - low, high - number) <= number * NARROW
+            for low, high in self._ranges
+        )
