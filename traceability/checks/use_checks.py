@@ -40,7 +40,9 @@ def _drivers(model: Model, root: Path) -> Iterator[Finding]:
     """Finds files of src outside the drivers that name a driver, in the code or in a comment."""
     drivers = {module.name for module in model.modules.values() if is_board(module.header)}
     for place, line in lines_below(root, ("src",), (".hpp", ".cpp", ".dox")):
-        for name in drivers.intersection(DRIVER.findall(line)) if not is_board(place.file) else ():
+        for name in drivers.intersection(DRIVER.findall(line)):
+            if is_board(place.file):
+                continue
             text = f"the file names the driver {name}"
             yield Finding(place, "uses-board", text, "name the interface of the driver")
 

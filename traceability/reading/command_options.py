@@ -84,9 +84,10 @@ def _functions(root: Path) -> dict[Name, _Function]:
     functions: dict[Name, _Function] = {}
     for path, code in _python(root, "add_"):
         tree = ast.parse(code)
+        imported = _imported(tree)
         for node in tree.body:
             if isinstance(node, ast.FunctionDef):
-                functions[path.stem, node.name] = _read(path.stem, node, _imported(tree))
+                functions[path.stem, node.name] = _read(path.stem, node, imported)
     return functions
 
 
