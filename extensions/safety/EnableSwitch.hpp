@@ -18,8 +18,9 @@ namespace wr {
 /// position and the velocity stick is not deflected. If the switch was in the position "stop" only
 /// between two cycles, a stop is latched in the second cycle. In the position "PC" the orders of
 /// the remote control are not read. When an operator moves the switch from stop through PC to
-/// drive, the next orders within 1 s acknowledge latched faults. If the deflections do not change
-/// for more than 2 s while the remote control moves the robot, a stop is latched.
+/// drive, the next three orders, if they are read within 1 s, acknowledge latched faults. If
+/// neither the deflections nor the pulse of the switch change for more than 2 s while the remote
+/// control moves the robot, a stop is latched.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.

@@ -13,8 +13,8 @@ namespace wr {
 /// @function Compares the pulses of all channels with the pulses at the last change. Measures how
 /// long the remote control has moved the robot since this change.
 ///
-/// @secret The smallest change of a pulse that shows that a person holds the remote control, and
-/// the longest permitted time without this change.
+/// @secret The greatest change of a pulse that counts as jitter, and the longest permitted time
+/// without a greater change.
 class RcVigilance final {
  public:
   static constexpr std::size_t kChannels = 3;  ///< velocity, direction, enable

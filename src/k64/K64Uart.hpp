@@ -24,6 +24,13 @@ class K64Uart final : public SerialPort {
   /// @brief Speed of the serial line [baud].
   static constexpr std::uint32_t kBaud = 115'200;
 
+  /// @brief Size of the buffer of received bytes [bytes]. The port receives fewer bytes in one
+  /// control cycle. The buffer also stores the bytes that arrive while a cycle is late.
+  static constexpr std::size_t kReceiveBytes = 2048;
+
+  /// @brief Size of the buffer of bytes to send [bytes].
+  static constexpr std::size_t kSendBytes = 512;
+
   /// @brief A serial port that the firmware uses.
   enum class Port : std::uint8_t { Uart0 = 0, Uart4 = 1 };
 
@@ -127,13 +134,11 @@ class K64Uart final : public SerialPort {
   Port port_;
   ZeroBytes zeros_;
   const Timebase& clock_;
-  // At 115200 baud the port receives at most 1152 bytes in one control cycle. The buffer also
-  // stores the bytes that arrive while a cycle is late.
-  Ring<std::uint8_t, 2048> received_;
+  Ring<std::uint8_t, kReceiveBytes> received_;
   // Times at which the stored zero bytes were received. With ZeroBytes::Ends, at most every second
   // stored byte is zero.
-  Ring<Instant, 1024> endings_;
-  Ring<std::uint8_t, 512> toSend_;
+  Ring<Instant, kReceiveBytes / 2> endings_;
+  Ring<std::uint8_t, kSendBytes> toSend_;
   std::atomic<std::uint32_t> lost_{0};
   std::uint8_t lastStored_ = 0;
   Instant receivedAt_;

@@ -37,7 +37,7 @@ class ControlSystem {
   /// @isr{no}
   void hold(std::uint32_t cycle);
 
-  /// @brief Orders the system to measure, to stand still, to release latched faults and to start
+  /// @brief Orders the system to measure, to release latched faults, to stand still and to start
   /// its work.
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
