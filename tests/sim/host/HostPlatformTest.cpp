@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "services/Command.hpp"
+#include "services/SystemConstants.hpp"
 #include "sim/host/HostScheduler.hpp"
 #include "sim/host/HostSerialPort.hpp"
 #include "sim/host/HostThread.hpp"
 #include "sim/host/HostTimebase.hpp"
 #include "sim/host/HostTimer.hpp"
+#include "sim/host/HostWatchdog.hpp"
 #include "sim/scenario/PcFrames.hpp"
 #include "support/LineBytes.hpp"
 
@@ -114,6 +116,22 @@ TEST_F(HostSchedulerTest, TimerRaisesItsInterruptWhileItRuns) {
   timer.stop();
   timer.periodPassed();
   EXPECT_EQ(pulses, 1);
+}
+
+/// @brief A watchdog that was not refreshed in time has missed a time-out. A later refresh does not
+/// change this result.
+TEST(HostWatchdogTest, ALaterRefreshKeepsTheMiss) {
+  host::HostTimebase time;
+  host::HostWatchdog watchdog(time);
+  const Microseconds timeout = SystemConstants::instance().watchdogTimeout();
+  time.advance(timeout - Microseconds(1));
+  EXPECT_FALSE(watchdog.missed());
+  watchdog.refresh();
+  time.advance(timeout);
+  EXPECT_TRUE(watchdog.missed());
+  watchdog.refresh();
+  EXPECT_TRUE(watchdog.missed());
+  EXPECT_EQ(watchdog.refreshes(), 2U);
 }
 
 /// @brief The time of a HostTimebase begins at 0, and passes only when advance() is called.
