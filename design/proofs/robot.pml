@@ -407,7 +407,7 @@ inline robot_stands() { halted = true; moves = false; follow = false }
 // code: RobotStage::follow, WheelSystem::apply, DirSystem::apply
 inline robot_follows() { halted = false; moves = set_points == MOVING; follow = true }
 
-// code: ProtectiveStop::examine, ProtectiveStop::latch, ContactWatch::opened
+// code: ProtectiveStop::examine, ProtectiveStop::examineContact, ProtectiveStop::latch, ContactWatch::opened
 inline examine() {
   if
   :: emergency_stop || wheel_fails || steering_controller_states == steering_controller_states_DirFault ->
