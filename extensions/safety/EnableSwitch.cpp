@@ -26,6 +26,13 @@ constexpr Microseconds kAcknowledgeTime = milliseconds(1000);
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
 
+// Returns the deflection of a stick [us]. The value of the stick was rounded. Therefore the
+// quotient is rounded too, and the result is exactly the deflection of the pulse.
+std::int32_t deflectionOf(std::int32_t value, std::int32_t limit) {
+  const std::int32_t half = value < 0 ? -limit / 2 : limit / 2;
+  return (value * kFullDeflection + half) / limit;
+}
+
 bool fresh(Instant at, Instant now) {
   return now - at <= kLifetime;
 }
@@ -137,8 +144,8 @@ bool EnableSwitch::unattended(Instant now) {
       signals_.enable.read().value_or(Stamped<Microseconds>()).value.count();
   const SystemConstants& constants = SystemConstants::instance();
   const RcVigilance::Deflections deflections{
-      velocity * kFullDeflection / constants.velocityLimit().count(),
-      direction * kFullDeflection / constants.steeringLimit().count(),
+      deflectionOf(velocity, constants.velocityLimit().count()),
+      deflectionOf(direction, constants.steeringLimit().count()),
       static_cast<std::int32_t>(enable)};
   const bool moving = position_ == Position::Drive && !stopped_ && deflected(now);
   return vigilance_.expired(deflections, moving, now);

@@ -333,6 +333,25 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
+/// @brief At each deflection of the steering stick, pulses that vary by exactly 8 us do not restart
+/// the time of 2 s until the stop. Pulses that vary by 9 us restart it.
+/// @verifies FR-289
+TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
+  const auto angleOf = [](int deflection) { return (deflection * 3200 + 250) / 500; };
+  for (const int change : {8, 9}) {
+    for (int deflection = 21; deflection + change <= 500; ++deflection) {
+      for (const int sign : {1, -1}) {
+        signals(kDrivePulse, 0);
+        for (int cycles = 0; cycles <= 21; ++cycles) {
+          const int moved = deflection + (cycles % 2 == 0 ? 0 : change);
+          signals(kDrivePulse, 1500, sign * angleOf(moved));
+        }
+        EXPECT_EQ(mode.stopOrdered(), change == 8) << change << " us at " << sign * deflection;
+      }
+    }
+  }
+}
+
 /// @brief If the pulses of any channel change by more than 8 us, the time of 2 s until the stop
 /// restarts.
 /// @verifies FR-289
