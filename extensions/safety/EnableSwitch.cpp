@@ -33,6 +33,11 @@ std::int32_t deflectionOf(std::int32_t value, std::int32_t limit) {
   return (value * kFullDeflection + half) / limit;
 }
 
+// Returns whether a pulse shows the position stop of the switch.
+bool showsStop(Microseconds width) {
+  return width >= EnableSwitch::kShortestPulse && width < EnableSwitch::kMinNoStopPulse;
+}
+
 bool fresh(Instant at, Instant now) {
   return now - at <= kLifetime;
 }
@@ -98,17 +103,18 @@ void EnableSwitch::takePosition(Instant now) {
 // Returns whether two successive pulses have ordered a stop since the last cycle.
 bool EnableSwitch::stopConfirmed() {
   const std::optional<Stamped<Microseconds>> pulse = signals_.stop.read();
-  const bool confirmed = pulse && pulse->at != confirmedAt_;
-  if (confirmed) {
+  confirmed_.reset();
+  if (pulse && pulse->at != confirmedAt_) {
+    confirmed_ = pulse->value;
     confirmedAt_ = pulse->at;
   }
-  return confirmed;
+  return confirmed_.has_value();
 }
 
 // Records how far the switch has moved through the positions stop, PC and drive. Only an operator
 // moves the switch through the position PC: when the radio link returns, the output of the receiver
-// changes directly from stop to drive. A gap of the pulses ends the sequence, because the switch
-// was not in the position stop.
+// changes directly from stop to drive. A gap of the pulses and pulses out of the range end the
+// sequence, because they do not show that the switch is in the position stop.
 void EnableSwitch::advanceSequence(Instant now) {
   const std::optional<Stamped<Microseconds>> pulse = signals_.enable.read();
   if (now - drivenAt_ > kAcknowledgeTime) {
@@ -118,7 +124,11 @@ void EnableSwitch::advanceSequence(Instant now) {
     sequence_ = Sequence::None;
     acknowledgements_ = 0;
   } else if (position_ == Position::Stop) {
-    sequence_ = Sequence::Stopped;
+    if (showsStop(pulse->value) || (confirmed_ && showsStop(*confirmed_))) {
+      sequence_ = Sequence::Stopped;
+    } else if (confirmed_) {
+      sequence_ = Sequence::None;
+    }
     acknowledgements_ = 0;
   } else if (position_ == Position::Pc) {
     sequence_ = sequence_ == Sequence::None ? Sequence::None : Sequence::Passed;

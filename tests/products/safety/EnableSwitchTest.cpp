@@ -252,6 +252,31 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
+/// @brief Two successive pulses out of the range stop the robot, but they are not the position
+/// "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive pulses in
+/// the position "stop" between two cycles are this position.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
+  for (const bool stopped : {false, true}) {
+    for (const int width : {899, 2101, 900, 1249}) {
+      signals(kDrivePulse);
+      signals(kDrivePulse);
+      if (stopped) {
+        signals(kStopPulse);
+      }
+      signals(kPcPulse);
+      stop.write(Microseconds(width), time.now());
+      signals(kPcPulse);
+      EXPECT_TRUE(mode.stopOrdered()) << width;
+      signals(kPcPulse);
+      signals(kDrivePulse);
+      EXPECT_FALSE(mode.stopOrdered()) << width;
+      EXPECT_EQ(acknowledges(), width >= 900 && width <= 2100) << width << " after " << stopped;
+      time.advance(milliseconds(2000));
+    }
+  }
+}
+
 /// @brief If the pulses are missing while the switch is in the position "PC", a later change from
 /// "PC" to "drive" causes no acknowledgement. The same is true for a remote control that is
 /// switched on in the position "PC".
