@@ -16,7 +16,7 @@ using Steps = std::vector<std::string>;
 TEST_F(MainControllerTest, FR1_NoCycleBeforeStart) {
   controller.clockPulse();
   EXPECT_EQ(data.cycle(), 0U);
-  EXPECT_EQ(thread.overruns(), 0);
+  EXPECT_EQ(thread.overruns(), 0U);
 }
 
 /// @brief Each clock pulse runs one cycle.
@@ -321,6 +321,29 @@ TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
   ASSERT_EQ(sent.size(), 2U);
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
+}
+
+/// @brief After more than 65535 lost clock pulses, a report still shows that its cycle overran.
+/// @verifies FR-4
+TEST_F(MainControllerTest, FR4_AnOverrunIsReportedAfterAnyNumberOfOverruns) {
+  connect();
+  controller.start();
+  int late = 65'600;
+  system.work = [&] {
+    while (late > 0) {
+      --late;
+      controller.clockPulse();
+    }
+  };
+  controller.clockPulse();
+  static_cast<void>(port.takeSent());
+  late = 1;
+  controller.clockPulse();
+  const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_TRUE(scenario::reportOf(sent[0])->overran());
+  EXPECT_FALSE(scenario::reportOf(sent[1])->overran());
+  EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 2);
 }
 
 /// @brief If a control system has not completed a cycle, the cycle is an overrun.
