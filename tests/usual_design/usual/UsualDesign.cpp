@@ -830,7 +830,7 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
 void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position, Current current) {
   const Tension applied = applied_.value_or(Tension());
   const std::int32_t tension = std::abs(applied.count());
-  if (std::abs(position.count() - stillPosition_.count()) > kJitter) {
+  if (std::abs(edgesBetween(stillPosition_, position).count()) > kJitter) {
     stillPosition_ = position;
     effort_ = 0;
   } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {
