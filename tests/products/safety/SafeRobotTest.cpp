@@ -344,6 +344,34 @@ TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   }
 }
 
+/// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. At each
+/// time of the cycle, and also if the switch was in "stop" for only 40 ms, this sequence releases a
+/// protective stop.
+/// @verifies FR-288
+TEST_F(SafeRobot, FR288_AQuickSequenceOfTheSwitchAcknowledges) {
+  armByRc();
+  for (const int stopTime : {40, 300}) {
+    for (int begin = 1; begin < 100; begin += 7) {
+      line.robot().setEmergencyStop(plant::EmergencyStop::Brake);
+      cycles(2);
+      line.robot().setEmergencyStop(plant::EmergencyStop::Released);
+      cycles(2);
+      ASSERT_EQ(protection().cause, StopCause::EmergencyStop);
+      Instant next = line.world.nextPulse() + milliseconds(begin - 100);
+      for (const plant::EnablePosition position : {kStop, kPc, kDrive}) {
+        while (line.world.nextPulse() <= next) {
+          cycle();
+        }
+        line.world.runUntil(next);
+        enable(position);
+        next = next + milliseconds(position == kStop ? stopTime : 200);
+      }
+      cycles(8);
+      EXPECT_EQ(protection().cause, StopCause::None) << stopTime << " ms, begin " << begin;
+    }
+  }
+}
+
 /// @brief If the pulses of the remote control no longer change, a driving robot stops.
 /// @verifies FR-289
 TEST_F(SafeRobot, FR289_HeldPulsesStopTheRobot) {
