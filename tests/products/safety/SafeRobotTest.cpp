@@ -249,6 +249,29 @@ TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
   EXPECT_NEAR(rpm(), 100, 5);
 }
 
+/// @brief The PC sends a stop, and a neutral order before the next cycle. This cycle halts and
+/// disarms the robot. The robot then moves only after five neutral orders.
+/// @verifies FR-240
+/// @verifies FR-280
+TEST_F(SafeRobot, FR240_AStopThatIsReleasedInTheSameCycleHalts) {
+  armByPc();
+  order(20, 1000);
+  EXPECT_NEAR(rpm(), 100, 10);
+  line.send(pc.order({.id = 2, .stop = true}));
+  line.send(pc.order({.id = 3}));
+  cycle();
+  EXPECT_TRUE(report.stop());
+  EXPECT_TRUE(report.held());
+  EXPECT_EQ(report.orderId, 3);
+  EXPECT_FALSE(protection().armed);
+  order(20, 1000);
+  EXPECT_FALSE(report.stop());
+  EXPECT_NEAR(rpm(), 0, 1);
+  order(5, 0);
+  order(20, 1000);
+  EXPECT_NEAR(rpm(), 100, 5);
+}
+
 /// @brief If the enable switch has no pulses while the PC drives, the robot stops.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
