@@ -64,6 +64,7 @@ byte failed_reads;  // in a row
 bool accepted;      // a frame was accepted in this round
 bool welcome_due;
 bool pc_stop;     // the reader of the PC stores a stop
+bool pc_stop_now; // the reader of the PC received a stop in this cycle
 bool pc_kept;     // a stop from before the reset
 bool stop_memory; // the memory that a reset does not clear
 bool rc_stopped = true;
@@ -274,7 +275,7 @@ inline forget_order() {
 // code: SerialReader::heedStop
 inline heed_stop() {
   if
-  :: stops -> pc_stop = true
+  :: stops -> pc_stop = true; pc_stop_now = true
   :: else
   fi
 }
@@ -329,8 +330,9 @@ inline answer_frame() {
   frame = 0
 }
 
-// code: PC::serve, PcConnection::service, PcConnection::sendWelcome, PersistentStop::serve
+// code: PC::serve, PcConnection::service, PcConnection::sendWelcome, PersistentStop::serve, SerialReader::beginCycle
 inline serve_pc() {
+  pc_stop_now = false;
   choose_time();
   d_step { check_time() };
   choose_frame();
@@ -340,7 +342,7 @@ inline serve_pc() {
   choose_time();
   d_step {
     check_time();
-    stop_memory = pc_stop || pc_kept;
+    stop_memory = pc_stop || pc_stop_now || pc_kept;
     welcome_due = false;
     accepted = false;
     pc_mcu_connection_did = 0
@@ -356,7 +358,8 @@ inline read_pc() {
   order = NONE;
   age = 0;
   if
-  :: (set_points == NEUTRAL || set_points == ACKNOWLEDGE) && !pc_stop -> pc_kept = false; heard_neutral = true
+  :: (set_points == NEUTRAL || set_points == ACKNOWLEDGE) && !pc_stop && !pc_stop_now ->
+     pc_kept = false; heard_neutral = true
   :: else
   fi
 }
@@ -407,7 +410,7 @@ inline robot_stands() { halted = true; moves = false; follow = false }
 // code: RobotStage::follow, WheelSystem::apply, DirSystem::apply
 inline robot_follows() { halted = false; moves = set_points == MOVING; follow = true }
 
-// code: ProtectiveStop::examine, ProtectiveStop::latch, ContactWatch::opened
+// code: ProtectiveStop::examine, ProtectiveStop::examineContact, ProtectiveStop::latch, ContactWatch::opened
 inline examine() {
   if
   :: emergency_stop || wheel_fails || steering_controller_states == steering_controller_states_DirFault ->
@@ -455,7 +458,7 @@ inline stages_recover() {
   release = true
 }
 
-#define stop_in_force (rc_stopped || pc_stop || pc_kept)
+#define stop_in_force (rc_stopped || pc_stop || pc_stop_now || pc_kept)
 
 // code: MainController::applyControl, MainController::noteStop, Reconnecting::control, SafeSystem::activate
 inline control() {
@@ -523,7 +526,7 @@ inline start_again() {
     :: else
     fi;
     pc_kept = stop_memory;
-    pc_stop = false; rc_stopped = true;
+    pc_stop = false; pc_stop_now = false; rc_stopped = true;
     unread = false; order = NONE; age = 0; set_points = NONE; failed_reads = 0;
     neutral_orders = 0; missed = false; abandoned = false; release = false;
     robot_stands();
@@ -623,7 +626,7 @@ inline observe() {
     pc_orders = pc_ordered;
     rc_silent = !rc_ordered;
     rc_orders = rc_ordered;
-    stop_of_pc = pc_stop || pc_kept;
+    stop_of_pc = pc_stop || (pc_stop_now && ran) || pc_kept;
     stop_of_rc = rc_stopped;
     rc_released = rc_centred;
     pc_neutral = heard_neutral;

@@ -9,12 +9,11 @@ namespace {
 constexpr std::int32_t kMiddlePulse = 1500;    // [us]
 constexpr std::int32_t kFullDeflection = 500;  // [us] deflection of a pulse of 2000 us
 
-// Range of the valid pulse widths of the enable switch. A pulse outside this range orders a stop.
-constexpr Microseconds kShortestPulse(900);
+// Longest valid pulse of the enable switch. A pulse out of the valid range orders a stop.
 constexpr Microseconds kLongestPulse(2100);
 
 bool inRange(Microseconds width) {
-  return width >= kShortestPulse && width <= kLongestPulse;
+  return width >= EnableSwitch::kShortestPulse && width <= kLongestPulse;
 }
 
 }  // namespace

@@ -26,6 +26,18 @@ constexpr Microseconds kAcknowledgeTime = milliseconds(1000);
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
 
+// Returns the deflection of a stick [us]. The value of the stick was rounded. Therefore the
+// quotient is rounded too, and the result is exactly the deflection of the pulse.
+std::int32_t deflectionOf(std::int32_t value, std::int32_t limit) {
+  const std::int32_t half = value < 0 ? -limit / 2 : limit / 2;
+  return (value * kFullDeflection + half) / limit;
+}
+
+// Returns whether a pulse shows the position stop of the switch.
+bool showsStop(Microseconds width) {
+  return width >= EnableSwitch::kShortestPulse && width < EnableSwitch::kMinNoStopPulse;
+}
+
 bool fresh(Instant at, Instant now) {
   return now - at <= kLifetime;
 }
@@ -91,17 +103,18 @@ void EnableSwitch::takePosition(Instant now) {
 // Returns whether two successive pulses have ordered a stop since the last cycle.
 bool EnableSwitch::stopConfirmed() {
   const std::optional<Stamped<Microseconds>> pulse = signals_.stop.read();
-  const bool confirmed = pulse && pulse->at != confirmedAt_;
-  if (confirmed) {
+  confirmed_.reset();
+  if (pulse && pulse->at != confirmedAt_) {
+    confirmed_ = pulse->value;
     confirmedAt_ = pulse->at;
   }
-  return confirmed;
+  return confirmed_.has_value();
 }
 
 // Records how far the switch has moved through the positions stop, PC and drive. Only an operator
 // moves the switch through the position PC: when the radio link returns, the output of the receiver
-// changes directly from stop to drive. A gap of the pulses ends the sequence, because the switch
-// was not in the position stop.
+// changes directly from stop to drive. A gap of the pulses and pulses out of the range end the
+// sequence, because they do not show that the switch is in the position stop.
 void EnableSwitch::advanceSequence(Instant now) {
   const std::optional<Stamped<Microseconds>> pulse = signals_.enable.read();
   if (now - drivenAt_ > kAcknowledgeTime) {
@@ -111,7 +124,11 @@ void EnableSwitch::advanceSequence(Instant now) {
     sequence_ = Sequence::None;
     acknowledgements_ = 0;
   } else if (position_ == Position::Stop) {
-    sequence_ = Sequence::Stopped;
+    if (showsStop(pulse->value) || (confirmed_ && showsStop(*confirmed_))) {
+      sequence_ = Sequence::Stopped;
+    } else if (confirmed_) {
+      sequence_ = Sequence::None;
+    }
     acknowledgements_ = 0;
   } else if (position_ == Position::Pc) {
     sequence_ = sequence_ == Sequence::None ? Sequence::None : Sequence::Passed;
@@ -137,8 +154,8 @@ bool EnableSwitch::unattended(Instant now) {
       signals_.enable.read().value_or(Stamped<Microseconds>()).value.count();
   const SystemConstants& constants = SystemConstants::instance();
   const RcVigilance::Deflections deflections{
-      velocity * kFullDeflection / constants.velocityLimit().count(),
-      direction * kFullDeflection / constants.steeringLimit().count(),
+      deflectionOf(velocity, constants.velocityLimit().count()),
+      deflectionOf(direction, constants.steeringLimit().count()),
       static_cast<std::int32_t>(enable)};
   const bool moving = position_ == Position::Drive && !stopped_ && deflected(now);
   return vigilance_.expired(deflections, moving, now);

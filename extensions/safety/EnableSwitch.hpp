@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "devices/Timebase.hpp"
 #include "main_control/operation_modes/ModeDecorator.hpp"
@@ -40,6 +41,10 @@ class EnableSwitch final : public ModeDecorator {
 
   /// @brief Shortest pulse of the switch that does not order a stop.
   static constexpr Microseconds kMinNoStopPulse{1250};
+
+  /// @brief Shortest valid pulse of the switch. A pulse out of the valid range orders a stop, but
+  /// shows no position of the switch.
+  static constexpr Microseconds kShortestPulse{900};
 
   /// @brief Latches a stop at the start of the firmware.
   /// @param wrapped the mode that this mode wraps
@@ -96,6 +101,8 @@ class EnableSwitch final : public ModeDecorator {
   RcVigilance vigilance_;
   Position position_ = Position::Stop;
   Instant confirmedAt_{};  // time of the newest pulse that confirmed a stop
+  // Width of this pulse; no value if the pulse ended before the last cycle.
+  std::optional<Microseconds> confirmed_;
   Sequence sequence_ = Sequence::None;
   Instant drivenAt_{};                 // time at which the sequence was complete
   std::uint8_t acknowledgements_ = 0;  // number of following orders that acknowledge faults

@@ -107,7 +107,7 @@ void LeadsWatch::reset() {
 LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension tension) {
   const Velocity velocity = *measured.velocity;
   const HallCount way =
-      measured.position && position_ ? *measured.position - *position_ : HallCount();
+      measured.position && position_ ? edgesBetween(*position_, *measured.position) : HallCount();
   Cycle cycle;
   cycle.inputs = {across(*measured.current), induced(velocity), 1.0F};
   cycle.unexplained = volts(tension) - cycle.inputs[0] - cycle.inputs[kInduced] -

@@ -25,6 +25,7 @@ void ProtectiveStop::collect(Measurements& measurements, Outputs& outputs) const
 void ProtectiveStop::follow(const SetPoints& setPoints, std::uint32_t cycle) {
   if (latched()) {
     wrapped().stand(cycle);
+    examineContact();
     return;
   }
   wrapped().follow(setPoints, cycle);
@@ -40,8 +41,8 @@ void ProtectiveStop::stand(std::uint32_t cycle) {
 }
 
 void ProtectiveStop::recover(std::uint32_t cycle) {
-  // The operator saw the present stop, but no opening of the contact that caused no stop yet.
-  const bool unseen = !latched() && emergencyStop_.opened();
+  // The operator saw the present stop, but no opening of the contact after the last cycle.
+  const bool unseen = emergencyStop_.opened() && !contactOpen_;
   cause_ = StopCause::None;
   wheel_ = Protection::kNoWheel;
   memory_.save({});
@@ -49,15 +50,14 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  if (emergencyStop_.open() || unseen) {
+  contactOpen_ = emergencyStop_.open();
+  if (contactOpen_ || unseen) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
 }
 
 void ProtectiveStop::examine(const SetPoints* followed) {
-  if (emergencyStop_.opened()) {
-    latch(StopCause::EmergencyStop, Protection::kNoWheel);
-  }
+  examineContact();
   OrderStageDecorator::collect(measurements_, outputs_);
   if (measurements_.steeringState == SteeringState::Fault) {
     latch(StopCause::SteeringFault, Protection::kNoWheel);
@@ -69,6 +69,14 @@ void ProtectiveStop::examine(const SetPoints* followed) {
     latch(cause, static_cast<std::uint8_t>(wheel));
   }
   compareWheels(measurements_, followed != nullptr);
+}
+
+void ProtectiveStop::examineContact() {
+  const bool opened = emergencyStop_.opened();
+  contactOpen_ = emergencyStop_.open();
+  if (opened || contactOpen_) {
+    latch(StopCause::EmergencyStop, Protection::kNoWheel);
+  }
 }
 
 void ProtectiveStop::compareWheels(const Measurements& measurements, bool following) {

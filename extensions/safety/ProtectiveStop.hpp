@@ -51,8 +51,7 @@ class ProtectiveStop final : public OrderStageDecorator {
   void stand(std::uint32_t cycle) override;
 
   /// @brief Releases the protective stop, and forwards the acknowledgement. If the contact of the
-  /// emergency-stop circuit is open, or has opened without causing a protective stop yet, latches a
-  /// protective stop.
+  /// emergency-stop circuit is open, or has opened after the last cycle, latches a protective stop.
   /// @param cycle number of the cycle
   /// @satisfies FR-291
   /// @isr{no}
@@ -66,6 +65,10 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @satisfies FR-272
   /// @satisfies FR-273
   void examine(const SetPoints* followed);
+  /// @brief Checks whether the contact of the emergency-stop circuit was open since the last cycle.
+  /// In this case latches a protective stop.
+  /// @satisfies FR-271
+  void examineContact();
   /// @brief Compares the wheels with each other while they follow set-points.
   /// @param measurements measurements of the cycle
   /// @param following true while the wheels follow set-points; false clears the records of the
@@ -84,6 +87,7 @@ class ProtectiveStop final : public OrderStageDecorator {
   Outputs outputs_;
   StopCause cause_;
   std::uint8_t wheel_;
+  bool contactOpen_ = false;  // the last cycle found the contact of the emergency-stop circuit open
 };
 
 }  // namespace wr

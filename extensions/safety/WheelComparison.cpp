@@ -77,7 +77,7 @@ void WheelComparison::add(const Measurements& measurements) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     const std::optional<HallCount>& position = measurements.wheels[wheel].position;
     if (position && before_[wheel]) {
-      ways_[wheel] += (*position - *before_[wheel]).count();
+      ways_[wheel] += edgesBetween(*before_[wheel], *position).count();
     }
     before_[wheel] = position;
   }

@@ -127,7 +127,7 @@ void MainController::noteStop() {
 }
 
 void MainController::noteOverrun() {
-  const std::uint16_t overruns = thread_.overruns();
+  const std::uint32_t overruns = thread_.overruns();
   if (overruns != seenOverruns_ || !systems_.completed(data_.cycle())) {
     data_.saveOverrun();
   }

@@ -184,7 +184,7 @@ class MainController {
   std::reference_wrapper<Mode> mode_;
   std::span<Mode* const> modes_;
   Pipe<std::uint32_t> pulses_;  // count of processor cycles at a clock pulse, and time of the pulse
-  std::uint16_t seenOverruns_ = 0;
+  std::uint32_t seenOverruns_ = 0;
 };
 
 }  // namespace wr

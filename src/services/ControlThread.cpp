@@ -1,8 +1,5 @@
 #include "services/ControlThread.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include "services/assertion.hpp"
 
 namespace wr {
@@ -29,9 +26,8 @@ bool ControlThread::post() {
   return true;
 }
 
-std::uint16_t ControlThread::overruns() const {
-  constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::min(overruns_.load(), kMaxCount));
+std::uint32_t ControlThread::overruns() const {
+  return overruns_.load();
 }
 
 void ControlThread::run() {

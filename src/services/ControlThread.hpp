@@ -39,9 +39,9 @@ class ControlThread {
   bool post();
 
   /// @brief Returns the number of posts that occurred before the previous activation had ended.
-  /// @return number of overruns since start, at most 65535
+  /// @return number of overruns since start, modulo 2^32
   /// @isr{yes}
-  [[nodiscard]] std::uint16_t overruns() const;
+  [[nodiscard]] std::uint32_t overruns() const;
 
  protected:
   ControlThread() = default;

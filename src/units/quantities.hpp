@@ -36,6 +36,16 @@ using StepRate = Quantity<struct StepRateTag, std::int32_t>;
 /// @datatype
 using HallCount = Quantity<struct HallCountTag, std::int32_t>;
 
+/// @brief Returns the number of edges from one position of a wheel to another. The positions can
+/// overflow. The number of edges cannot overflow, because it is small.
+/// @param from the earlier position
+/// @param to the later position
+/// @return number of edges; positive when the wheel has turned forwards
+[[nodiscard]] constexpr HallCount edgesBetween(HallCount from, HallCount to) {
+  return HallCount(static_cast<std::int32_t>(static_cast<std::uint32_t>(to.count()) -
+                                             static_cast<std::uint32_t>(from.count())));
+}
+
 /// @brief Duration [us].
 /// @datatype
 using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;

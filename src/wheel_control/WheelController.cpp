@@ -104,7 +104,7 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint,
                                   const WheelMeasurements& measured) {
   const HallCount position = measured.position.value_or(HallCount());
   const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
-  if (std::abs(position.count() - seen_.count()) > kJitter) {
+  if (std::abs(edgesBetween(seen_, position).count()) > kJitter) {
     seen_ = position;
     effort_ = 0;
   } else if (tension <= kMinEffortTension.count() ||

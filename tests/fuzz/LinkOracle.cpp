@@ -168,7 +168,10 @@ bool LinkOracle::answer(std::uint8_t type, std::uint8_t sequence,
   if (type == kKeepAlive) {
     return connected() || unexpected();
   }
-  stop_ = stop_ || (payload[kCommands] & 1U) != 0;
+  if ((payload[kCommands] & 1U) != 0) {
+    stop_ = true;
+    stopReceived_ = true;
+  }
   return connected() ? takeOrder(sequence, payload, at) : unexpected();
 }
 
@@ -209,6 +212,8 @@ void LinkOracle::checkTime(Time at) {
 
 bool LinkOracle::endService(Time pulse) {
   checkTime(pulse);
+  stopOfCycle_ = stopReceived_;
+  stopReceived_ = false;
   return welcomeDue_;
 }
 

@@ -62,7 +62,9 @@ class LinkOracle {
   [[nodiscard]] std::optional<std::vector<std::uint8_t>> order(Time pulse) const;
 
   [[nodiscard]] bool connected() const { return state_ == State::Connected; }
-  [[nodiscard]] bool stop() const { return stop_; }
+  /// @brief Returns whether a stop is in force in this cycle. A stop is also in force in the cycle
+  /// that receives it and its release.
+  [[nodiscard]] bool stop() const { return stop_ || stopOfCycle_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
  private:
@@ -89,6 +91,8 @@ class LinkOracle {
   std::optional<Bytes> order_;
   Time orderAt_ = 0;
   bool stop_ = false;
+  bool stopReceived_ = false;  // since the last endService()
+  bool stopOfCycle_ = false;   // the bytes of this cycle contained a stop
 };
 
 }  // namespace wr::fuzz

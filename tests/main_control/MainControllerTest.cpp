@@ -16,7 +16,7 @@ using Steps = std::vector<std::string>;
 TEST_F(MainControllerTest, FR1_NoCycleBeforeStart) {
   controller.clockPulse();
   EXPECT_EQ(data.cycle(), 0U);
-  EXPECT_EQ(thread.overruns(), 0);
+  EXPECT_EQ(thread.overruns(), 0U);
 }
 
 /// @brief Each clock pulse runs one cycle.
@@ -158,8 +158,9 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
 }
 
 /// @brief The report contains two counts of processor cycles. The first count contains the cycles
-/// in which the processor was awake between the last two clock pulses. The second count is for the
-/// time from the clock pulse to the start of the control cycle.
+/// in which the processor was awake from the clock pulse of the previous control cycle to the clock
+/// pulse of this control cycle. The second count is for the time from the clock pulse to the start
+/// of the control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
@@ -173,6 +174,27 @@ TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   EXPECT_EQ(report.awakeCycles, 3000U);
   EXPECT_EQ(report.startCycles, 0U);
   EXPECT_EQ(report.reportCycles, 0U);
+}
+
+/// @brief If a clock pulse is lost, the count of the cycles in which the processor was awake begins
+/// at the clock pulse of the previous control cycle.
+/// @verifies FR-302
+TEST_F(MainControllerTest, FR302_ALostPulseDoesNotShortenTheCount) {
+  connect();
+  controller.start();
+  int late = 2;
+  system.work = [&] {
+    while (late > 0) {
+      --late;
+      time.work(1000);
+      controller.clockPulse();
+    }
+  };
+  controller.clockPulse();
+  const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_EQ(scenario::reportOf(sent[1])->awakeCycles, 2000U);
+  EXPECT_EQ(scenario::reportOf(sent[1])->startCycles, 0U);
 }
 
 /// @brief A report contains the number of processor cycles that the previous cycle needed from its
@@ -321,6 +343,29 @@ TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
   ASSERT_EQ(sent.size(), 2U);
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
+}
+
+/// @brief After more than 65535 lost clock pulses, a report still shows that its cycle overran.
+/// @verifies FR-4
+TEST_F(MainControllerTest, FR4_AnOverrunIsReportedAfterAnyNumberOfOverruns) {
+  connect();
+  controller.start();
+  int late = 65'600;
+  system.work = [&] {
+    while (late > 0) {
+      --late;
+      controller.clockPulse();
+    }
+  };
+  controller.clockPulse();
+  static_cast<void>(port.takeSent());
+  late = 1;
+  controller.clockPulse();
+  const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_TRUE(scenario::reportOf(sent[0])->overran());
+  EXPECT_FALSE(scenario::reportOf(sent[1])->overran());
+  EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 2);
 }
 
 /// @brief If a control system has not completed a cycle, the cycle is an overrun.

@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "support/difference.hpp"
@@ -24,6 +25,19 @@ TEST(Quantity, Computes) {
   EXPECT_LT(Velocity(-1), Velocity());
   EXPECT_TRUE((std::same_as<decltype(Velocity(1) + Velocity(1)), Velocity>));
   EXPECT_TRUE((std::same_as<decltype(Velocity(1) * 2), Velocity>));
+}
+
+/// @brief The number of edges between two positions of a wheel is exact, also if the position has
+/// continued at the other end of its range.
+/// @verifies FR-177
+TEST(HallCount, FR177_EdgesAreCountedAcrossTheEndOfTheRange) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  constexpr HallCount kLast(Limits::max());
+  constexpr HallCount kFirst(Limits::min());
+  static_assert(edgesBetween(kLast, kFirst) == HallCount(1));
+  static_assert(edgesBetween(kFirst, kLast) == HallCount(-1));
+  static_assert(edgesBetween(HallCount(-3), HallCount(4)) == HallCount(7));
+  EXPECT_EQ(edgesBetween(HallCount(4), HallCount(-3)), HallCount(-7));
 }
 
 template <class A, class B>

@@ -200,6 +200,22 @@ TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   EXPECT_EQ(this->robot.report().source, kRc);
 }
 
+/// @brief A stop order and an order that releases the stop come before the same cycle. This cycle
+/// holds the robot, and the next cycle does not.
+TYPED_TEST(Behaviour, StopHoldsInTheCycleThatReceivesIt) {
+  this->robot.commandByPc();
+  this->robot.order({.id = 9, .stop = true});
+  this->robot.order({.id = 10});
+  this->robot.cycle();
+  EXPECT_TRUE(this->robot.report().stop());
+  EXPECT_EQ(this->robot.report().stopSources, 1 << kPc);
+  EXPECT_TRUE(this->robot.report().held());
+  EXPECT_EQ(this->robot.report().orderId, 10);
+  this->robot.silentCycle();
+  EXPECT_FALSE(this->robot.report().stop());
+  EXPECT_FALSE(this->robot.report().held());
+}
+
 /// @brief Each cycle refreshes the watchdog.
 TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
   this->robot.cycles(7);

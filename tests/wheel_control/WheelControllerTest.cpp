@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 
 #include "wheel_control/ControlledWheel.hpp"
 
@@ -415,6 +416,25 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
     controlStanding(tensionOf(7000));
   }
   EXPECT_TRUE(controller.blind());
+}
+
+/// @brief At the end of its range the position continues at the other end. One edge across this end
+/// is no motion, and two edges are a motion.
+/// @verifies FR-91
+/// @verifies FR-177
+TEST_F(WheelControllerTest, FR91_PositionsContinueAtTheOtherEnd) {
+  constexpr HallCount kLast(std::numeric_limits<std::int32_t>::max());
+  constexpr HallCount kFirst(std::numeric_limits<std::int32_t>::min());
+  for (const bool moves : {true, false}) {
+    controller.release();
+    position = kLast;
+    controlStanding(tensionOf(7000));
+    for (int cycle = 0; cycle < 8; ++cycle) {
+      position = cycle % 2 != 0 ? kLast : moves ? kFirst + HallCount(1) : kFirst;
+      controlStanding(tensionOf(7000));
+    }
+    EXPECT_EQ(controller.blind(), !moves);
+  }
 }
 
 /// @brief A wheel that does not turn at 2.0 V never counts as a wheel without motion feedback. This

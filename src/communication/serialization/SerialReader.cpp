@@ -10,6 +10,7 @@ namespace wr {
 
 void SerialReader::beginCycle(Instant clockPulse) {
   clockPulse_ = clockPulse;
+  stopReceived_ = false;
 }
 
 void SerialReader::heedStop(std::span<const std::uint8_t, kOrderLength> payload) {
@@ -20,6 +21,7 @@ void SerialReader::heedStop(std::span<const std::uint8_t, kOrderLength> payload)
 
 void SerialReader::latchStop() {
   stop_ = true;
+  stopReceived_ = true;
 }
 
 bool SerialReader::offer(std::span<const std::uint8_t, kOrderLength> payload, Instant receivedAt) {
@@ -48,7 +50,7 @@ bool SerialReader::available() const {
 }
 
 bool SerialReader::stopOrdered() const {
-  return stop_;
+  return stop_ || stopReceived_;
 }
 
 std::uint8_t SerialReader::readU8(Field /*field*/) {

@@ -12,7 +12,7 @@ namespace wr {
 
 /// @brief Reader of the newest order of the PC.
 /// @function Stores the newest order of the PC until the order is read, replaced, dropped or too
-/// old. Latches a stop until a later order releases the stop.
+/// old. Latches a stop until a later order releases the stop, at least for the present cycle.
 /// @secret The storage of the newest order: raw bytes, which are decoded when the order is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {
@@ -23,7 +23,8 @@ class SerialReader final : public Reader {
   /// @brief Constructs a reader without an order and without a latched stop.
   SerialReader() = default;
 
-  /// @brief Sets the time up to which the age of an order is measured.
+  /// @brief Begins the next cycle. Sets the time up to which the age of an order is measured. A
+  /// stop that was released in the previous cycle ends.
   /// @param clockPulse clock pulse of the present cycle
   /// @isr{no}
   /// @satisfies FR-20
@@ -68,8 +69,9 @@ class SerialReader final : public Reader {
   /// @satisfies FR-20
   [[nodiscard]] bool available() const override;
 
-  /// @brief Checks whether a stop of the PC is latched.
-  /// @return true until an order of the PC releases the stop
+  /// @brief Checks whether a stop of the PC is in force.
+  /// @return true until an order of the PC releases the stop; also true in the whole cycle that
+  /// received the stop
   /// @isr{no}
   /// @satisfies FR-21
   /// @satisfies FR-240
@@ -105,6 +107,7 @@ class SerialReader final : public Reader {
   Kept kept_{};
   std::size_t position_ = 0;
   bool stop_ = false;
+  bool stopReceived_ = false;  // the present cycle received a stop
 };
 
 }  // namespace wr

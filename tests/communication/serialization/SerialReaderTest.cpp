@@ -139,6 +139,20 @@ TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
+/// @brief A stop is in force in the cycle that receives it, even if a later order of this cycle
+/// releases the stop. In the next cycle the stop has ended.
+/// @verifies FR-240
+TEST_F(SerialReaderTest, FR240_AStopLastsForTheCycleThatReceivesIt) {
+  reader.heedStop(orderBytes(1, 0, 0, 0, 1));
+  offer(orderBytes(1, 0, 0, 0, 1));
+  offer(orderBytes(2, 0, 0, 0, 0));
+  EXPECT_TRUE(reader.stopOrdered());
+  EXPECT_EQ(read().setPoints().orderId, 2);
+  EXPECT_TRUE(reader.stopOrdered());
+  advance(milliseconds(100));
+  EXPECT_FALSE(reader.stopOrdered());
+}
+
 /// @brief An order releases a stop only if it contains no stop and the set-points of all four
 /// wheels are 0. This is true for all quantities of the wheels and all steering angles.
 /// @verifies FR-241
@@ -190,6 +204,7 @@ TEST_F(SerialReaderTest, FR21_ALatchedStopIsReleasedByANeutralOrder) {
   reader.latchStop();
   EXPECT_TRUE(reader.stopOrdered());
   EXPECT_FALSE(reader.available());
+  advance(milliseconds(100));
   offer(orderBytes(1, 0, 0, 50));
   EXPECT_TRUE(reader.stopOrdered());
   offer(orderBytes(2, 0, 0, 0));

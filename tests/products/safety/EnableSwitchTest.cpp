@@ -252,6 +252,31 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
+/// @brief Two successive pulses out of the range stop the robot, but they are not the position
+/// "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive pulses in
+/// the position "stop" between two cycles are this position.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
+  for (const bool stopped : {false, true}) {
+    for (const int width : {899, 2101, 900, 1249}) {
+      signals(kDrivePulse);
+      signals(kDrivePulse);
+      if (stopped) {
+        signals(kStopPulse);
+      }
+      signals(kPcPulse);
+      stop.write(Microseconds(width), time.now());
+      signals(kPcPulse);
+      EXPECT_TRUE(mode.stopOrdered()) << width;
+      signals(kPcPulse);
+      signals(kDrivePulse);
+      EXPECT_FALSE(mode.stopOrdered()) << width;
+      EXPECT_EQ(acknowledges(), width >= 900 && width <= 2100) << width << " after " << stopped;
+      time.advance(milliseconds(2000));
+    }
+  }
+}
+
 /// @brief If the pulses are missing while the switch is in the position "PC", a later change from
 /// "PC" to "drive" causes no acknowledgement. The same is true for a remote control that is
 /// switched on in the position "PC".
@@ -331,6 +356,25 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   }
   signals(kDrivePulse, 1500);
   EXPECT_TRUE(mode.stopOrdered());
+}
+
+/// @brief At each deflection of the steering stick, pulses that vary by exactly 8 us do not restart
+/// the time of 2 s until the stop. Pulses that vary by 9 us restart it.
+/// @verifies FR-289
+TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
+  const auto angleOf = [](int deflection) { return (deflection * 3200 + 250) / 500; };
+  for (const int change : {8, 9}) {
+    for (int deflection = 21; deflection + change <= 500; ++deflection) {
+      for (const int sign : {1, -1}) {
+        signals(kDrivePulse, 0);
+        for (int cycles = 0; cycles <= 21; ++cycles) {
+          const int moved = deflection + (cycles % 2 == 0 ? 0 : change);
+          signals(kDrivePulse, 1500, sign * angleOf(moved));
+        }
+        EXPECT_EQ(mode.stopOrdered(), change == 8) << change << " us at " << sign * deflection;
+      }
+    }
+  }
 }
 
 /// @brief If the pulses of any channel change by more than 8 us, the time of 2 s until the stop

@@ -30,7 +30,9 @@ class WatchedLeads : public testing::Test {
     measured.velocity = Velocity(static_cast<std::int32_t>(std::lround(rpm * 10)));
     const double amperes = (real - turning) / motor.resistance + motor.offset;
     measured.current = Current(static_cast<std::int32_t>(std::lround(amperes * 1000)));
-    measured.position = HallCount(static_cast<std::int32_t>(std::floor(motor.position)));
+    // The position continues at the other end of its range.
+    const auto edges = static_cast<std::int64_t>(std::floor(motor.position));
+    measured.position = HallCount(static_cast<std::int32_t>(edges));
     return watch->swapped(measured, Tension(static_cast<std::int32_t>(ordered * 1000)));
   }
 
@@ -78,6 +80,26 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
     motor = {};
     EXPECT_FALSE(drive(rpm, rpm > 0 ? 1 : -1, 40)) << rpm;
     EXPECT_EQ(found(rpm, pulling(rpm, rpm > 0 ? 1 : -1)), 2) << rpm;
+  }
+}
+
+/// @brief Swapped leads are also detected in the second cycle if the position of the wheel
+/// continues at the other end of its range in this cycle.
+/// @verifies FR-177
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_ThePositionContinuesAtTheOtherEnd) {
+  for (const double rpm : {150.0, -150.0}) {
+    const double amperes = rpm > 0 ? 1 : -1;
+    watch->reset();
+    motor = {};
+    EXPECT_FALSE(drive(rpm, amperes, 40)) << rpm;
+    const double driven = motor.position;
+    watch->reset();
+    // In each cycle the wheel turns by 15 edges. The position overflows in the second cycle after
+    // the drive.
+    motor.position = (rpm > 0 ? 0x1p31 : -0x1p31) - driven - 1.5 * 15 * amperes;
+    EXPECT_FALSE(drive(rpm, amperes, 40)) << rpm;
+    EXPECT_EQ(found(rpm, pulling(rpm, amperes)), 2) << rpm;
   }
 }
 

@@ -249,6 +249,29 @@ TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
   EXPECT_NEAR(rpm(), 100, 5);
 }
 
+/// @brief The PC sends a stop, and a neutral order before the next cycle. This cycle halts and
+/// disarms the robot. The robot then moves only after five neutral orders.
+/// @verifies FR-240
+/// @verifies FR-280
+TEST_F(SafeRobot, FR240_AStopThatIsReleasedInTheSameCycleHalts) {
+  armByPc();
+  order(20, 1000);
+  EXPECT_NEAR(rpm(), 100, 10);
+  line.send(pc.order({.id = 2, .stop = true}));
+  line.send(pc.order({.id = 3}));
+  cycle();
+  EXPECT_TRUE(report.stop());
+  EXPECT_TRUE(report.held());
+  EXPECT_EQ(report.orderId, 3);
+  EXPECT_FALSE(protection().armed);
+  order(20, 1000);
+  EXPECT_FALSE(report.stop());
+  EXPECT_NEAR(rpm(), 0, 1);
+  order(5, 0);
+  order(20, 1000);
+  EXPECT_NEAR(rpm(), 100, 5);
+}
+
 /// @brief If the enable switch has no pulses while the PC drives, the robot stops.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
@@ -341,6 +364,34 @@ TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
     order(20, 1000);
     EXPECT_NEAR(rpm(), 0, 1) << begin;
     order(12, 0);
+  }
+}
+
+/// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. At each
+/// time of the cycle, and also if the switch was in "stop" for only 40 ms, this sequence releases a
+/// protective stop.
+/// @verifies FR-288
+TEST_F(SafeRobot, FR288_AQuickSequenceOfTheSwitchAcknowledges) {
+  armByRc();
+  for (const int stopTime : {40, 300}) {
+    for (int begin = 1; begin < 100; begin += 7) {
+      line.robot().setEmergencyStop(plant::EmergencyStop::Brake);
+      cycles(2);
+      line.robot().setEmergencyStop(plant::EmergencyStop::Released);
+      cycles(2);
+      ASSERT_EQ(protection().cause, StopCause::EmergencyStop);
+      Instant next = line.world.nextPulse() + milliseconds(begin - 100);
+      for (const plant::EnablePosition position : {kStop, kPc, kDrive}) {
+        while (line.world.nextPulse() <= next) {
+          cycle();
+        }
+        line.world.runUntil(next);
+        enable(position);
+        next = next + milliseconds(position == kStop ? stopTime : 200);
+      }
+      cycles(8);
+      EXPECT_EQ(protection().cause, StopCause::None) << stopTime << " ms, begin " << begin;
+    }
   }
 }
 

@@ -374,6 +374,38 @@ TEST_F(ProtectiveStopTest, FR271_AnOpeningThatCausedNoStopIsNotAcknowledged) {
   EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
+/// @brief While a protective stop is latched, the contact opens again and closes again between two
+/// cycles. The acknowledgement that is read in the next cycle does not release the protective stop.
+/// The next acknowledgement releases it.
+/// @verifies FR-271
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR271_AShortOpeningDuringAStopIsNotAcknowledged) {
+  const auto openFor = [&](int ticks) {
+    contact.set(true);
+    for (int tick = 0; tick < ticks; ++tick) {
+      watch.sample();
+    }
+    contact.set(false);
+    watch.sample();
+  };
+  for (const bool follows : {true, false}) {
+    openFor(3);
+    for (int cycles = 0; cycles < 3; ++cycles) {
+      if (follows) {
+        order(stop, alike(1000));
+      } else {
+        hold(stop);
+      }
+    }
+    openFor(3);
+    acknowledge(stop);
+    EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop) << follows;
+    EXPECT_EQ(memory.stored().cause, StopCause::EmergencyStop) << follows;
+    acknowledge(stop);
+    EXPECT_EQ(protection(stop).cause, StopCause::None) << follows;
+  }
+}
+
 /// @brief An acknowledgement does not release the protective stop while the contact of the
 /// emergency stop is open.
 /// @verifies FR-271

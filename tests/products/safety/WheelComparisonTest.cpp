@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -25,7 +27,8 @@ class ComparedWheels : public testing::Test {
   std::optional<std::uint8_t> move(const std::array<int, kWheelCount>& edges) {
     for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
       HallCount& position = *measurements.wheels[wheel].position;
-      position = position + HallCount(edges[wheel]);
+      position = HallCount(static_cast<std::int32_t>(static_cast<std::uint32_t>(position.count()) +
+                                                     static_cast<std::uint32_t>(edges[wheel])));
     }
     return comparison.behind(measurements);
   }
@@ -45,6 +48,24 @@ class ComparedWheels : public testing::Test {
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   for (const int direction : {1, -1}) {
+    comparison.reset();
+    move({0, 0, 0, 0});
+    for (int cycle = 1; cycle < 40; ++cycle) {
+      EXPECT_EQ(move({direction, direction, 0, direction}), std::nullopt) << cycle;
+    }
+    EXPECT_EQ(move({direction, direction, 0, direction}), std::uint8_t{2});
+  }
+}
+
+/// @brief A wheel that does not move is also detected while the positions of the other wheels
+/// continue at the other end of their range.
+/// @verifies FR-177
+/// @verifies FR-297
+TEST_F(ComparedWheels, FR297_PositionsContinueAtTheOtherEnd) {
+  for (const int direction : {1, -1}) {
+    for (WheelMeasurements& wheel : measurements.wheels) {
+      wheel.position = HallCount(direction * (std::numeric_limits<std::int32_t>::max() - 15));
+    }
     comparison.reset();
     move({0, 0, 0, 0});
     for (int cycle = 1; cycle < 40; ++cycle) {

@@ -96,7 +96,7 @@ TEST_F(HostSchedulerTest, ThreadThatPostsItselfRunsAgain) {
   low.start(body);
   low.post();
   EXPECT_EQ(log, (Log{"begin", "end", "begin", "end"}));
-  EXPECT_EQ(low.overruns(), 1);
+  EXPECT_EQ(low.overruns(), 1U);
 }
 
 /// @brief A stopped timer raises no interrupt. The flag of an interrupt stays set until it is

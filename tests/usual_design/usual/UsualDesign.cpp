@@ -392,6 +392,7 @@ void UsualDesign::sendReport() {
 // ---- link to the PC ----------------------------------------------------------------------------
 
 void UsualDesign::servePc() {
+  stopReceived_ = false;
   std::size_t left = kMostBytes;
   std::size_t received = 1;
   while (left != 0 && received != 0) {
@@ -419,6 +420,7 @@ void UsualDesign::servePc() {
         break;
     }
   }
+  stop_ = pcStop_ || stopReceived_;
   counts_.lostBytes = devices_.pcPort.lostBytes();
   checkSilence(clockPulse_);
   if (welcomeDue_) {
@@ -496,7 +498,8 @@ bool UsualDesign::accept(const Frame& frame) {
   } else {
     const bool order = frame.type == FrameType::Order;
     if (order && (frame.payload[kCommandsAt] & kStopCommand) != 0) {
-      stop_ = true;
+      pcStop_ = true;
+      stopReceived_ = true;
     }
     if (link_ == Link::Connected) {
       if (!order) {
@@ -554,7 +557,7 @@ bool UsualDesign::takeOrder(std::span<const std::uint8_t> payload) {
     return false;
   }
   order.acknowledge = (commands & ~kStopCommand) != 0;
-  stop_ = (commands & kStopCommand) != 0 || (stop_ && !neutral);
+  pcStop_ = (commands & kStopCommand) != 0 || (pcStop_ && !neutral);
   pcOrder_ = order;
   pcOrderAt_ = receivedAt_;
   pcOrderUnread_ = true;
@@ -830,7 +833,7 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
 void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position, Current current) {
   const Tension applied = applied_.value_or(Tension());
   const std::int32_t tension = std::abs(applied.count());
-  if (std::abs(position.count() - stillPosition_.count()) > kJitter) {
+  if (std::abs(edgesBetween(stillPosition_, position).count()) > kJitter) {
     stillPosition_ = position;
     effort_ = 0;
   } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {

@@ -157,7 +157,9 @@ class UsualDesign {
   SetPoints pcOrder_{};
   Instant pcOrderAt_{};
   bool pcOrderUnread_ = false;
-  bool stop_ = false;
+  bool pcStop_ = false;        // the PC has ordered a stop and has not released it
+  bool stopReceived_ = false;  // the present cycle received a stop
+  bool stop_ = false;          // a stop is in force in the present cycle
 
   // Remote control.
   RcChannel rcVelocity_;
