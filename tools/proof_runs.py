@@ -27,7 +27,7 @@ from traceability.schema import ProofProperty, ProofResult
 
 RECORD = "proofs"  # name of the record of complete runs; it also has the hashes of the models
 SPIN, COMPILER = "spin", "cc"
-SECONDS = 300  # time limit of each step of a proof [s]
+SECONDS = 900  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps
 # Depths to which Spin searches for a counterexample, one after the other. A short counterexample is
 # easier to read.

@@ -88,7 +88,7 @@ class FlexCan final : public Peripheral {
   std::uint32_t flags_ = 0;
   std::uint32_t enabledFlags_ = 0;
   std::array<Buffer, kBuffers> buffers_{};
-  int inactiveWrites_ = 0;  // writes of INACTIVE to buffer 0 since the last activation
+  int inactiveWrites_ = 0;             // writes of INACTIVE to buffer 0 since the last activation
   std::optional<std::size_t> locked_;  // number of the locked buffer
   std::optional<CanFrame> waiting_;    // frame for the locked buffer
   std::deque<CanFrame> arriving_;
