@@ -605,6 +605,8 @@ class SafetyGoal:
     exceptions: Sequence[str] = field(default_factory=list)
     # conditions in which nothing limits the motion that the goal must limit
     open_points: Sequence[str] = field(default_factory=list)
+    # greatest ordered velocity [m/s] in the formula; 0 if the formula does not contain it
+    velocity: float = 0.0
     computed: float | None = None  # value of the formula; None if the formula is invalid
     hazards: Sequence[str] = field(default_factory=list)
     level: str = ""  # the highest level among the hazards of the goal

@@ -18,6 +18,7 @@ from traceability.schema import LikelyChange, LogicModule, Method, Module, Paper
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
 ROLE_CHECKS = ("module-count", "pattern-subclass-unbound")  # for a change that adds a module
+MACHINE_CHECKS = ("fsm-declared", "fsm-code", "fsm-seen", "proof-composition")  # for a new state
 COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
 
 
@@ -87,13 +88,15 @@ def filled(step: str, change: LikelyChange) -> str:
 
 def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
     """Returns the checks that a new module must pass when this change is made: the checks for every
-    new module, and the clauses of the pattern.
+    new module, the checks of the state machines for a new state, and the clauses of the pattern.
     """
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]
     roles = ROLE_CHECKS if change.role else ()
-    return [name for name in (*COMMON_CHECKS, *roles, *clauses) if name in portal.checks]
+    machines = MACHINE_CHECKS if change.pattern == "State" else ()
+    names_of_checks = (*COMMON_CHECKS, *roles, *machines, *clauses)
+    return [name for name in names_of_checks if name in portal.checks]
 
 
 # ---- secrets -----------------------------------------------------------------

@@ -948,16 +948,21 @@ _FIXED = [
         "hazard-time",
         "Times of safety goals match their formulas",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
-        "10 %. The reaction time of the firmware is at most the fault-tolerant time. Both times "
-        "end when the safe state is reached, or when the halt begins that leads to it. The "
-        "scenarios of a goal without known exceptions accept no reaction that is later than the "
-        "fault-tolerant time.",
+        "10 %. If a goal declares a velocity, its formula contains this velocity. The velocity "
+        "differs by at most 1 % from the greatest ordered velocity, which is calculated from "
+        "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
+        "reaction time of the firmware is at most the fault-tolerant time. Both times end when the "
+        "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
+        "without known exceptions accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
-        "the robot. It cannot judge whether the tests measure the right reaction. It does not "
-        "limit the time and the distance of a halt. It compares only the declared reaction time, "
-        "and not the times in the text that describes the reaction. If a goal has a known "
-        "exception, the check does not compare the times that the scenarios of this goal accept.",
-        "correct the time or the formula, or shorten the reaction time of the firmware.",
+        "the robot. It does not find a formula with the velocity of the robot if the goal "
+        "declares no velocity. It cannot judge whether the tests measure the right reaction. It "
+        "does not limit the time and the distance of a halt. It compares only the declared "
+        "reaction time, and not the times in the text that describes the reaction. If a goal has a "
+        "known exception, the check does not compare the times that the scenarios of this goal "
+        "accept.",
+        "correct the time, the formula or the velocity, or shorten the reaction time of the "
+        "firmware.",
     ),
     Check(
         "hazard-requirement",

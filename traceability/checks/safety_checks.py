@@ -3,16 +3,22 @@ and a requirement, both parts do."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.safety_case import scenario_state, scenarios_of
 from traceability.reading.declared_safety import SCENARIOS
+from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_facts import Facts
 from traceability.schema import Assumption, Finding, Hazard, Place, SafetyGoal
 
 ID = {"HZ": "hazard", "SG": "safety goal", "AU": "assumption of use"}
+LIMIT = "SystemConstants::velocityLimit"  # [0.1 rpm] at the motor shaft
+GEAR = "plant::DriveTrain::kRatio"
+RADIUS = "plant::DriveTrain::kRadius"  # [m]
+TOLERANCE = 0.01
 PRIORITIES = ("low", "medium", "high")
 
 
@@ -22,6 +28,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         _hazards,
         _goals,
         _times,
+        _velocities,
         _bounds,
         _requirements,
         _listed_requirements,
@@ -122,6 +129,30 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
             text = f"the firmware needs {needed} for {goal.id}, but the goal allows {allowed}"
             yield Finding(_at(facts, goal), "hazard-time", text)
+
+
+def _velocities(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds safety goals whose velocity differs from the greatest velocity that the robot accepts
+    in an order. Also finds velocities that the formula of the goal does not contain."""
+    simulated = plain_constants(facts.root)
+    limit, gear, radius = model.constants.get(LIMIT), simulated.get(GEAR), simulated.get(RADIUS)
+    for goal in model.safety.goals.values():
+        if not goal.velocity:
+            continue
+        velocity = f"{goal.velocity:g}"
+        if velocity not in re.findall(r"[\d.]+", goal.formula):
+            text = f"the formula of {goal.id} does not contain its velocity of {velocity} m/s"
+            yield Finding(_at(facts, goal), "hazard-time", text)
+        if limit and gear and radius:
+            turns = limit.number / 10 / 60 / gear.number
+            greatest = turns * 2 * math.pi * radius.number
+            if abs(goal.velocity - greatest) > TOLERANCE * greatest:
+                text = (
+                    f"the formula of {goal.id} contains {velocity} m/s, but the greatest ordered "
+                    f"velocity is {greatest:.2f} m/s"
+                )
+                fix = "calculate the formula and the time of the goal again"
+                yield Finding(_at(facts, goal), "hazard-time", text, fix)
 
 
 def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:

@@ -70,7 +70,7 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
             scenarios=read_scenarios(root),
             safe_states=read("safe_state", SafeState),
             assumptions=read("assumption", Assumption),
-            goals=read("goal", SafetyGoal, ["exceptions", "open_points"]),
+            goals=read("goal", SafetyGoal, ["exceptions", "open_points", "velocity"]),
             hazards=read("hazard", Hazard, ["scenarios"]),
             corrections=entries.records(path, "correction", Correction, may=["for_safety"]),
         )

@@ -12,11 +12,12 @@ import pytest
 
 from tests.python.model.small_case import make_model, write_case
 from traceability.checks import safety_checks
+from traceability.checks.safety_checks import LIMIT
 from traceability.model.design_model import Model
 from traceability.model.safety_case import safety_of
 from traceability.reading.declared import Declared
 from traceability.reading.toml_reader import Entries
-from traceability.schema import HOST, Finding
+from traceability.schema import HOST, Constant, Finding, Place
 
 BRAKING = "at 50 expect braking 1 within {} ms\n"
 FOLDER = 'auto k = "sim/scenario/safety";\nTEST_P(Safety, FR1_Stops) {\n  play(GetParam());\n}\n'
@@ -60,6 +61,41 @@ def test_a_change_of_the_case_is_found(tmp_path: Path, change: tuple[str, str], 
     write_case(tmp_path, change)
     found = [one.text for one in check(tmp_path, make_model(tmp_path))]
     assert found == ([text] if text else [])
+
+
+@pytest.mark.parametrize(
+    ("velocity", "limit", "texts"),
+    [
+        ("0.85", 3000, []),
+        (
+            "0.3",
+            3000,
+            ["the formula of SG-1 contains 0.3 m/s, but the greatest ordered velocity is 0.85 m/s"],
+        ),
+        ("0.8", 0, ["the formula of SG-1 does not contain its velocity of 0.8 m/s"]),
+        (
+            "0.85",
+            3100,
+            [
+                "the formula of SG-1 contains 0.85 m/s, but the greatest ordered velocity is "
+                "0.88 m/s"
+            ],
+        ),
+    ],
+)
+def test_the_velocity_of_a_goal_is_the_greatest_ordered_velocity(
+    tmp_path: Path, velocity: str, limit: int, texts: list[str]
+) -> None:
+    write_case(tmp_path, ("reaction = 0.2", f"velocity = {velocity}\nreaction = 0.2"))
+    (tmp_path / "sim/plant").mkdir(parents=True)
+    (tmp_path / "sim/plant/DriveTrain.hpp").write_text(
+        "  static constexpr double kRatio = 10.0;\n"
+        "  static constexpr double kRadius = 0.272;  ///< [m]\n"
+    )
+    place = Place("src/services/SystemConstants.hpp", 1)
+    constants = {LIMIT: Constant(limit, "0.1 rpm", place)} if limit else {}
+    model = replace(make_model(tmp_path), constants=constants)
+    assert [one.text for one in check(tmp_path, model)] == texts
 
 
 def test_a_requirement_names_a_goal_that_exists(tmp_path: Path) -> None:

@@ -17,7 +17,14 @@ from portal.links import Links, slug
 from portal.measured_pages import driver_coverage
 from portal.names import VERDICTS
 from portal.pages import all_pages, trees, uses
-from portal.paper_views import COMMON_CHECKS, ROLE_CHECKS, compared, families, hidden_names
+from portal.paper_views import (
+    COMMON_CHECKS,
+    MACHINE_CHECKS,
+    ROLE_CHECKS,
+    compared,
+    families,
+    hidden_names,
+)
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.site_build import check_texts
@@ -90,7 +97,7 @@ def test_a_derived_class_overrides_operations_of_its_base(portal: Portal) -> Non
 
 def test_the_checks_of_a_change_exist() -> None:
     known = {check.id for check in check_texts()}
-    assert {*COMMON_CHECKS, *ROLE_CHECKS} <= known
+    assert {*COMMON_CHECKS, *MACHINE_CHECKS, *ROLE_CHECKS} <= known
 
 
 def test_hidden_names_have_their_kind(portal: Portal) -> None:
