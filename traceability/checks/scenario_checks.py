@@ -10,6 +10,7 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.model.requirement_numbers import WORDS
+from traceability.reading.products import LIST, listed
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
@@ -81,6 +82,7 @@ def wrong_words(root: Path) -> Iterator[Finding]:
         _stem(word) for _, line in lines_below(root, NAMES, ()) for word in NAMED.findall(line)
     }
     known |= {_stem(path.stem) for path in files_below(root, (FOLDER,), (".scenario",))}
+    known |= {product.name for product in listed(root)} if (root / LIST).exists() else set()
     named: set[str] = set()
     for place, line in lines_below(root, (PAGE,), ()):
         texts = [text for text in LITERAL.findall(line) if not text.startswith(("--", "./"))]
