@@ -100,19 +100,28 @@ def arm(
     """Sends neutral orders until the robot is armed. Returns None, or the reason for a failure."""
     neutral = (wish or Wish()).neutral()
     reason: str | None = None
+    rc_drives = False
     end = time.monotonic() + (ARM_WITHIN_S if within_s is None else within_s)
     while time.monotonic() < end:
         for report in orders.service(neutral):
             if report.ready:
                 return None
+            obeys = report.order_read and report.inhibit in ("none", "not armed")
+            rc_drives = obeys and report.mode == "RC"
             if (words := inhibited(report)) != reason:
                 reason = words
                 progress(words or "The robot has not read an order of the PC yet.")
         if not orders.link.connected:
             return "The connection was lost. Check cable and power."
+    if rc_drives:
+        return (
+            "The robot reads no order of the PC, because the remote control drives it. Set the "
+            "enable switch to 'PC'. In weeding_robot_paper and weeding_robot_warning: switch the "
+            "transmitter off."
+        )
     return reason or (
-        "The robot reads no order of the PC: the remote control drives it. Set the enable switch "
-        "to 'PC'."
+        "The robot reads no order of the PC. ./wr monitor shows the source of the orders that it "
+        "reads."
     )
 
 

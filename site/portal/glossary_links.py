@@ -15,10 +15,11 @@ from portal.sections import Section, terms_of
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
 OTHER_SENSES = {"function", "target"}
-# Words that contain a term but have another meaning.
+# Words that contain a term but have another meaning. They are compared with the HTML text.
 OTHER_WORDS = (
-    *("stop bit", "stop at a breakpoint", "stop the processor", "stop the monitor"),
-    "hold a key",
+    *("stop bit", "stop at a breakpoint", "stop the processor", "stop the monitor", "end stop"),
+    *("hold a key", "only <em>hold</em>"),
+    *("product of voltage", "order in which", "reason in the order"),
 )
 # HTML elements in which no term is linked, such as links, headings, code, pictures and controls.
 APART = (
@@ -77,8 +78,9 @@ class GlossaryLinks:
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
     """Returns the text of the page in lower case, without the elements in which no term is linked.
-    The removed elements divide the text into parts. Also returns two lists with a number for each
-    part: its position in the text, and the distance from there to its position on the page.
+    A line break counts as a space. The removed elements divide the text into parts. Also returns
+    two lists with a number for each part: its position in the text, and the distance from there to
+    its position on the page.
     """
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
@@ -87,7 +89,7 @@ def without_apart(html: str) -> tuple[str, list[int], list[int]]:
         shifts.append(done - length)
         length += begin - done + 1
         done = end
-    return "\0".join(parts).lower(), starts, shifts
+    return "\0".join(parts).lower().replace("\n", " "), starts, shifts
 
 
 def is_text(text: str, at: int) -> bool:

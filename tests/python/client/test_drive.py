@@ -21,7 +21,7 @@ import pytest
 from weeding_robot_client import drive, exit_codes, monitor, procedures
 from weeding_robot_client import orders as orders_module
 from weeding_robot_client.keyboard import HELP, KEYS, Hand, keys
-from weeding_robot_client.layout import FRAMES
+from weeding_robot_client.layout import FRAMES, LAYOUTS
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, WheelSetPoint
 from weeding_robot_client.reasons import CAUSES, CHECKS, faults
@@ -688,6 +688,46 @@ def test_arm_says_why_it_cannot(
     assert procedures.run_arm(options(mcu)) == 1
     shown = capsys.readouterr().out
     assert "not armed: The robot does not move: a stop is in force. The remote control" in shown
+
+
+@pytest.mark.parametrize("inhibit", [0, 3])
+def test_arm_states_that_the_remote_control_drives(
+    mcu: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], inhibit: int
+) -> None:
+    """The remote control has armed the robot, or is arming it. The PC cannot drive."""
+    monkeypatch.setattr(orders_module, "ARM_WITHIN_S", 0.5)
+    mode, source, flags, reason = (
+        LAYOUTS["Report"].of(name).offset for name in ("mode", "source", "flags", "inhibit")
+    )
+    read_and_armed = 0b10010 if inhibit == 0 else 0b00010
+    mcu.numbers = {mode: 0, source: 0, flags: read_and_armed, reason: inhibit}
+    assert procedures.run_arm(options(mcu)) == exit_codes.FAILED
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last.startswith("not armed: The robot reads no order of the PC, because the remote")
+    assert "Set the enable switch to 'PC'" in last
+    assert "weeding_robot_paper and weeding_robot_warning: switch the transmitter off" in last
+
+
+def test_arm_shows_a_protective_stop_while_the_remote_control_drives(
+    mcu: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(orders_module, "ARM_WITHIN_S", 0.5)
+    mcu.latched = 5
+    mcu.control("rc enable drive")
+    assert procedures.run_arm(options(mcu)) == exit_codes.FAILED
+    assert "not armed: The robot does not move: protective stop" in capsys.readouterr().out
+
+
+def test_a_script_does_not_start_while_the_remote_control_drives(
+    mcu: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(orders_module, "ARM_WITHIN_S", 0.5)
+    mcu.has_safety = False
+    mcu.control("rc enable drive")
+    script = script_in(tmp_path, "at 0s velocity 20 rpm\nat 0.2s end\n")
+    assert drive.run(options(mcu, script=script)) == exit_codes.FAILED
+    assert "switch the transmitter off" in capsys.readouterr().err
+    assert all(velocity == 0 for velocity, _, _ in orders(mcu))
 
 
 def test_acknowledge_releases_a_protective_stop_and_arms(

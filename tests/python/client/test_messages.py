@@ -135,6 +135,8 @@ def test_report_of_the_worked_example_with_conditions() -> None:
 # name of a field of the report -> offset in the payload [byte], and format for ``struct``
 FIELDS = {
     "cycle": (0, "<I"),
+    "mode": (9, "<B"),
+    "source": (10, "<B"),
     "flags": (11, "<B"),
     "steering": (28, "<h"),
     "measured": (62, "<H"),
@@ -171,6 +173,29 @@ def test_flags_of_a_report() -> None:
     for bit, name in enumerate(names):
         report = report_with(flags=1 << bit)
         assert [other for other in names if getattr(report, other)] == [name]
+
+
+ARMED, READ = 1 << 4, 1 << 1
+OF_RC, OF_PC = 0, 1
+
+
+@pytest.mark.parametrize(
+    ("mode", "source", "flags", "inhibit", "expected"),
+    [
+        (OF_PC, OF_PC, READ | ARMED, 0, True),
+        (OF_PC, OF_PC, ARMED, 0, True),
+        (OF_PC, OF_PC, READ, 0, True),
+        (OF_PC, OF_PC, READ, 3, False),
+        (OF_RC, OF_RC, READ | ARMED, 0, False),
+        (OF_RC, OF_RC, READ, 0, False),
+        (OF_RC, OF_PC, READ, 0, False),
+    ],
+)
+def test_a_robot_is_ready_if_it_would_follow_the_pc(
+    mode: int, source: int, flags: int, inhibit: int, expected: bool
+) -> None:
+    report = report_with(mode=mode, source=source, flags=flags, inhibit=inhibit)
+    assert report.ready is expected
 
 
 def test_each_measured_bit_makes_just_its_value_valid() -> None:

@@ -20,6 +20,15 @@ TERMS = """\
 
    stop
       An order.
+
+   hold
+      Keep.
+
+   order
+      A set.
+
+   product
+      A variant.
 """
 
 
@@ -48,6 +57,25 @@ def test_the_first_use_of_a_term_is_linked(glossary: GlossaryLinks) -> None:
 def test_a_term_in_words_with_another_meaning_is_not_linked(glossary: GlossaryLinks) -> None:
     assert linked(glossary, "<p>8 data bits and one stop bit. A stop.</p>") == [
         ("../docs/glossary.html#term-stop", "stop")
+    ]
+
+
+@pytest.mark.parametrize(
+    "html",
+    [
+        "<p>The left end stop, both end stops, an end\nstop.</p>",
+        "<p>Add the product of voltage and time.</p>",
+        "<p>Modules in the order in which they are built; the first reason in the order 2, 1.</p>",
+        "<p>The receiver offers only <em>hold</em> or <em>preset</em>.</p>",
+    ],
+)
+def test_words_of_everyday_language_are_no_terms(glossary: GlossaryLinks, html: str) -> None:
+    assert linked(glossary, html) == []
+
+
+def test_a_term_is_linked_across_a_line_break(glossary: GlossaryLinks) -> None:
+    assert linked(glossary, "<p>A control\ncycle.</p>") == [
+        ("../docs/glossary.html#term-control-cycle", "control\ncycle")
     ]
 
 
