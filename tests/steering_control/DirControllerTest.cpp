@@ -169,6 +169,35 @@ TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   feedback.leftEnd = true;
   tick();
   EXPECT_EQ(state(), SteeringState::Fault);
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
+}
+
+/// @brief Both end stops together are a fault also at rest.
+/// @verifies FR-226
+TEST_F(DirControllerTest, FR226_BothEndStopsAreAFaultAtRest) {
+  switchOn();
+  feedback.leftEnd = true;
+  feedback.rightEnd = true;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
+}
+
+/// @brief A position that differs from the steps by more than 3.00 degrees is a fault also during a
+/// turn.
+/// @verifies FR-227
+TEST_F(DirControllerTest, FR227_ThePositionFollowsTheStepsDuringATurn) {
+  beginTurn();
+  measured += 300;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  measured += 1;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
 }
 
 /// An algorithm that always turns to the left at the lowest speed.

@@ -92,7 +92,8 @@ def _products(model: Model, facts: Facts) -> Iterator[Finding]:
     place = Place(file, 1)
     named = {name for product in products for name in product.has}
     for module in model.modules.values() if products else ():
-        extends = module.header.startswith("extensions/") and not module.datatype
+        concrete = not module.abstract and not module.datatype
+        extends = module.header.startswith("extensions/") and concrete
         if extends and module.name not in named:
             text = f"{file} does not list {module.name}"
             yield Finding(module.place, "module-used", text, "add the module to a part")

@@ -223,8 +223,8 @@ _FIXED = [
         "module-used",
         "Each design module is part of a product",
         "Every design module is used: a composition names the module, or a used module names it. "
-        "Every module that design/products.toml lists exists, and this file lists every module of "
-        "the extensions.",
+        "Every module that design/products.toml lists exists, and this file lists every concrete "
+        "class of the extensions.",
         "The check does not detect whether the product ever executes the code of the module. It "
         "also does not detect whether CMake builds the composition.",
         "let a builder construct the module, or remove the module.",
