@@ -32,7 +32,7 @@ class CurrentLimited final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Passes the voltage that was applied to the wheel to the wrapped algorithm.
+  /// @brief Passes the applied voltage of the wheel to the wrapped algorithm.
   /// @param tension voltage of the wheel [mV]
   /// @isr{no}
   void applied(Tension tension) override;

@@ -10,7 +10,8 @@ namespace wr::emulator {
 /// @brief The numbers of executions of the instructions in flash and in the lower RAM.
 class ExecutedCode {
  public:
-  /// @brief Counts one execution of an instruction. Instructions in other memory are not counted.
+  /// @brief Counts one execution of an instruction. Instructions outside the flash and the
+  /// lower RAM are not counted.
   /// @param address first address of the instruction
   void note(std::uint32_t address) {
     const std::size_t half = halfOf(address);

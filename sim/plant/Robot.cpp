@@ -271,7 +271,7 @@ double Robot::steeringVolts() const {
 
 // While only one axle is on the new slope, the slope of the robot is between the old and the new
 // slope. One wheelbase later, the second axle is also on the new slope, and the robot has the new
-// slope.
+// slope. The change takes at most kSlopeSeconds, also if the robot drives slowly or is at rest.
 void Robot::advanceSlope() {
   if (slopeReached_ >= 1) {
     return;

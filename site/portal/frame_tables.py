@@ -139,7 +139,7 @@ def meanings(field: Field) -> Iterator[str]:
         yield "bit n: the source whose number is n"
     if field.valid:
         bits = ", ".join(f"{number} ``{name}``" for number, name in enumerate(field.valid))
-        yield f"This bit is set when the value is valid: {bits}"
+        yield f"A bit is set when its value is valid: {bits}"
 
 
 def in_line(enumeration: Enumeration) -> str:

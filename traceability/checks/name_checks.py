@@ -151,11 +151,11 @@ def wrong_attributes(root: Path) -> Iterator[Finding]:
         listed |= names
         names = names.union(*map(IDENTIFIER.findall, ATTRIBUTE.findall(line)))
         for name in sorted(names - members):
-            text = f"a report of the client has no attribute {name}"
+            text = f"a report of the client has no attribute '{name}'"
             yield Finding(place, "doc-name", text, "write the name of an attribute")
     for name, number in fields.items() if listed else ():
         if name not in listed:
-            text = f"the table of the attributes of a report does not list {name}"
+            text = f"the table of the attributes of a report does not list '{name}'"
             yield Finding(Place(MESSAGES, number), "doc-name", text, "add it to docs/client.rst")
 
 

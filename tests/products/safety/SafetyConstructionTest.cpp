@@ -102,7 +102,8 @@ TEST_F(SafetyBuilderDeathTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(builder.tickCommand()), "assertion 1 failed");
 }
 
-/// @brief The control system of the whole robot can contain eight control systems, but not nine.
+/// @brief The last stage accepts eight control systems. The ninth ends the program with an
+/// assertion.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_ControlSystemTooManyEndsTheProgram) {
   SpySystem spy;

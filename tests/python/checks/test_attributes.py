@@ -32,8 +32,8 @@ def test_an_attribute_that_the_client_does_not_have_is_found(tmp_path: Path) -> 
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
     assert [(one.place.line, one.text) for one in wrong_attributes(tmp_path)] == [
-        (3, "a report of the client has no attribute cycles"),
-        (7, "a report of the client has no attribute lats"),
-        (7, "a report of the client has no attribute read"),
-        (7, "the table of the attributes of a report does not list armed"),
+        (3, "a report of the client has no attribute 'cycles'"),
+        (7, "a report of the client has no attribute 'lats'"),
+        (7, "a report of the client has no attribute 'read'"),
+        (7, "the table of the attributes of a report does not list 'armed'"),
     ]

@@ -210,9 +210,9 @@ TEST_F(RobotTest, RollsDownASteepSlope) {
   EXPECT_LT(robot.distance(), -0.1);
 }
 
-/// @brief The robot reaches a slope axle by axle. While the robot drives, its slope changes
-/// linearly over one wheelbase of 1.582 m. While the robot is at rest, the slope changes within 2
-/// s.
+/// @brief The robot reaches a slope axle by axle. While the robot drives fast, its slope
+/// changes linearly over one wheelbase of 1.582 m. If the robot drives slowly or is at rest, the
+/// change takes 2 s.
 TEST_F(RobotTest, ASlopeBeginsAxleByAxle) {
   robot.setSlope(2);
   EXPECT_EQ(robot.slope(), 0);
