@@ -174,13 +174,13 @@ def counted(
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
     words += ["-m", marks, *workers(folder)]
-    words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}", *tests]
-    attempt_tests(log, words, results)
+    words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
+    attempt_tests(log, [*words, *tests], results)
     # The tests that wait for a robot may fail because the computer is busy. The failed tests
     # of this folder therefore run again, one after the other.
-    if folder == WAITING and failed_tests(results):
+    if folder == WAITING and (failed := failed_tests(results)):
         first = ET.parse(results).getroot()
-        attempt_tests(log, [*words, "--lf", "-n", "0"], results)
+        attempt_tests(log, [*words, "-n", "0", *(f"{root}/{name}" for name in failed)], results)
         merge_results(root, first, results)
     log.writelines(f"to debug this test: ./wr debug {name}\n" for name in failed_tests(results))
     return junit_counts(results)
