@@ -10,7 +10,13 @@ from typing import TextIO
 import pytest
 
 from tools import python_tests
-from tools.python_tests import affected_tests, imported_files, merge_results, update_pytest
+from tools.python_tests import (
+    affected_tests,
+    imported_files,
+    merge_results,
+    run_pytest,
+    update_pytest,
+)
 from tools.tasks import PYTHON_TESTS, graph
 from traceability.reading.results import RESULTS
 from traceability.reading.tool_tests import python_task
@@ -146,3 +152,24 @@ def test_failed_tests_run_again_after_each_change(
         outcome = update_pytest(tmp_path, "tools", log, changed)
     assert ran == ["test_other", "test_program"]
     assert (outcome.values["passed"], outcome.failed) == (3, False)
+
+
+def test_only_the_failed_tests_of_the_client_run_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    runs: list[list[str]] = []
+
+    def run(_log: TextIO, words: Sequence[str | Path]) -> None:
+        runs.append([str(word) for word in words])
+        cases = [("test_one", "a", True), ("test_two", "b[c d]", len(runs) == 2)]
+        write_results(tmp_path, *cases).rename(tmp_path / RESULTS / "pytest_client.xml")
+
+    monkeypatch.setattr(python_tests, "run", run)
+    with (tmp_path / "log").open("w") as log:
+        outcome = run_pytest(tmp_path, "client", log)
+    named = [[word for word in words if "/tests/python/" in word] for words in runs]
+    assert named == [
+        [f"{tmp_path}/tests/python/client"],
+        [f"{tmp_path}/tests/python/tools/test_two.py::b[c d]"],
+    ]
+    assert not outcome.failed
