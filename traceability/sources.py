@@ -13,6 +13,7 @@ DESIGN = (SRC, EXTENSIONS)
 # The table of the protocol's frames, and the Python module that reads it. The build of the
 # simulator generates a header from these two files.
 FRAMES = ("design/frames.toml", "client/weeding_robot_client/layout.py")
+TESTS_OF_TOOLS = Path("tests/python")
 TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 

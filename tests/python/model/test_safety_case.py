@@ -24,6 +24,8 @@ from traceability.reading.declared_safety import (
 from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST
 
+pytestmark = pytest.mark.reads("design/safety_case.toml", "sim/scenario/safety")
+
 ROOT = Path(__file__).resolve().parents[3]
 
 

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from portal.package_diagram import package_diagrams
+
+pytestmark = pytest.mark.reads("pyproject.toml", "traceability")
 
 
 def test_an_arrow_leads_from_each_layer_to_the_one_below() -> None:

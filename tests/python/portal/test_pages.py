@@ -62,6 +62,8 @@ from traceability.schema import (
     Tuned,
 )
 
+pytestmark = pytest.mark.reads("site", "sim/faults", "sim/plant")
+
 ROOT = Path(__file__).parents[3]
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),

@@ -8,9 +8,7 @@ import pytest
 from tools.lint import check_imports
 from tools.steps import FailureError
 
-# The tests read the sources of all packages. Because of this mark, they run again after each change
-# of these sources.
-pytestmark = pytest.mark.runs_tools
+pytestmark = pytest.mark.reads("tools", "traceability", "site/portal", "client", "pyproject.toml")
 
 ROOT = Path(__file__).parents[3]
 WRONG = [
