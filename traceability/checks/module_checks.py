@@ -84,6 +84,23 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(module.place, "module-used", text)
 
 
+def _unused_parts(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds members that are objects of a design module, but that the code only constructs: no
+    function uses such a member, and no other object gets a reference to it."""
+    used = {place for flow in facts.syntax.flows for place in flow.sources}
+    for body in facts.syntax.bodies:
+        used |= {f"field {member}" for member in body.touches}
+        used |= {place for call in body.calls for place in call.on}
+        used |= {place for call in body.calls for argument in call.args for place in argument}
+    for owner in facts.syntax.classes:
+        for part in owner.fields if owner.place.file.startswith(DESIGN) else ():
+            modules = [model.modules[name] for name in part.classes if name in model.modules]
+            behaves = any(not module.datatype for module in modules)
+            if behaves and not part.refers and f"field {owner.name}::{part.name}" not in used:
+                text = f"{owner.name}::{part.name} is constructed, but no other object uses it"
+                yield Finding(part.place, "module-used", text, "pass it on, or remove it")
+
+
 def _products(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds names in design/products.toml for which no module exists, and modules of the extensions
     that this file does not list."""

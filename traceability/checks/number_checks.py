@@ -26,7 +26,7 @@ from traceability.schema import Finding, Module, Place, Requirement, Requirement
 
 LINKS = "design/requirement_numbers.toml"
 SHARED = "SystemConstants"  # module with the constants that all modules use
-COUNTS = ("cycle", "sample", "edge", "byte", "repetition")
+COUNTS = ("cycle", "sample", "tick", "edge", "byte", "repetition")
 WHOLE = Quantity("share", Fraction(10_000))  # 100 %
 _UNIT_IN_BRACKETS = re.compile(r"\[[^\]]*\]")
 _ASSUMPTION = re.compile(r"Assumption:[^.]*(?:\.\d[^.]*)*\.?")

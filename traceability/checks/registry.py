@@ -223,6 +223,7 @@ _FIXED = [
         "module-used",
         "Each design module is part of a product",
         "Every design module is used: a composition names the module, or a used module names it. "
+        "Every object of a design module that is a member of a class is used or passed on. "
         "Every module that design/products.toml lists exists, and this file lists every concrete "
         "class of the extensions.",
         "The check does not detect whether the product ever executes the code of the module. It "
@@ -362,8 +363,8 @@ _FIXED = [
         "sim/emulator includes a file of the design, because a driver and the model of its device "
         "must not contain the same mistake. The programs of tests/k64/program and "
         "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
-        "In src, `uses-allowed` checks which modules use src/k64. No other file of src names a "
-        "driver, also not in a comment.",
+        "In src, `uses-allowed` checks which modules use src/k64. No other file of src "
+        "and extensions names a driver or the microcontroller, also not in a comment.",
         "The check does not find the same wrong number in a driver and in the model of the device.",
         "write the numbers from the manual of the microcontroller, or test the firmware image on "
         "the virtual K64.",
