@@ -54,7 +54,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods:
             if method.access == "public":
                 findings += _specification(method)
-    for find in (_folders, _written, _products, _unused, _behaviour, _units):
+    for find in (_folders, _written, _products, _unused, _unused_parts, _behaviour, _units):
         findings += find(model, facts)
     findings += _nested(facts)
     return [*findings, *_silent(facts, findings)]
@@ -96,7 +96,8 @@ def _unused_parts(model: Model, facts: Facts) -> Iterator[Finding]:
         for part in owner.fields if owner.place.file.startswith(DESIGN) else ():
             modules = [model.modules[name] for name in part.classes if name in model.modules]
             behaves = any(not module.datatype for module in modules)
-            if behaves and not part.refers and f"field {owner.name}::{part.name}" not in used:
+            own = not (part.refers or part.static)
+            if behaves and own and f"field {owner.name}::{part.name}" not in used:
                 text = f"{owner.name}::{part.name} is constructed, but no other object uses it"
                 yield Finding(part.place, "module-used", text, "pass it on, or remove it")
 
