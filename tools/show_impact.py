@@ -115,7 +115,10 @@ def lines_of(found: Impact) -> list[str]:
     lines += ["", f"run again: {counted(len(found.python_tests), 'file')} of Python tests"]
     lines += reasons(found.python_tests)
     if found.unfollowed:
-        lines += ["", f"not followed: {counted(len(found.unfollowed), 'file')}; run ./wr test --all"]
+        lines += [
+            "",
+            f"not followed: {counted(len(found.unfollowed), 'file')}; run ./wr test --all",
+        ]
         lines += [f"  {path}" for path in found.unfollowed]
     return lines
 
