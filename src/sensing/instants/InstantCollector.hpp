@@ -32,8 +32,8 @@ struct Instants {
 ///
 /// @patternapp{instant-collectors, Decorator, Collectors of time instants}
 /// @why The signals of the remote control and of the Hall sensors are measured by the times of
-/// their edges. Each signal needs different values. Each value has its own collector, which extends
-/// a basic collector.
+/// their edges. The values that are computed from the edges differ between the signals. Each value
+/// has its own collector, which extends a basic collector.
 /// @changes The calculation of a value may change. A new value needs one more decorator, which
 /// wraps only the collectors of the signals that need this value.
 class InstantCollector {
