@@ -20,7 +20,7 @@ struct Edge {
 /// @datatype
 struct Instants {
   std::optional<Instant> last;         ///< time of the last edge
-  std::optional<Microseconds> period;  ///< time between the two last rising edges
+  std::optional<Microseconds> period;  ///< time between the last two rising edges
   std::optional<Microseconds> width;   ///< length of the last pulse, from rising to falling edge
   std::int32_t count = 0;              ///< number of forward edges minus number of backward edges
 };
