@@ -1144,10 +1144,10 @@ _FIXED = [
         "folders of the build, used pins and keys that a page names exist too. If a page or an "
         "answer names a signal or a connector directly next to a pin, src/k64/pins.hpp lists them "
         "for this pin. Pages and help texts insert the exit codes.",
-        "The check cannot judge whether the link has the right target. It accepts an option without "
-        "a command if any command on the page has this option, even if the sentence is about another "
-        "command. It does not find a wrong pin in a sentence that does not contain the words of the "
-        "table of pins.",
+        "The check cannot judge whether the link has the right target. It accepts an option "
+        "without a command if any command on the page has this option, even if the sentence is "
+        "about another command. It does not find a wrong pin in a sentence that does not contain "
+        "the words of the table of pins.",
         "correct the target.",
     ),
     Check(
