@@ -54,7 +54,7 @@ TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
 }
 
 /// @brief While the slope grows from flat to 10 % downhill in 2 s, and on this slope, a wheel with an
-/// order of 150 rpm is never faster than 165 rpm.
+/// order of 150 rpm is never faster than 165 rpm. On a real slope this change lasts 3.7 s.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
