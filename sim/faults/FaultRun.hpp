@@ -61,7 +61,7 @@ class FaultRun {
   class Robot;
   using Choice = std::function<Fault(Robot&)>;
 
-  /// Runs a copy of the robot with a fault. The copy chooses the fault.
+  /// Runs a copy of the robot with the fault that `choice` returns.
   [[nodiscard]] Result observe(Robot& robot, const Choice& choice) const;
   [[nodiscard]] Verdict runCopy(Robot& robot, const Fault& fault, int at, bool silentPc) const;
 

@@ -211,7 +211,7 @@ _FIXED = [
     ),
     Check(
         "module-count",
-        "The modules of the design, and no others",
+        "design/modules.toml lists every design module, and no others",
         "design/modules.toml lists every design module below src, under the folder of the module. "
         "Every listed module exists and is not a data type. The number of listed modules equals "
         "the number in the paper. Modules of extensions are not counted.",
@@ -240,7 +240,7 @@ _FIXED = [
     ),
     Check(
         "pattern-known",
-        "Known pattern applications",
+        "Each pattern application is declared",
         "Every @patternapp has a title, @why, @changes, and the id and the pattern of an entry in "
         "design/applications.toml. The tag is above the abstract class of the pattern. If several "
         "applications share one abstract class, each tag is above a subclass. Every entry of "
@@ -252,7 +252,7 @@ _FIXED = [
     ),
     Check(
         "change-tuned",
-        "Tuned constants are declared",
+        "Each tuned constant is declared",
         "The check assumes in two cases that the value of a constant depends on SystemConstants: "
         "the name or the comment of the constant mentions control cycles or ticks; or the constant "
         "is a time or a number of bytes in a requirement whose rationale counts cycles, as in "
@@ -267,7 +267,7 @@ _FIXED = [
     ),
     Check(
         "pattern-change",
-        "Likely changes name existing parts",
+        "Each likely change names only parts that exist",
         "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the "
         "pattern: the subclasses that a change adds or alters, and their base classes. An entry "
         "for an application names this application, modules with a role in the application, and "
@@ -290,7 +290,7 @@ _FIXED = [
     ),
     Check(
         "pattern-role-unknown",
-        "Known roles",
+        "Each @role is declared",
         "Every @role names an application that is declared, and a role of its pattern. No tag is "
         "written twice. The tag is above a module to which design/applications.toml assigns this "
         "role, or above a module of an extension.",
@@ -319,7 +319,7 @@ _FIXED = [
     ),
     Check(
         "pattern-count",
-        "As many applications as in the paper",
+        "Each pattern has as many applications as in the paper",
         "Each pattern has the number of applications that design/clauses.toml states.",
         "The check does not count applications of extensions. Extensions add modules to the "
         "existing applications.",
@@ -339,7 +339,7 @@ _FIXED = [
     ),
     Check(
         "uses-allowed",
-        "Only allowed uses",
+        "Each use of another logic module is allowed",
         "If the code of a logic module includes, calls or names a class of another logic module, "
         "design/uses.toml allows this use.",
         "The check does not find a use that needs no name, such as an access to a fixed address.",
@@ -569,7 +569,7 @@ _FIXED = [
     ),
     Check(
         "fsm-declared",
-        "State machines name existing parts",
+        "Each state machine names only parts that exist",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application. Each event refers to an operation of the State. The "
         "states, the event and the requirement of each transition exist. A method of the old state "
@@ -583,7 +583,7 @@ _FIXED = [
     ),
     Check(
         "fsm-code",
-        "Declared transitions agree with the code",
+        "The transitions in design/fsm agree with the code",
         "The file of a machine in design/fsm declares its transitions. For each operation of a "
         "state and each successor, the number of state changes in the code equals the number of "
         "declared transitions. A state change is a call of the operation of the Context that "
@@ -612,7 +612,7 @@ _FIXED = [
         "test show the transition: the Context calls the operation of the old state, and then "
         "calls methods of the new state. Of all states, only the new state has all these methods. "
         "For each requirement that a transition names, a test of the requirement makes the "
-        "transition. No test makes a change of the state that is not declared.",
+        "transition. Each change of the state in a test is a declared transition.",
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
@@ -708,7 +708,7 @@ _FIXED = [
     ),
     Check(
         "tree-node",
-        "Trees name existing methods",
+        "Each tree names only methods that exist",
         "Every tree belongs to a requirement. Every node names a method that the named class "
         "declares or inherits. No requirement has two trees.",
         "The check does not distinguish overloads: all methods with the same name in a class "
@@ -854,7 +854,7 @@ _FIXED = [
     ),
     Check(
         "req-justified",
-        "Justifications are needed",
+        "Each justification is needed",
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
@@ -864,7 +864,7 @@ _FIXED = [
     ),
     Check(
         "req-evidence",
-        "Measured requirements are met",
+        "Each metric of a requirement meets its bound",
         "Each @evidence of a requirement names a metric that was measured in this run and meets "
         "its bound. A bound has the form at most, at least or exactly.",
         "The check cannot judge whether the metric shows the property that the requirement "
@@ -873,7 +873,7 @@ _FIXED = [
     ),
     Check(
         "req-passed",
-        "Verifying tests ran and passed",
+        "Each test of a requirement ran and passed",
         "Every test that verifies a requirement ran in the last test run and passed. Every other "
         "test ran. The build of the tests names every folder with tests.",
         "The check does not compare results that are older than the sources.",
@@ -881,7 +881,7 @@ _FIXED = [
     ),
     Check(
         "req-unknown",
-        "Tags and texts name requirements that exist",
+        "Each id of a requirement in a tag or a text exists",
         "Every @satisfies and @verifies names one requirement of requirements/. Every requirement "
         "that a transition of a state machine or a metric in design/closed_loop.toml names exists. "
         "Every id of a requirement, hazard, safety goal or assumption in a comment, a page, a text "
@@ -892,7 +892,7 @@ _FIXED = [
     ),
     Check(
         "req-name",
-        "A test named after a requirement verifies it",
+        "A test whose name contains the id of a requirement verifies it",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
         "The check does not read tests without an id in the name.",
         "write the tag @verifies above the test, or rename the test.",
@@ -921,7 +921,7 @@ _FIXED = [
     ),
     Check(
         "hazard-name",
-        "The safety case names existing parts",
+        "The safety case names only parts that exist",
         "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an "
         "id AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe "
         "state, another entry of the file declares this goal, assumption or safe state.",
@@ -967,7 +967,7 @@ _FIXED = [
     ),
     Check(
         "hazard-requirement",
-        "Goals and requirements name each other",
+        "Each goal and its requirements refer to each other",
         "Each goal lists the requirements that name this goal in @goal. Each listed requirement "
         "exists and names the goal in @goal.",
         "The check cannot judge whether the requirement really contributes to the goal. If some "
@@ -1012,7 +1012,7 @@ _FIXED = [
     ),
     Check(
         "suspect-method",
-        "Satisfying methods are as in the baseline",
+        "The methods of each requirement are as in the baseline",
         "These texts are unchanged since the baseline: the specifications of the methods that "
         "satisfy a requirement, the bodies of these methods and of the methods in the invocation "
         "tree of the requirement, and the constants in the files of these methods.",
@@ -1022,7 +1022,7 @@ _FIXED = [
     ),
     Check(
         "suspect-test",
-        "Verifying tests are as in the baseline",
+        "The tests of each requirement are as in the baseline",
         "These texts are unchanged since the baseline: the tests that verify a requirement, their "
         "fixtures, parameters and helpers, the scenarios that the tests play, and the "
         "justifications of source lines.",
@@ -1074,7 +1074,7 @@ _FIXED = [
     ),
     Check(
         "paper-stale",
-        "The concordance names existing parts",
+        "The concordance names only parts that exist",
         "The entries of design/concordance.toml and the backticks in their texts name only "
         "existing modules, methods, applications, state machines, requirements, checks and pages. "
         "A count of modules or of applications equals the number of entries in "
@@ -1145,9 +1145,10 @@ _FIXED = [
         "folders of the build, used pins and keys that a page names exist too. If a page or an "
         "answer names a signal or a connector directly next to a pin, src/k64/pins.hpp lists them "
         "for this pin. Pages and help texts insert the exit codes.",
-        "The check cannot judge whether the link has the right target. It does not find the option "
-        "of another command that the page also names. It does not find a wrong pin in a sentence "
-        "that does not contain the words of the table of pins.",
+        "The check cannot judge whether the link has the right target. It accepts an option "
+        "without a command if any command on the page has this option, even if the sentence is "
+        "about another command. It does not find a wrong pin in a sentence that does not contain "
+        "the words of the table of pins.",
         "correct the target.",
     ),
     Check(

@@ -384,7 +384,10 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
     for text in texts:
         if who & authors(root, text.place):
             place = f"{text.place.file}:{text.place.line}"
-            yield f"{review.reviewer} wrote lines of {text.kind} {text.name} ({place})"
+            yield (
+                f"{review.reviewer} wrote lines of {text.kind} {text.name} ({place}), but only "
+                "another person can review it; let such a person run ./wr review"
+            )
             break
 
 
