@@ -869,7 +869,7 @@ _FIXED = [
         "its bound. A bound has the form at most, at least or exactly.",
         "The check cannot judge whether the metric shows the property that the requirement "
         "demands.",
-        "run ./wr test to measure the metric; if the value is beyond its bound, correct the code.",
+        "run ./wr test --all to measure the metric; if the value is beyond its bound, correct the code.",
     ),
     Check(
         "req-passed",
@@ -877,7 +877,7 @@ _FIXED = [
         "Every test that verifies a requirement ran in the last test run and passed. Every other "
         "test ran. The build of the tests names every folder with tests.",
         "The check does not compare results that are older than the sources.",
-        "correct the code or the test, then run ./wr test.",
+        "correct the code or the test, then run ./wr test --all.",
     ),
     Check(
         "req-unknown",
