@@ -18,7 +18,7 @@ IMPORTED_FROM = ("", "site", "client")  # folders from which tests import, as in
 # This file imports the module of a command when the command runs.
 COMMANDS = "tools/cli.py"
 RUNS_TOOLS = "pytest.mark.runs_tools"
-# The model and the figures need these files. A test needs no mark for them.
+# The model and the drawings need these files. A test needs no mark for them.
 READ_BY_ALL = ("traceability/doxygen/Doxyfile", "site/theme/static/fonts")
 READS = "reads"  # mark of a test file, with the files and folders that its tests read
 
