@@ -535,7 +535,8 @@ def test_the_page_of_robustness_explains_the_kinds_and_the_limits(tmp_path: Path
     faults |= {"kinds": {"flash": counts, "sensor": counts}, "modules": {}, "safe_after": None}
     record = Published("./wr campaign faults", "abc", "2026-01-01", faults)
     model = replace(make_project(tmp_path), campaigns={"faults": record})
-    for file in ("faults/Fault.hpp", "faults/Fault.cpp", "faults/Verdict.hpp", "plant/Robot.hpp"):
+    faults_of_campaign = ("faults/InjectedFault.hpp", "faults/InjectedFault.cpp")
+    for file in (*faults_of_campaign, "faults/Verdict.hpp", "plant/Robot.hpp"):
         copied = tmp_path / "sim" / file
         copied.parent.mkdir(parents=True, exist_ok=True)
         copied.write_text((ROOT / "sim" / file).read_text(encoding="utf-8"), encoding="utf-8")
