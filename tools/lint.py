@@ -157,7 +157,8 @@ def on_board(root: Path, path: Path) -> bool:
 def check_imports(root: Path, log: TextIO) -> None:
     """Checks the contracts of pyproject.toml. They state the imports that each package may have,
     and forbid cycles."""
-    env = os.environ | {"PYTHONPATH": os.pathsep.join([str(root), str(root / "site")])}
+    folders = (root, root / "site", root / "client")
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, folders))}
     linter = Path(sys.executable).with_name("lint-imports")
     run(log, [linter, "--config", "pyproject.toml", "--no-logo"], env, folder=root)
 
