@@ -28,10 +28,6 @@ from traceability.sources import DESIGN, include_options
 from traceability.whole_file import write_whole
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-INCLUDED = re.compile(r'^#include ["<](.+)[">]', re.MULTILINE)
-HEADER_OBJECT = re.compile(
-    r"^(\S+_verify_interface_header_sets/\S+[.]hpp[.]cxx[.]o(?:bj)?): ", re.M
-)
 # The logic modules that each logic module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
@@ -193,36 +189,11 @@ def build_with_clang(root: Path, log: TextIO, *, quick: bool) -> None:
         run(log, ["clang++", "-fsyntax-only", *words, f"-fmodule-name={module}", str(source)])
 
 
-def check_headers(root: Path, log: TextIO) -> str:
+def check_headers(root: Path, log: TextIO) -> None:
     """Compiles each header alone. A header of a driver is compiled for the K64, and each other
-    header for this computer.
-
-    A header is left out if the source of the same name includes this header first. The compilation
-    of this source has already shown that the header needs no other header before it.
-    """
-    headers = 0
+    header for this computer."""
     for preset in ("host", "k64"):
-        alone = [one for one in header_objects(root, preset, log) if not is_first(root, one)]
-        build(root, preset, log, *alone)
-        headers += len(alone)
-    return f"{headers} headers"
-
-
-def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
-    """Returns the objects of a build that are compiled from one header each."""
-    build(root, preset, log, "build.ninja")
-    words = ["ninja", "-C", str(root / "build" / preset), "-t", "targets", "all"]
-    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    return sorted(set(HEADER_OBJECT.findall(listed)))
-
-
-def is_first(root: Path, target: str) -> bool:
-    """Returns whether the header of an object is the first include of the source of the same
-    name."""
-    header = target.rsplit("_verify_interface_header_sets/", maxsplit=1)[-1].rpartition(".cxx.")[0]
-    sources = (root / folder / header.replace(".hpp", ".cpp") for folder in DESIGN)
-    texts = (source.read_text(encoding="utf-8") for source in sources if source.exists())
-    return any(INCLUDED.findall(text)[:1] == [header] for text in texts)
+        build(root, preset, log, "all_verify_interface_header_sets")
 
 
 def check_tidy(root: Path, log: TextIO) -> str:
