@@ -22,7 +22,7 @@ from tools.steps import FailureError, run
 from tools.task_graph import Graph, Outcome, Reporter, Task
 from traceability.model.build import commit, logic_of
 from traceability.reading.lint_record import FAILED, NOT_RUN, PASSED, files_hash, write_lint
-from traceability.reading.prose_record import write_prose
+from traceability.reading.prose_record import FOLDERS, read_prose, write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 from traceability.whole_file import write_whole
@@ -32,6 +32,9 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
+PYTHON = ("traceability", "site", "tools", "client", "sim", "tests/python")
+TYPED = ("traceability", "site/portal", "tools", "client/weeding_robot_client", "sim/scenario")
+PACKAGES = "setup/python.lock"  # the versions of the linters
 # A name that a source defines outside of classes.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
 JOINED = 16  # greatest number of source files that clang-tidy checks together
@@ -98,39 +101,46 @@ def result_of(outcome: Outcome | None) -> str:
 
 
 def lint_tasks(root: Path, *, quick: bool) -> list[Task]:
-    """Returns the tasks of this command. Each task runs whenever the command is called."""
+    """Returns the tasks of this command. A task without inputs runs whenever the command is called:
+    it finds the changed files itself. Each other task runs only after a change of its inputs.
+    """
     tools = root / ".venv" / "bin"
-    python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
 
     def ruff(log: TextIO) -> None:
         config: list[str | Path] = ["--config", root / "pyproject.toml"]
-        paths = [root / name for name in python]
+        paths = [root / name for name in PYTHON]
         run(log, [tools / "ruff", "check", *config, *paths])
         run(log, [tools / "ruff", "format", "--check", *config, *paths])
 
     def mypy(log: TextIO) -> None:
         config: list[str | Path] = ["--config-file", root / "pyproject.toml"]
-        names = ("traceability", "site/portal", "tools", "client/weeding_robot_client")
-        packages = [root / name for name in (*names, "sim/scenario")]
-        run(log, [tools / "mypy", "--strict", *config, *packages])
+        run(log, [tools / "mypy", "--strict", *config, *(root / name for name in TYPED)])
 
     def task(
-        name: str, action: Callable[[Path, TextIO], str | None], after: tuple[str, ...] = ()
+        name: str,
+        action: Callable[[Path, TextIO], str | None],
+        inputs: tuple[str, ...] = (),
+        after: tuple[str, ...] = (),
     ) -> Task:
-        return Task(name, partial(action, root), after=after, always=True)
+        return Task(name, partial(action, root), inputs, after=after, always=not inputs)
 
     built = "clang without warnings"
     long = [
-        task("clang-tidy", check_tidy, (built,)),
-        task("headers alone", check_headers, (built,)),
+        task("clang-tidy", check_tidy, after=(built,)),
+        task("headers alone", check_headers, after=(built,)),
     ]
     return [
         task(built, partial(build_with_clang, quick=quick)),
-        task("clang-format", check_format),
-        Task("ruff", ruff, always=True),
-        Task("mypy", mypy, always=True),
-        task("imports", check_imports),
-        task("prose", check_prose),
+        task("clang-format", check_format, (*CODE, ".clang-format", PACKAGES)),
+        Task("ruff", ruff, (*PYTHON, "pyproject.toml", PACKAGES)),
+        Task("mypy", mypy, (*TYPED, "pyproject.toml", PACKAGES)),
+        task("imports", check_imports, (*TYPED, "pyproject.toml", PACKAGES)),
+        Task(
+            "prose",
+            partial(check_prose, root),
+            (*FOLDERS, PACKAGES),
+            always=read_prose(root) is None,
+        ),
         *([] if quick else long),
     ]
 
