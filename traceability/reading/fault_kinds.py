@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-KINDS = Path("sim/faults/Fault.hpp")
-CHOICES = Path("sim/faults/Fault.cpp")
+KINDS = Path("sim/faults/InjectedFault.hpp")
+CHOICES = Path("sim/faults/InjectedFault.cpp")
 PLANT = Path("sim/plant/Robot.hpp")
 _ENUMERATION = r"enum class {}\b[^{{]*{{\n(.*?)\n}};"
 _ENUMERATOR = re.compile(r"\s*(?:(\w+),?\s*)?///<\s*(.*)")

@@ -11,28 +11,9 @@ from traceability.sources import files_below, hash_of
 
 RECORD = RESULTS / "prose.json"
 FOLDERS = (
-    *(
-        "docs",
-        "requirements",
-        "design",
-        "src",
-        "extensions",
-        "changes",
-        "ports",
-        "sim",
-        "client",
-        "tests",
-    ),
-    *(
-        "tools",
-        "traceability",
-        "site/portal",
-        "site/templates",
-        "site/theme",
-        "setup",
-        "README.md",
-        "wr",
-    ),
+    *("docs", "requirements", "design", "src", "extensions", "changes", "ports", "sim", "client"),
+    *("tests", "tools", "traceability", "site/portal", "site/templates", "site/theme", "setup"),
+    *("README.md", "wr"),
 )
 
 

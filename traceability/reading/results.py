@@ -26,6 +26,7 @@ PLAIN = "plain"  # name of the test run without recordings
 # The results of gcovr: the totals, and the executed lines of each file.
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
+TIMES = RESULTS / "times.json"  # durations of commands, for the metrics
 BOARD_ONLY = (
     *("tests/sim/emulator/", "tests/sim/faults/", "tests/sim/web/", "tests/torture/"),
     "tests/k64/",
@@ -49,6 +50,11 @@ class Result:
     instances: dict[str, str] = field(default_factory=dict)
     # products whose firmware images the test executed
     images: list[str] = field(default_factory=list)
+
+
+def read_times(root: Path) -> dict[str, float]:
+    times = read_json(root / TIMES)
+    return times if isinstance(times, dict) else {}
 
 
 def read_json(path: Path) -> Any:

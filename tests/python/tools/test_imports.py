@@ -20,6 +20,8 @@ WRONG = [
     ("traceability/reading/clang_names.py", "from traceability.reading import flow"),
     ("site/portal/navigation.py", "if TYPE_CHECKING:\n    from portal.portal import Portal"),
     ("tools/usb_drive.py", "from tools import flash"),
+    ("client/weeding_robot_client/reasons.py", "from traceability import schema"),
+    ("client/weeding_robot_client/layout.py", "from weeding_robot_client import messages"),
 ]
 
 
@@ -33,7 +35,7 @@ def lint(root: Path) -> str:
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
     """Returns a copy of the packages, and of pyproject.toml with the rules for their imports."""
-    for name in ("traceability", "site/portal", "tools"):
+    for name in ("traceability", "site/portal", "tools", "client"):
         ignored = shutil.ignore_patterns("__pycache__")
         shutil.copytree(ROOT / name, tmp_path / name, ignore=ignored)
     shutil.copy(ROOT / "pyproject.toml", tmp_path)

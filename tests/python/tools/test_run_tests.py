@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from tools import run_tests
-from tools.documents import TIMES
 from tools.task_graph import Graph, Task
 from tools.tasks import (
     DOCUMENTS,
@@ -18,7 +17,7 @@ from tools.tasks import (
     RESULT_TASKS,
     TESTS_SANITIZE,
 )
-from traceability.reading.results import read_json
+from traceability.reading.results import TIMES, read_json
 from traceability.reading.task_record import RECORD, SEEDED_FAULTS
 from traceability.reading.tool_tests import python_task
 
