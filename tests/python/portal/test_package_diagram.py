@@ -9,7 +9,7 @@ import pytest
 
 from portal.package_diagram import package_diagrams
 
-pytestmark = pytest.mark.reads("pyproject.toml", "traceability")
+pytestmark = pytest.mark.reads("pyproject.toml", "traceability", "client")
 
 
 def test_an_arrow_leads_from_each_layer_to_the_one_below() -> None:

@@ -10,6 +10,8 @@ import pytest
 
 from tests.python.worked_examples.examples import BEFORE, EXAMPLES, ROOT, apply, patches
 
+pytestmark = pytest.mark.reads("docs", "design", "src", "tests", "site", "traceability")
+
 
 @pytest.mark.parametrize("example", EXAMPLES)
 def test_an_example_fits_the_present_files(example: str, tmp_path: Path) -> None:
