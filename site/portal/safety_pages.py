@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from portal.portal import Page, Portal
-from traceability.model.safety_case import requirements_of, scenarios_of
+from traceability.model.safety_case import scenarios_of
 from traceability.reading.products import DEFAULT, HAS, PRODUCTS
 from traceability.schema import BenchScenario, FaultScenario, SafetyGoal, Test
 
@@ -105,7 +105,7 @@ def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
         case=model.safety,
         goal=goal,
         verdict=portal.report.goals[goal.id],
-        requirements=requirements_of(model, goal),
+        requirements=[model.requirements[name] for name in goal.requirements],
         scenarios=scenarios_of(model, goal),
         played_on=played_on(portal, scenarios_of(model, goal)),
     )

@@ -939,10 +939,10 @@ _FIXED = [
     Check(
         "hazard-goal",
         "Each safety goal is complete",
-        "For every safety goal, at least one hazard names the goal. Every safety goal lists "
-        "requirements and names a safe state.",
+        "For every safety goal, at least one hazard and one requirement name the goal. Every "
+        "safety goal names a safe state.",
         "The check cannot judge whether the requirements are sufficient to reach the goal.",
-        "complete the goal in design/safety_case.toml.",
+        "complete the goal in design/safety_case.toml, or name it in a requirement.",
     ),
     Check(
         "hazard-time",
@@ -966,21 +966,22 @@ _FIXED = [
     ),
     Check(
         "hazard-requirement",
-        "Goals and requirements name each other",
-        "Each goal lists the requirements that name this goal in @goal. Each listed requirement "
-        "exists and names the goal in @goal.",
+        "Requirements name existing goals",
+        "Each safety goal that a requirement names in @goal exists.",
+        "The check does not find a missing tag: suspect-requirement reports a removed tag. "
         "The check cannot judge whether the requirement really contributes to the goal. If some "
         "requirements of a goal are not verified, the check reports nothing, but the page of the "
         "goal shows the goal as open.",
-        "add the missing link.",
+        "correct the tag @goal.",
     ),
     Check(
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
-        "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. At "
+        "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
         "least one hazard lists the file. A test plays the scenario, and this test passed on each "
-        "target for which it is built. Every scenario that a goal lists exists.",
-        "The check does not find faults without a scenario. It cannot judge whether a hazard "
+        "target for which it is built.",
+        "The check does not find faults without a scenario. If a scenario no longer names one of "
+        "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
         "occurs in the scenarios that it lists. It ignores test results that are older than the "
         "sources.",
         "complete the links, play the scenario in a test, or correct the failure.",
@@ -1004,7 +1005,8 @@ _FIXED = [
         "suspect-requirement",
         "A requirement is as in its baseline",
         "These texts of each requirement are unchanged since its baseline: the requirement, its "
-        "invocation tree, its transitions of state machines, its safety goals and their hazards.",
+        "invocation tree, its transitions of state machines, its safety goals, and the hazards and "
+        "fault scenarios of these goals.",
         "The check cannot judge whether the texts are right. A review answers this question. The "
         "check ignores changes of line breaks.",
         "check the text, and then run ./wr review --baseline with the id of the requirement.",
@@ -1102,11 +1104,11 @@ _FIXED = [
     Check(
         "doc-example",
         "Worked examples of the protocol contain what their texts state",
-        "For each example in docs/protocol_examples.txt, the body contains the frame that the text of "
-        "the example names, and the numbers of this text.",
-        "The check does not compare other words of the text, such as the cause of a stop. It does not "
-        "compute the check sum and the bytes on the serial line. Tests of the firmware and of the "
-        "client compute them, and decode the body.",
+        "For each example in docs/protocol_examples.txt, the body contains the frame that the text "
+        "of the example names, and the numbers of this text.",
+        "The check does not compare other words of the text, such as the cause of a stop. It does "
+        "not compute the check sum and the bytes on the serial line. Tests of the firmware and of "
+        "the client compute them, and decode the body.",
         "correct the text.",
     ),
     Check(
