@@ -6,7 +6,6 @@ from __future__ import annotations
 import functools
 import html
 import json
-import os
 import pickle
 import posixpath
 import re
@@ -23,6 +22,7 @@ from traceability.reading.products import LIST, listed
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
+from traceability.whole_file import write_whole
 
 PAGES = ("README.md", "CONTRIBUTING.md", "changes", "docs", "ports")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in a style sheet
@@ -91,12 +91,7 @@ def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
         read = pool.map(_read, changed) if pool else map(_read, changed)
         cached |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
     cached = {name: cached[name] for name in names}
-    cache.parent.mkdir(parents=True, exist_ok=True)
-    # The cache is replaced in one step, because another process may read the cache at the same
-    # time.
-    new = cache.with_suffix(f".{os.getpid()}")
-    new.write_bytes(pickle.dumps(code) + pickle.dumps(cached))
-    new.replace(cache)
+    write_whole(cache, pickle.dumps(code) + pickle.dumps(cached))
     return {name: page for name, (_, page) in cached.items()}
 
 
