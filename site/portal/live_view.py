@@ -17,6 +17,7 @@ from portal.portal import Portal
 from portal.writing import remove_others, write_changed
 from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
+from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.live_record import MODULE, read_live
 from traceability.reading.products import (
     CALLS_SUFFIX,
@@ -34,7 +35,6 @@ FOLDER = "live"  # folder in the site that contains the files of this page
 DATA = "live.json"
 # Scenario whose recorded curves the page shows before the reader starts the robot.
 RECORDED = "stop"
-SAFETY = Path("sim/scenario/safety")
 SIGNATURE = re.compile(r"(?P<result>.+?) ?\b\w+\((?P<parameters>[^()]*)\)")
 INTEGERS = {"void": "", "bool": "bool"} | {
     f"std::{sign}int{bits}_t": f"{kind}{bits}"
@@ -314,7 +314,7 @@ def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
     }
     titles |= {loop_run.name: (loop_run.title, loop_run.says) for loop_run in model.closed_loop}
     played = []
-    for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):
+    for folder, product in ((EXAMPLES, PAPER), (SCENARIOS, DEFAULT)):
         for path in sorted((root / folder).glob("*.scenario")):
             text = path.read_text(encoding="utf-8")
             title, says = titles.get(path.stem, (path.stem.replace("_", " "), first_comment(text)))

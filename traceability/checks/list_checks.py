@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 from pathlib import Path
 
+from traceability.reading.bench_record import FOLDER as BENCH
 from traceability.schema import Finding, Place
 from traceability.sources import files_below
 
@@ -77,7 +78,7 @@ def _totals(root: Path) -> dict[str, int]:
         return [line for line in text.splitlines() if line.startswith(start)]
 
     return {
-        "scenario": len(files_below(root, ("sim/scenario/bench",), (".scenario",))),
+        "scenario": len(files_below(root, (str(BENCH),), (".scenario",))),
         **{
             part: len(lines("safety_case.toml", f"[[{part}]]"))
             for part in ("assumption", "hazard", "goal")

@@ -18,6 +18,7 @@ from traceability.sources import file_hash, source_hash
 T = TypeVar("T")
 RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
+METRICS = Path("build/metrics.json")
 # target -> name of the test run whose results are used
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
