@@ -1103,7 +1103,7 @@ _FIXED = [
     ),
     Check(
         "doc-example",
-        "Worked examples of the protocol contain what their texts state",
+        "Worked examples of the protocol agree with their texts",
         "For each example in docs/protocol_examples.txt, the body contains the frame that the text "
         "of the example names, and the numbers of this text.",
         "The check does not compare other words of the text, such as the cause of a stop. It does "
