@@ -12,8 +12,8 @@ from typing import Any
 from traceability.reading.baseline_record import count_patch
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.products import PAPER
-from traceability.reading.results import RESULTS, Result, read_json, results_in
-from traceability.reading.task_record import CHANGES, is_fresh
+from traceability.reading.results import RESULTS, Result, read_fresh, results_in
+from traceability.reading.task_record import CHANGES
 from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST, VIRTUAL_K64, Place
 
@@ -154,10 +154,8 @@ def target_of(test: str) -> str:
 def read_record(root: Path) -> KitRecord | None:
     """Returns the results of the changes. Returns None if they do not belong to the present
     sources."""
-    data = read_json(root / RESULT)
-    if not isinstance(data, dict) or not is_fresh(root, CHANGES):
-        return None
-    return KitRecord(results_in(data), data["images"])
+    data = read_fresh(root, RESULT, CHANGES)
+    return KitRecord(results_in(data), data["images"]) if data else None
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:

@@ -60,6 +60,13 @@ def read_json(path: Path) -> Any:
         return None
 
 
+def read_fresh(root: Path, path: Path, task: str) -> dict[str, Any] | None:
+    """Returns the content of the JSON file that a task writes. Returns None if the file is missing
+    or incomplete, or if the inputs of the task have changed since."""
+    content = read_json(root / path)
+    return content if isinstance(content, dict) and task_record.is_fresh(root, task) else None
+
+
 def day_of(record: Path) -> str:
     """Returns the day (UTC) on which a run wrote its record."""
     return time.strftime("%Y-%m-%d", time.gmtime(record.stat().st_mtime))
