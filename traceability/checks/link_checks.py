@@ -21,7 +21,7 @@ from traceability.reading.change_kits import PATCH
 from traceability.reading.products import LIST, listed
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
-from traceability.sources import file_hash, files_below
+from traceability.sources import file_hash, files_below, text_of
 from traceability.whole_file import write_whole
 
 PAGES = ("README.md", "CONTRIBUTING.md", "changes", "docs", "ports")
@@ -173,8 +173,7 @@ def _others(links: list[tuple[str, str]]) -> str:
 def dead_clicks(site: Path) -> Iterator[Finding]:
     """Finds clicks in design/questions.toml whose target page the site does not contain. The clicks
     are the links that lead a reader to the answer of a question."""
-    path = site.resolve().parent.parent / QUESTIONS
-    lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+    lines = text_of(site.resolve().parent.parent / QUESTIONS).splitlines()
     for number, line in enumerate(lines, 1):
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
@@ -249,8 +248,7 @@ def missing_parts(root: Path) -> Iterator[Finding]:
 
 def _pins(root: Path) -> set[str]:
     """Returns the pins that src/k64/pins.hpp lists or names in comments."""
-    path = root / "src" / "k64" / "pins.hpp"
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    text = text_of(root / "src" / "k64" / "pins.hpp")
     return _rows(text).union(PIN.findall(text))
 
 

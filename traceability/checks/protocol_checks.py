@@ -11,6 +11,7 @@ from typing import Any
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
+from traceability.sources import text_of
 from weeding_robot_client.layout import BY_QUANTITY, Layout, LayoutError, read_frames, value_name
 
 FRAMES = "design/frames.toml"
@@ -24,12 +25,11 @@ NUMBER = re.compile(
 
 
 def check(_model: Model, facts: Facts) -> Iterator[Finding]:
-    path, table, layouts = facts.root / EXAMPLES, facts.root / FRAMES, {}
-    with suppress(OSError, LayoutError):  # The build reports a wrong table.
-        frames = read_frames(table.read_text(encoding="utf-8")).frames.values()
+    layouts = {}
+    with suppress(LayoutError):  # The build reports a wrong table.
+        frames = read_frames(text_of(facts.root / FRAMES)).frames.values()
         layouts = {layout.kind: layout for layout in frames}
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    for number, line in enumerate(lines, 1):
+    for number, line in enumerate(text_of(facts.root / EXAMPLES).splitlines(), 1):
         parts = [part.strip() for part in line.split(";")]
         if line.startswith("#") or len(parts) != 5:
             continue

@@ -21,6 +21,7 @@ from traceability.schema import (
     SafetyGoal,
     Test,
 )
+from traceability.sources import text_of
 
 
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
@@ -62,7 +63,7 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 def _playing(path: Path) -> str:
     """Returns the text of a test file if the text contains the word ``scenario``. Otherwise returns
     an empty text."""
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    text = text_of(path)
     return text if "scenario" in text.lower() else ""
 
 
