@@ -1,5 +1,5 @@
-"""doc-example: the worked examples of the protocol contain the frames and the numbers of their
-texts."""
+"""doc-frame and doc-example: the numbers in the table of frames equal the numbers in the code, and
+the bytes and the texts of the worked examples are right."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
+from cobs import cobs
+
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 from traceability.sources import text_of
+from weeding_robot_client.frames import crc16
 from weeding_robot_client.layout import BY_QUANTITY, Layout, LayoutError, read_frames, value_name
 
 FRAMES = "design/frames.toml"
 EXAMPLES = "docs/protocol_examples.txt"
-
 # A number in the text of an example, with the word before it and the unit and direction after it.
 NUMBER = re.compile(
     r"(?:\b([a-z]+) )?(?<![\w.-])(?:(-?\d+(?:\.\d+)?) (degree|rpm|V|A|ms)s?\b"
@@ -25,6 +27,50 @@ NUMBER = re.compile(
 
 
 def check(_model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _numbers(facts)
+    yield from _examples(facts)
+
+
+def _numbers(facts: Facts) -> Iterator[Finding]:
+    """Finds types of frames and numbers of values in design/frames.toml that differ from the
+    enumerators and constants of the firmware."""
+    path = facts.root / FRAMES
+    lines = text_of(path).splitlines()
+    table = facts.declared.entries.whole(path)
+    numbers = {constant.name: int(constant.number) for constant in facts.syntax.values}
+    for pattern, text in [*_wrong_types(table, numbers), *_wrong_values(table, numbers)]:
+        at = next((n for n, line in enumerate(lines, 1) if re.search(pattern, line)), 1)
+        yield Finding(Place(FRAMES, at), "doc-frame", text)
+
+
+def _wrong_types(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tuple[str, str]]:
+    """Yields for each frame with a wrong type: a pattern that matches its line, and the text of
+    the finding."""
+    for frame in table.get("frame", []):
+        name, kind = str(frame.get("name")), frame.get("type")
+        right = numbers.get(f"FrameType::{name}", kind)
+        if right != kind:
+            text = f"the frame {name} has the type {right:#x} in FrameType, not {kind:#x}"
+            yield f'^name = "{re.escape(name)}"$', text
+
+
+def _wrong_values(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tuple[str, str]]:
+    """Yields for each value with a wrong number: a pattern that matches its line, and the text of
+    the finding."""
+    for enumeration in table.get("enumeration", []):
+        firmware = str(enumeration.get("firmware", ""))
+        for value in enumeration.get("values", []):
+            name, number = value.get("name"), value.get("number")
+            named = (value.get("firmware"), f"{firmware}::{value.get('firmware', name)}")
+            right = next((numbers[one] for one in named if one in numbers), number)
+            if right != number:
+                pattern = rf'\b{number}, *name *= *"{re.escape(str(name))}"'
+                yield pattern, f"{name} of {firmware} is {right}, not {number}"
+
+
+def _examples(facts: Facts) -> Iterator[Finding]:
+    """Finds examples with a wrong check sum or wrong bytes on the serial line. Both are computed
+    from the body of the frame."""
     layouts = {}
     with suppress(LayoutError):  # The build reports a wrong table.
         frames = read_frames(text_of(facts.root / FRAMES)).frames.values()
@@ -33,7 +79,19 @@ def check(_model: Model, facts: Facts) -> Iterator[Finding]:
         parts = [part.strip() for part in line.split(";")]
         if line.startswith("#") or len(parts) != 5:
             continue
-        for stated in not_in_body(bytes.fromhex(parts[2]), parts[0], layouts):
+        body, crc, coded = (bytes.fromhex(part) for part in parts[2:])
+        wrong = [
+            *(["check sum"] if crc16(body).to_bytes(2, "big") != crc else []),
+            *(
+                ["bytes on the serial line"]
+                if cobs.encode(body + crc[::-1]) + b"\0" != coded
+                else []
+            ),
+        ]
+        if wrong:
+            text = f"the {' and the '.join(wrong)} of this example do not belong to its body"
+            yield Finding(Place(EXAMPLES, number), "doc-example", text)
+        for stated in not_in_body(body, parts[0], layouts):
             text = f"the text states '{stated}', but the body of this example does not contain it"
             yield Finding(Place(EXAMPLES, number), "doc-example", text, "correct the text")
 

@@ -1102,14 +1102,25 @@ _FIXED = [
         "correct the source of the diagram.",
     ),
     Check(
+        "doc-frame",
+        "Numbers of the protocol agree with the code",
+        "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
+        "firmware, or names a constant of the firmware, both have the same number. If a frame has the name of an enumerator of "
+        "FrameType, the type of the frame is the number of this enumerator.",
+        "The check does not compare the fields of the frames, the types of the fields and their "
+        "limits. Tests compare them.",
+        "correct the number, and never use a number of the protocol for a new meaning.",
+    ),
+    Check(
         "doc-example",
-        "Worked examples of the protocol agree with their texts",
-        "For each example in docs/protocol_examples.txt, the body contains the frame that the text "
-        "of the example names, and the numbers of this text.",
-        "The check does not compare other words of the text, such as the cause of a stop. It does "
-        "not compute the check sum and the bytes on the serial line. Tests of the firmware and of "
-        "the client compute them, and decode the body.",
-        "correct the text.",
+        "Worked examples of the protocol are consistent",
+        "For each example in docs/protocol_examples.txt, the stated check sum and the stated "
+        "bytes on the serial line are equal to the values that are computed from the body of the "
+        "frame. The body contains the frame that the text of the example names, and the numbers of "
+        "this text.",
+        "The check does not compare other words of the text, such as the cause of a stop. Tests of "
+        "the firmware and of the client decode the body.",
+        "run tests/python/client/examples.py, which writes the examples.",
     ),
     Check(
         "doc-scenario",

@@ -1,4 +1,4 @@
-"""The checks find wrong worked examples of the protocol, and forbidden code."""
+"""The checks find wrong numbers of the protocol, wrong worked examples, and forbidden code."""
 
 from __future__ import annotations
 
@@ -12,20 +12,47 @@ from traceability.checks import run_checks
 from traceability.checks.protocol_checks import not_in_body
 from traceability.model.build import build
 
+HEADER = "src/main_control/operation_states/Kind.hpp"
 FILES = {
+    HEADER: """\
+#pragma once
+namespace wr {
+/// @brief Kind.
+/// @datatype
+enum class Kind { First, Second = 0x10, Third /* last */ };
+}  // namespace wr
+""",
     "design/frames.toml": """\
+[[enumeration]]
+name = "kind"
+firmware = "Kind"
+values = [
+  { number = 0, name = "First" },
+  { number = 15, name = "Second" },
+  { number = 17, name = "Third" },
+]
+
 [[frame]]
-name = "KeepAlive"
-type = 0x03
-sender = "PC"
-use = "keeps the connection"
-fields = []
+name = "Hello"
+type = 0x01
+
+[[frame]]
+name = "Welcome"
+type = 0x91
+""",
+    "src/main_control/operation_states/FrameType.hpp": """\
+#pragma once
+namespace wr {
+/// @brief Type of a frame.
+/// @datatype
+enum class FrameType { Hello = 0x01, Welcome = 0x81 };
+}  // namespace wr
 """,
     "docs/protocol_examples.txt": """\
 # name; from; body without crc; crc; bytes on the line
-keep alive; pc; 020302; d7ed; 06020302edd700
-keep alive 7; pc; 020302; d7ed; 06020302edd700
-hello; pc; 020302; d7ed; 06020302edd700
+right; pc; 020302; d7ed; 06020302edd700
+wrong sum; pc; 020303; d7ed; 06020303edd700
+wrong line; pc; 020302; d7ed; 06020303edd700
 """,
     "src/main_control/operation_states/Loop.cpp": """\
 namespace wr {
@@ -53,6 +80,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[str, str, int,
 @pytest.mark.parametrize(
     ("check", "places"),
     [
+        ("doc-frame", [("frames.toml", 6), ("frames.toml", 15)]),
         ("doc-example", [("protocol_examples.txt", 3), ("protocol_examples.txt", 4)]),
         ("exec-heap", [("Loop.cpp", 7)]),
         ("stack-recursion", [("Loop.cpp", 4), ("Loop.cpp", 5)]),
@@ -62,6 +90,14 @@ def test_each_fault_is_found_at_its_line(
     found: list[tuple[str, str, int, str]], check: str, places: list[tuple[str, int]]
 ) -> None:
     assert [(file, line) for name, file, line, _ in found if name == check] == places
+
+
+def test_the_message_states_both_numbers(found: list[tuple[str, str, int, str]]) -> None:
+    texts = [text for check, _, _, text in found if check == "doc-frame"]
+    assert texts == [
+        "Second of Kind is 16, not 15",
+        "the frame Welcome has the type 0x81 in FrameType, not 0x91",
+    ]
 
 
 @pytest.mark.parametrize(
