@@ -23,7 +23,7 @@ from tools.steps import FailureError, Steps, stoppable
 from traceability.exports.revision import revision_of, write_revision
 from traceability.reading.build_evidence import git
 from traceability.reading.plain_constants import plain_constants
-from traceability.reading.results import TIMES, read_json
+from traceability.reading.results import METRICS, TIMES, read_json
 from traceability.schema import Finding, Place
 from traceability.whole_file import write_whole
 
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from traceability.model.report import Report
 
 FINDINGS = Path("build/model/findings.json")
-METRICS = Path("build/metrics.json")
 # This file exists while the pages belong to the sources of the last checks.
 CURRENT = Path("build/pages-cache/current")
 # The texts and names with which the pages were built. The file exists only if the last two steps

@@ -12,11 +12,12 @@ import sys
 from collections import defaultdict
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import TextIO
 
 from tools.cmake_build import TESTS, build
+from tools.includes import included
 from tools.prose import lint_prose
 from tools.steps import FailureError, run
 from tools.task_graph import Graph, Outcome, Reporter, Task
@@ -27,7 +28,6 @@ from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 from traceability.whole_file import write_whole
 
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 # The logic modules that each logic module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
@@ -322,8 +322,7 @@ def name_of(root: Path, unit: tuple[Path, ...]) -> str:
 def key_of(root: Path, unit: tuple[Path, ...], command: list[str]) -> str:
     """Returns the hash of all inputs that determine the result of a command on a unit."""
     total = hashlib.sha256(" ".join(command).encode())
-    read = {file for path in unit for file in included(root, path)}
-    for part in (*unit, *settings(root, unit[0]), *sorted(read)):
+    for part in (*unit, *settings(root, unit[0]), *sorted(included(root, unit))):
         total.update(part.read_bytes())
     return total.hexdigest()
 
@@ -332,26 +331,3 @@ def settings(root: Path, path: Path) -> list[Path]:
     """Returns the settings of clang-tidy for a file."""
     folders = [parent for parent in path.parents if parent.is_relative_to(root)]
     return [file for folder in folders if (file := folder / ".clang-tidy").exists()]
-
-
-def included(root: Path, path: Path) -> set[Path]:
-    """Returns the file and all files of the project that it includes, directly or indirectly."""
-    files: set[Path] = set()
-    waiting = [path]
-    while waiting:
-        file = waiting.pop()
-        if file not in files:
-            files.add(file)
-            waiting += direct(root, file)
-    return files
-
-
-@cache
-def direct(root: Path, path: Path) -> tuple[Path, ...]:
-    names = INCLUDE.findall(path.read_text(errors="replace"))
-    places = (path.parent, *(root / name for name in DESIGN), root)
-    return tuple(
-        next(place / name for place in places if (place / name).exists())
-        for name in names
-        if any((place / name).exists() for place in places)
-    )

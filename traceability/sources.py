@@ -36,6 +36,11 @@ def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()
     return sorted(files)
 
 
+def text_of(path: Path) -> str:
+    """Returns the text of a file. Returns an empty text if the file does not exist."""
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
 def include_options(root: Path) -> list[str]:
     """Returns the compiler options (-I) for the folders with the headers of the design."""
     return [word for name in DESIGN for word in ("-I", str(root / name))]

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from portal.links import Links
 from traceability.model.design_model import Model
-from traceability.reading.plain_constants import PlainConstant, plain_constants
+from traceability.reading.plain_constants import plain_constants
 from traceability.schema import Constant
 
 # Unit in the code -> (number, unit on a page): one unit on a page is this number of units in the
@@ -46,10 +46,10 @@ OPERATIONS = {
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
 }
-Constants = Mapping[str, Constant | PlainConstant]
+Constants = Mapping[str, Constant]
 
 
-def constant_text(constant: Constant | PlainConstant) -> str:
+def constant_text(constant: Constant) -> str:
     """Returns the value and the unit, as in ``100 ms``."""
     return number_text(float(constant.number), constant.unit)
 
@@ -110,7 +110,7 @@ def value_of(formula: str, constants: Constants) -> float | None:
         return None
 
 
-def evaluated(node: ast.expr, values: list[Constant | PlainConstant]) -> float:
+def evaluated(node: ast.expr, values: list[Constant]) -> float:
     if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
         return node.value
     if isinstance(node, ast.Name):

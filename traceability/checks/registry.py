@@ -940,10 +940,10 @@ _FIXED = [
     Check(
         "hazard-goal",
         "Each safety goal is complete",
-        "For every safety goal, at least one hazard names the goal. Every safety goal lists "
-        "requirements and names a safe state.",
+        "For every safety goal, at least one hazard and one requirement name the goal. Every "
+        "safety goal names a safe state.",
         "The check cannot judge whether the requirements are sufficient to reach the goal.",
-        "complete the goal in design/safety_case.toml.",
+        "complete the goal in design/safety_case.toml, or name it in a requirement.",
     ),
     Check(
         "hazard-time",
@@ -967,21 +967,22 @@ _FIXED = [
     ),
     Check(
         "hazard-requirement",
-        "Each goal and its requirements refer to each other",
-        "Each goal lists the requirements that name this goal in @goal. Each listed requirement "
-        "exists and names the goal in @goal.",
+        "Requirements name existing goals",
+        "Each safety goal that a requirement names in @goal exists.",
+        "The check does not find a missing tag: suspect-requirement reports a removed tag. "
         "The check cannot judge whether the requirement really contributes to the goal. If some "
         "requirements of a goal are not verified, the check reports nothing, but the page of the "
         "goal shows the goal as open.",
-        "add the missing link.",
+        "correct the tag @goal.",
     ),
     Check(
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
-        "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. At "
+        "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
         "least one hazard lists the file. A test plays the scenario, and this test passed on each "
-        "target for which it is built. Every scenario that a goal lists exists.",
-        "The check does not find faults without a scenario. It cannot judge whether a hazard "
+        "target for which it is built.",
+        "The check does not find faults without a scenario. If a scenario no longer names one of "
+        "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
         "occurs in the scenarios that it lists. It ignores test results that are older than the "
         "sources.",
         "complete the links, play the scenario in a test, or correct the failure.",
@@ -1005,7 +1006,8 @@ _FIXED = [
         "suspect-requirement",
         "A requirement is as in its baseline",
         "These texts of each requirement are unchanged since its baseline: the requirement, its "
-        "invocation tree, its transitions of state machines, its safety goals and their hazards.",
+        "invocation tree, its transitions of state machines, its safety goals, and the hazards and "
+        "fault scenarios of these goals.",
         "The check cannot judge whether the texts are right. A review answers this question. The "
         "check ignores changes of line breaks.",
         "check the text, and then run ./wr review --baseline with the id of the requirement.",
@@ -1104,8 +1106,8 @@ _FIXED = [
         "doc-frame",
         "Numbers of the protocol agree with the code",
         "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
-        "firmware, both have the same number. If a frame has the name of an enumerator of "
-        "FrameType, the type of the frame is the number of this enumerator.",
+        "firmware, or names a constant of the firmware, both have the same number. If a frame has "
+        "the name of an enumerator of FrameType, the type of the frame is the number of this enumerator.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",

@@ -213,7 +213,8 @@ class LinkTexts:
                 for h in hazards
             )
             limits = (*goal.exceptions, *goal.open_points)
-            text = "\n".join((goal.title, goal.text, goal.because, *limits, *rows))
+            parts = (goal.title, goal.text, goal.because, *goal.scenarios, *limits, *rows)
+            text = "\n".join(parts)
             yield LinkText("goal", name, goal.place, text)
 
     def _method(self, requirement: Requirement, name: str) -> LinkText:

@@ -78,8 +78,8 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
 
 
 def linked(case: SafetyCase) -> SafetyCase:
-    """Returns the safety case with computed values: the levels, the values of the formulas, and the
-    hazards of each goal and of each assumption."""
+    """Returns the safety case with computed values: the levels, the values of the formulas, the
+    hazards and scenarios of each goal, and the hazards of each assumption."""
     hazards = {
         name: replace(
             hazard, level=level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
@@ -91,7 +91,12 @@ def linked(case: SafetyCase) -> SafetyCase:
         names = [hazard.id for hazard in hazards.values() for word in hazard.goals if word == name]
         level = highest(case, [hazards[name].level for name in names])
         computed = evaluate(goal.formula)
-        goals[name] = replace(goal, hazards=names, computed=computed, level=level)
+        scenarios = [
+            scenario.name for scenario in case.scenarios.values() if name in scenario.goals
+        ]
+        goals[name] = replace(
+            goal, hazards=names, computed=computed, level=level, scenarios=scenarios
+        )
     assumptions = {
         name: replace(
             assumption,

@@ -6,11 +6,10 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.reading.constants import unit_in
-from traceability.schema import Place
+from traceability.schema import Constant, Place
 from traceability.sources import files_below
 
 SIMULATOR = "sim"
@@ -33,20 +32,11 @@ _CHRONO = {
 _ENDS = {"S": "s", "RPM": "rpm", "DEGREES": "degree", "VOLTS": "V", "AMPERES": "A", "BYTES": "byte"}
 
 
-@dataclass(frozen=True)
-class PlainConstant:
-    """A constant outside the firmware."""
-
-    number: float
-    unit: str
-    place: Place
-
-
-def plain_constants(root: Path) -> dict[str, PlainConstant]:
+def plain_constants(root: Path) -> dict[str, Constant]:
     """Returns the constants by their names: ``folder::File::name`` for a constant in a folder of
     the simulator, ``file.NAME`` for a constant of a Python program. A name is left out if it has
     more than one value."""
-    values: dict[str, list[PlainConstant]] = {}
+    values: dict[str, list[Constant]] = {}
     for path in files_below(root, (SIMULATOR, *PROGRAMS), (".hpp", ".cpp", ".py")):
         read = _of_python if path.suffix == ".py" else _of_cpp
         for name, constant in read(path, str(path.relative_to(root))):
@@ -58,7 +48,7 @@ def plain_constants(root: Path) -> dict[str, PlainConstant]:
     }
 
 
-def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
+def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
     text = path.read_text(encoding="utf-8")
     for match in _CPP.finditer(text):
         unit = unit_in(match["comment"]) or next(
@@ -68,7 +58,7 @@ def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
         number = float(match["number"].replace("'", ""))
         yield (
             f"{path.parent.name}::{path.stem}::{match['name']}",
-            PlainConstant(number, unit, place),
+            Constant(number, unit, place),
         )
 
 
@@ -76,7 +66,7 @@ def _words(match: re.Match[str]) -> list[str]:
     return [(match[group] or "").rpartition("::")[2] for group in ("type", "made")]
 
 
-def _of_python(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
+def _of_python(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
     text = path.read_text(encoding="utf-8")
     lines = text.splitlines()
     for node in ast.parse(text).body:
@@ -87,5 +77,5 @@ def _of_python(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
         if isinstance(number, (int, float)) and not isinstance(number, bool):
             comment = lines[node.lineno - 1].partition("#")[2]
             unit = unit_in(comment) or _ENDS.get(name.rpartition("_")[2], "")
-            constant = PlainConstant(float(number), unit, Place(file, node.lineno))
+            constant = Constant(float(number), unit, Place(file, node.lineno))
             yield f"{path.stem}.{name}", constant

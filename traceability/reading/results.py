@@ -18,6 +18,7 @@ from traceability.sources import file_hash, source_hash
 T = TypeVar("T")
 RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
+METRICS = Path("build/metrics.json")
 # target -> name of the test run whose results are used
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
@@ -63,6 +64,13 @@ def read_json(path: Path) -> Any:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
+
+
+def read_fresh(root: Path, path: Path, task: str) -> dict[str, Any] | None:
+    """Returns the content of the JSON file that a task writes. Returns None if the file is missing
+    or incomplete, or if the inputs of the task have changed since."""
+    content = read_json(root / path)
+    return content if isinstance(content, dict) and task_record.is_fresh(root, task) else None
 
 
 def day_of(record: Path) -> str:

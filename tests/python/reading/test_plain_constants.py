@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from traceability.reading.plain_constants import PlainConstant, plain_constants
+from traceability.reading.plain_constants import plain_constants
+from traceability.schema import Constant
 
 HEADER = """\
 struct Wheel {
@@ -28,7 +29,7 @@ SUM = KEY_AT + 1
 
 
 @pytest.fixture(scope="module")
-def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, PlainConstant]:
+def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
     root = tmp_path_factory.mktemp("project")
     plant, tools = root / "sim" / "plant", root / "tools"
     plant.mkdir(parents=True)
@@ -52,7 +53,7 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, PlainConsta
     ],
 )
 def test_a_constant_has_its_value_and_unit(
-    constants: dict[str, PlainConstant], name: str, number: float, unit: str, line: int
+    constants: dict[str, Constant], name: str, number: float, unit: str, line: int
 ) -> None:
     found = constants[name]
     assert (found.number, found.unit, found.place.line) == (number, unit, line)
@@ -62,6 +63,6 @@ def test_a_constant_has_its_value_and_unit(
     "name", ["plant::Wheel::computed", "plant::Wheel::kTwice", "key.NAME", "key.ON", "key.SUM"]
 )
 def test_a_constant_without_a_single_number_is_left_out(
-    constants: dict[str, PlainConstant], name: str
+    constants: dict[str, Constant], name: str
 ) -> None:
     assert name not in constants
