@@ -951,7 +951,9 @@ _FIXED = [
         "10 %. If a goal declares a velocity, its formula contains this velocity. The velocity "
         "differs by at most 1 % from the greatest ordered velocity, which is calculated from "
         "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
-        "reaction time of the firmware is at most the fault-tolerant time. Both times end when the "
+        "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
+        "parts of its reaction, the reaction time is the value of this formula of constants, "
+        "rounded up by at most 10 %. Both times end when the "
         "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
         "without known exceptions accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
