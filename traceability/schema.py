@@ -605,6 +605,7 @@ class SafetyGoal:
     open_points: Sequence[str] = field(default_factory=list)
     # greatest ordered velocity [m/s] in the formula; 0 if the formula does not contain it
     velocity: float = 0.0
+    parts: str = ""  # formula of constants for the reaction time [ms]; "" if there is none
     computed: float | None = None  # value of the formula; None if the formula is invalid
     hazards: Sequence[str] = field(default_factory=list)
     level: str = ""  # the highest level among the hazards of the goal

@@ -869,7 +869,8 @@ _FIXED = [
         "its bound. A bound has the form at most, at least or exactly.",
         "The check cannot judge whether the metric shows the property that the requirement "
         "demands.",
-        "run ./wr test --all to measure the metric; if the value is beyond its bound, correct the code.",
+        "run ./wr test --all to measure the metric; if the value is beyond its bound, correct the "
+        "code.",
     ),
     Check(
         "req-passed",
@@ -952,7 +953,9 @@ _FIXED = [
         "10 %. If a goal declares a velocity, its formula contains this velocity. The velocity "
         "differs by at most 1 % from the greatest ordered velocity, which is calculated from "
         "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
-        "reaction time of the firmware is at most the fault-tolerant time. Both times end when the "
+        "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
+        "parts of its reaction, the reaction time is the value of this formula of constants, "
+        "rounded up by at most 10 %. Both times end when the "
         "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
         "without known exceptions accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
@@ -1107,7 +1110,8 @@ _FIXED = [
         "Numbers of the protocol agree with the code",
         "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
         "firmware, or names a constant of the firmware, both have the same number. If a frame has "
-        "the name of an enumerator of FrameType, the type of the frame is the number of this enumerator.",
+        "the name of an enumerator of FrameType, the type of the frame is the number of this "
+        "enumerator.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",

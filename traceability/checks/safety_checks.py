@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.safety_case import scenario_state, scenarios_of
+from traceability.reading.formulas import value_of
 from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_facts import Facts
 from traceability.schema import Assumption, Finding, Hazard, Place, SafetyGoal
@@ -111,7 +112,8 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _times(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds safety goals with a wrong time. The time must agree with the value of the goal's
-    formula, and must not be shorter than the reaction time of the firmware."""
+    formula, and must not be shorter than the reaction time of the firmware. The reaction time must
+    agree with the constants of its parts."""
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
@@ -122,6 +124,16 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
                 f"{goal.computed:.3g} s"
             )
             yield Finding(_at(facts, goal), "hazard-time", text)
+        parts = value_of(goal.parts, model.constants) if goal.parts else 1000 * goal.reaction
+        if parts is None:
+            text = f"the parts of the reaction of {goal.id} have no value: {goal.parts}"
+            yield Finding(_at(facts, goal), "hazard-time", text)
+        elif not 0.999 * parts <= 1000 * goal.reaction <= 1.1 * parts:
+            text = (
+                f"the reaction time of {goal.id} is {goal.reaction:g} s, but its parts need "
+                f"{parts:.4g} ms"
+            )
+            yield Finding(_at(facts, goal), "hazard-time", text, "correct the reaction time")
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
             text = f"the firmware needs {needed} for {goal.id}, but the goal allows {allowed}"

@@ -1,5 +1,5 @@
 """Reads the constants of the simulator (C++) and of the Python programs from their source texts. A
-constant is read only if its value is one number."""
+constant is read only if its value is one number, or a range of numbers."""
 
 from __future__ import annotations
 
@@ -19,12 +19,20 @@ _NUMBER = r"-?\d[\d']*(?:\.\d+)?(?:e[+-]?\d+)?"
 # of a public data member such as `double mass = 175.0;  ///< [kg]`.
 _CPP = re.compile(
     r"^ *(?:(?:inline |static )*constexpr )?(?P<type>[\w:]+) (?P<name>\w*[A-Za-z0-9])"
-    rf"(?: =\s+(?:(?P<made>[\w:]+)\()?|\{{\s*)(?P<number>{_NUMBER})[UF]?[)}}]?;(?P<comment>[^\n]*)",
+    rf"(?: =\s+(?:(?P<made>[\w:]+)\()?|[{{(]\s*)(?P<number>{_NUMBER})[UF]?[)}}]?;"
+    r"(?P<comment>[^\n]*)",
+    re.MULTILINE,
+)
+# A range such as `constexpr Range kSupply{.low = 21.0, .high = 29.0};  // [V]`.
+_RANGE = re.compile(
+    rf"^constexpr \w+ (?P<name>\w+)\{{\.low = (?P<low>{_NUMBER}), \.high = (?P<high>{_NUMBER})\}};"
+    r"(?P<comment>[^\n]*)",
     re.MULTILINE,
 )
 _CHRONO = {
     "nanoseconds": "ns",
     "microseconds": "us",
+    "Microseconds": "us",
     "milliseconds": "ms",
     "seconds": "s",
 }
@@ -34,8 +42,8 @@ _ENDS = {"S": "s", "RPM": "rpm", "DEGREES": "degree", "VOLTS": "V", "AMPERES": "
 
 def plain_constants(root: Path) -> dict[str, Constant]:
     """Returns the constants by their names: ``folder::File::name`` for a constant in a folder of
-    the simulator, ``file.NAME`` for a constant of a Python program. A name is left out if it has
-    more than one value."""
+    the simulator, ``file.NAME`` for a constant of a Python program. A range has two names, with
+    ``.low`` and ``.high`` at the end. A name is left out if it has more than one value."""
     values: dict[str, list[Constant]] = {}
     for path in files_below(root, (SIMULATOR, *PROGRAMS), (".hpp", ".cpp", ".py")):
         read = _of_python if path.suffix == ".py" else _of_cpp
@@ -50,16 +58,21 @@ def plain_constants(root: Path) -> dict[str, Constant]:
 
 def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
     text = path.read_text(encoding="utf-8")
+    folder = f"{path.parent.name}::{path.stem}::"
+
+    def constant(match: re.Match[str], group: str, unit: str) -> Constant:
+        place = Place(file, text.count("\n", 0, match.start("name")) + 1)
+        return Constant(float(match[group].replace("'", "")), unit, place)
+
     for match in _CPP.finditer(text):
         unit = unit_in(match["comment"]) or next(
             (_CHRONO[word] for word in _words(match) if word in _CHRONO), ""
         )
-        place = Place(file, text.count("\n", 0, match.start("name")) + 1)
-        number = float(match["number"].replace("'", ""))
-        yield (
-            f"{path.parent.name}::{path.stem}::{match['name']}",
-            Constant(number, unit, place),
-        )
+        yield folder + match["name"], constant(match, "number", unit)
+    for match in _RANGE.finditer(text):
+        for end in ("low", "high"):
+            unit = unit_in(match["comment"])
+            yield f"{folder}{match['name']}.{end}", constant(match, end, unit)
 
 
 def _words(match: re.Match[str]) -> list[str]:

@@ -17,10 +17,10 @@ from traceability.model.report import Verdict
 from traceability.model.safety_case import plays, safety_of
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import (
-    evaluate,
     level_of,
     read_safety_case,
 )
+from traceability.reading.formulas import value_of
 from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST
 
@@ -74,7 +74,7 @@ def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() 
     ],
 )
 def test_a_formula_is_of_numbers_only(formula: str, value: float | None) -> None:
-    assert evaluate(formula) == (value if value is None else pytest.approx(value, abs=1e-6))
+    assert value_of(formula, {}) == (value if value is None else pytest.approx(value, abs=1e-6))
 
 
 @pytest.mark.parametrize(

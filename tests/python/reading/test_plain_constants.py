@@ -18,6 +18,8 @@ struct Wheel {
   double computed = 2 * kRadius;
 };
 constexpr int kTwice = 1;
+constexpr Microseconds kStart(5364);
+constexpr Range kSupply{.low = -0.5, .high = 29.0};  // [V]
 """
 PROGRAM = """\
 KEY_AT = 0x410  # in the flash [address]
@@ -48,6 +50,9 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
         ("plant::Wheel::kPeriod", 20, "ms", 5),
         ("plant::Wheel::kLate", 2, "s", 6),
         ("plant::Wheel::mass", 175, "kg", 7),
+        ("plant::Wheel::kStart", 5364, "us", 11),
+        ("plant::Wheel::kSupply.low", -0.5, "V", 12),
+        ("plant::Wheel::kSupply.high", 29, "V", 12),
         ("key.KEY_AT", 0x410, "address", 1),
         ("key.DEAD_MAN_S", 0.3, "s", 2),
     ],
