@@ -986,6 +986,7 @@ class ExecutionContext:
     # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)
     intended: int | None = None  # priority that the design states
+    idle: str = ""  # the function that the start executes when the interrupts are enabled
 
 
 @dataclass(frozen=True)
@@ -1071,10 +1072,14 @@ class TimeProof:
     unbound: Sequence[tuple[str, Place]]
     # indirect calls whose target is unknown: function and place of each
     unresolved: Sequence[tuple[str, Place]]
+    # the longest time [cycle] for which a lock blocks the interrupts
+    locked: int = 0
+    # locks that contain a loop or a call, and therefore have no bound: function and place of each
+    unbound_locks: Sequence[tuple[str, Place]] = ()
 
     @property
     def proven(self) -> bool:
-        return not (self.unbound or self.unresolved)
+        return not (self.unbound or self.unresolved or self.unbound_locks)
 
 
 @dataclass(frozen=True)
