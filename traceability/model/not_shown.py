@@ -46,6 +46,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
         *_beliefs(model),
         *_stale(model),
         *_static_analysis(model),
+        *_tool_tests(model),
         *_reviews(requirements),
         *_verdicts(model, report),
         *_targets(model, requirements),
@@ -109,6 +110,22 @@ def _static_analysis(model: Model) -> Iterator[tuple[str, str]]:
         yield (
             "These steps of the static analysis (./wr lint) were not run in this build: "
             f"{', '.join(missing)}.",
+            "build_evidence",
+        )
+
+
+def _tool_tests(model: Model) -> Iterator[tuple[str, str]]:
+    if model.build and model.build.long_tests:
+        counts = model.build.long_tests.values()
+        yield (
+            "The long tests of the tools (./wr test --long) are not part of this build: "
+            f"{_count(sum(counts), 'test function')} in {_count(len(counts), 'file')}.",
+            "build_evidence",
+        )
+    if model.build and model.build.repeated:
+        yield (
+            f"{_count(len(model.build.repeated), 'test')} of the client failed at first. Only the "
+            "second result counts.",
             "build_evidence",
         )
 
