@@ -825,6 +825,15 @@ class Counts:
 
 
 @dataclass(frozen=True)
+class Exemption:
+    """A comment that exempts a source line from rules of clang-tidy."""
+
+    place: Place
+    rules: str
+    why: str
+
+
+@dataclass(frozen=True)
 class BuildEvidence:
     """The commit, the tools and the computer with which the pages were built."""
 
@@ -841,6 +850,7 @@ class BuildEvidence:
     repeated: Sequence[str] = ()  # Python tests that failed at first, and then ran once more
     # file of Python tests -> number of its functions with tests that only ./wr test --long runs
     long_tests: Mapping[str, int] = field(default_factory=dict)
+    exemptions: Sequence[Exemption] = ()
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from traceability.reading.image_record import read_image
-from traceability.reading.lint_record import read_lint
+from traceability.reading.lint_record import read_exemptions, read_lint
 from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.results import RESULTS, RUNS, read_json
 from traceability.reading.tool_tests import long_tests, read_tool_tests, repeated_tests
@@ -54,6 +54,7 @@ def read_build(root: Path) -> BuildEvidence:
         tool_tests=tool_tests,
         repeated=repeated_tests(root, [name for name, counts in tool_tests.items() if counts]),
         long_tests=long_tests(root),
+        exemptions=read_exemptions(root),
     )
 
 
