@@ -50,6 +50,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
         *_reviews(requirements),
         *_verdicts(model, report),
         *_targets(model, requirements),
+        *_driver_lines(model),
         *_times(model),
         *_proofs(model),
         *_campaign(model),
@@ -192,6 +193,23 @@ def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[st
             f"{VIRTUAL_K64}.",
             "requirements",
             urlencode({"binding": ONLY.format(HOST)}),
+        )
+
+
+def driver_lines(model: Model) -> tuple[int, int]:
+    """Returns the number of lines of the drivers that no test executed, and the number of all their
+    lines. Both are 0 if the lines were not measured."""
+    hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
+    return hits.count(False), len(hits)
+
+
+def _driver_lines(model: Model) -> Iterator[tuple[str, str]]:
+    missed, total = driver_lines(model)
+    if missed:
+        yield (
+            f"No test executed {missed} of the {total} lines of the drivers of the K64. No reasons "
+            "are stated for these lines.",
+            "virtual_k64",
         )
 
 
