@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import re
+import textwrap
 import tomllib
 from itertools import pairwise
 from pathlib import Path
@@ -11,6 +13,7 @@ from portal.diagrams import MARKERS, Diagram, preamble
 
 CONTRACTS = Path("pyproject.toml")
 PACKAGES = "packages"  # id of the diagram
+WIDTH = 60  # letters in a line of a box
 
 
 def package_diagrams(root: Path) -> list[Diagram]:
@@ -48,13 +51,14 @@ def node(name: str) -> str:
 
 def box(root: Path, name: str) -> str:
     """Returns the PlantUML text of the box of a layer: the name of the package or module, and the
-    first line of its docstring.
+    first sentence of its docstring.
     """
     file = name.replace(".", "/")
     folders = (root, root / "site", root / "client")
     paths = [folder / f"{file}{end}" for folder in folders for end in ("/__init__.py", ".py")]
     path = next(path for path in paths if path.exists())
     text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
-    first = text.partition("\n")[0]
+    sentence = re.split(r"(?<=\.)\s", text, maxsplit=1)[0]
+    first = "\\n".join(textwrap.wrap(sentence, WIDTH))
     style = f"{MARKERS['role-concrete-fill']};line:{MARKERS['role-concrete'][1:]}"
     return f'rectangle "**{name.rpartition(".")[2]}**\\n{first}" as {node(name)} {style}'
