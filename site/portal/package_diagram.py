@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import re
 import textwrap
 import tomllib
 from itertools import pairwise
@@ -51,14 +50,13 @@ def node(name: str) -> str:
 
 def box(root: Path, name: str) -> str:
     """Returns the PlantUML text of the box of a layer: the name of the package or module, and the
-    first sentence of its docstring.
+    first paragraph of its docstring.
     """
     file = name.replace(".", "/")
     folders = (root, root / "site", root / "client")
     paths = [folder / f"{file}{end}" for folder in folders for end in ("/__init__.py", ".py")]
     path = next(path for path in paths if path.exists())
     text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
-    sentence = re.split(r"(?<=\.)\s", text, maxsplit=1)[0]
-    first = "\\n".join(textwrap.wrap(sentence, WIDTH))
+    first = "\\n".join(textwrap.wrap(text.partition("\n\n")[0], WIDTH))
     style = f"{MARKERS['role-concrete-fill']};line:{MARKERS['role-concrete'][1:]}"
     return f'rectangle "**{name.rpartition(".")[2]}**\\n{first}" as {node(name)} {style}'
