@@ -17,6 +17,7 @@ from typing import Any, TextIO
 import lizard
 
 from tools.cmake_build import BOARD_PROGRAM, copy_sources, jobs
+from tools.includes import included
 from tools.sizes import Size, image_sizes, output, total
 from tools.steps import FailureError, run
 from traceability.reading.baseline_record import (
@@ -35,7 +36,6 @@ TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
 MAIN = "main"  # the part from main.cpp, which is different in each design
 STACK = "stack"
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)
 
 
@@ -152,7 +152,7 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
     """Returns the sources of the parts that only this design has, and the headers that only these
     sources include."""
-    closures = {name: closure(root, sources_in(root, sizes, name)) for name in sizes}
+    closures = {name: included(root, sources_in(root, sizes, name)) for name in sizes}
     others = set().union(*(closures[name] for name in sizes if name != design))
     return sorted(closures[design] - others)
 
@@ -162,22 +162,6 @@ def sources_in(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> li
     own = own_parts(sizes, design)
     paths = files_below(root, (SRC, str(FOLDER / design)), (".cpp",))
     return [path for path in paths if path.stem in own - {MAIN}]
-
-
-def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
-    """Returns the sources and all files of the project that they include."""
-    files: set[Path] = set()
-    waiting = list(sources)
-    while waiting:
-        path = waiting.pop()
-        if path in files:
-            continue
-        files.add(path)
-        for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
-            waiting += [
-                root / base / name for base in (SRC, "tests") if (root / base / name).is_file()
-            ]
-    return files
 
 
 def source_figures(paths: list[Path]) -> dict[str, float]:

@@ -30,7 +30,7 @@ def record_all(root: Path, log: TextIO) -> str:
     """Records the calls in each time window for which the design declares a recording."""
     folder = root / "build" / "calls"
     folder.mkdir(parents=True, exist_ok=True)
-    symbols = read_symbols(root / ELF, NAMES, folder / "symbols.json")
+    symbols = read_symbols(root / ELF, NAMES, folder / "symbols.pickle")
     recordings: dict[str, Recording] = {}
     for window in declared_recordings(root):
         lines = play(root, window, folder / f"{window.name}.csv", log)

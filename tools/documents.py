@@ -23,7 +23,7 @@ from tools.steps import FailureError, Steps, stoppable
 from traceability.exports.revision import revision_of, write_revision
 from traceability.reading.build_evidence import git
 from traceability.reading.plain_constants import plain_constants
-from traceability.reading.results import RESULTS, read_json
+from traceability.reading.results import METRICS, TIMES, read_json
 from traceability.schema import Finding, Place
 from traceability.whole_file import write_whole
 
@@ -33,8 +33,6 @@ if TYPE_CHECKING:
     from traceability.model.report import Report
 
 FINDINGS = Path("build/model/findings.json")
-TIMES = RESULTS / "times.json"  # durations of commands, for the metrics
-METRICS = Path("build/metrics.json")
 # This file exists while the pages belong to the sources of the last checks.
 CURRENT = Path("build/pages-cache/current")
 # The texts and names with which the pages were built. The file exists only if the last two steps
@@ -80,11 +78,6 @@ def read_findings(root: Path) -> list[Finding] | None:
     if records is None:
         return None
     return [Finding(**{**record, "place": Place(**record["place"])}) for record in records]
-
-
-def read_times(root: Path) -> dict[str, float]:
-    times = read_json(root / TIMES)
-    return times if isinstance(times, dict) else {}
 
 
 def write_time(root: Path, name: str, seconds: float) -> None:
@@ -165,7 +158,7 @@ def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
         site = root / "build" / "site"
         dead_links = run_link_checks(*built, site)
         findings.extend(dead_links)
-        measured = site_figures(site, findings) | read_times(root)
+        measured = site_figures(site, findings)
         metrics = write_metrics(root, built.model, report, measured)
         record_revision(root, built.model, report, metrics)
         return counted(dead_links)

@@ -12,30 +12,29 @@ import sys
 from collections import defaultdict
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import TextIO
 
 from tools.cmake_build import TESTS, build
+from tools.includes import included
 from tools.prose import lint_prose
 from tools.steps import FailureError, run
 from tools.task_graph import Graph, Outcome, Reporter, Task
 from traceability.model.build import commit, logic_of
 from traceability.reading.lint_record import FAILED, NOT_RUN, PASSED, files_hash, write_lint
-from traceability.reading.prose_record import write_prose
+from traceability.reading.prose_record import FOLDERS, read_prose, write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 from traceability.whole_file import write_whole
 
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-INCLUDED = re.compile(r'^#include ["<](.+)[">]', re.MULTILINE)
-HEADER_OBJECT = re.compile(
-    r"^(\S+_verify_interface_header_sets/\S+[.]hpp[.]cxx[.]o(?:bj)?): ", re.M
-)
 # The logic modules that each logic module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
+PYTHON = ("traceability", "site", "tools", "client", "sim", "tests/python")
+TYPED = ("traceability", "site/portal", "tools", "client/weeding_robot_client", "sim/scenario")
+PACKAGES = "setup/python.lock"  # the versions of the linters
 # A name that a source defines outside of classes.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
 JOINED = 16  # greatest number of source files that clang-tidy checks together
@@ -102,39 +101,46 @@ def result_of(outcome: Outcome | None) -> str:
 
 
 def lint_tasks(root: Path, *, quick: bool) -> list[Task]:
-    """Returns the tasks of this command. Each task runs whenever the command is called."""
+    """Returns the tasks of this command. A task without inputs runs whenever the command is called:
+    it finds the changed files itself. Each other task runs only after a change of its inputs.
+    """
     tools = root / ".venv" / "bin"
-    python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
 
     def ruff(log: TextIO) -> None:
         config: list[str | Path] = ["--config", root / "pyproject.toml"]
-        paths = [root / name for name in python]
+        paths = [root / name for name in PYTHON]
         run(log, [tools / "ruff", "check", *config, *paths])
         run(log, [tools / "ruff", "format", "--check", *config, *paths])
 
     def mypy(log: TextIO) -> None:
         config: list[str | Path] = ["--config-file", root / "pyproject.toml"]
-        names = ("traceability", "site/portal", "tools", "client/weeding_robot_client")
-        packages = [root / name for name in (*names, "sim/scenario")]
-        run(log, [tools / "mypy", "--strict", *config, *packages])
+        run(log, [tools / "mypy", "--strict", *config, *(root / name for name in TYPED)])
 
     def task(
-        name: str, action: Callable[[Path, TextIO], str | None], after: tuple[str, ...] = ()
+        name: str,
+        action: Callable[[Path, TextIO], str | None],
+        inputs: tuple[str, ...] = (),
+        after: tuple[str, ...] = (),
     ) -> Task:
-        return Task(name, partial(action, root), after=after, always=True)
+        return Task(name, partial(action, root), inputs, after=after, always=not inputs)
 
     built = "clang without warnings"
     long = [
-        task("clang-tidy", check_tidy, (built,)),
-        task("headers alone", check_headers, (built,)),
+        task("clang-tidy", check_tidy, after=(built,)),
+        task("headers alone", check_headers, after=(built,)),
     ]
     return [
         task(built, partial(build_with_clang, quick=quick)),
-        task("clang-format", check_format),
-        Task("ruff", ruff, always=True),
-        Task("mypy", mypy, always=True),
-        task("imports", check_imports),
-        task("prose", check_prose),
+        task("clang-format", check_format, (*CODE, ".clang-format", PACKAGES)),
+        Task("ruff", ruff, (*PYTHON, "pyproject.toml", PACKAGES)),
+        Task("mypy", mypy, (*TYPED, "pyproject.toml", PACKAGES)),
+        task("imports", check_imports, (*TYPED, "pyproject.toml", PACKAGES)),
+        Task(
+            "prose",
+            partial(check_prose, root),
+            (*FOLDERS, PACKAGES),
+            always=read_prose(root) is None,
+        ),
         *([] if quick else long),
     ]
 
@@ -157,7 +163,8 @@ def on_board(root: Path, path: Path) -> bool:
 def check_imports(root: Path, log: TextIO) -> None:
     """Checks the contracts of pyproject.toml. They state the imports that each package may have,
     and forbid cycles."""
-    env = os.environ | {"PYTHONPATH": os.pathsep.join([str(root), str(root / "site")])}
+    folders = (root, root / "site", root / "client")
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, folders))}
     linter = Path(sys.executable).with_name("lint-imports")
     run(log, [linter, "--config", "pyproject.toml", "--no-logo"], env, folder=root)
 
@@ -192,36 +199,11 @@ def build_with_clang(root: Path, log: TextIO, *, quick: bool) -> None:
         run(log, ["clang++", "-fsyntax-only", *words, f"-fmodule-name={module}", str(source)])
 
 
-def check_headers(root: Path, log: TextIO) -> str:
+def check_headers(root: Path, log: TextIO) -> None:
     """Compiles each header alone. A header of a driver is compiled for the K64, and each other
-    header for this computer.
-
-    A header is left out if the source of the same name includes this header first. The compilation
-    of this source has already shown that the header needs no other header before it.
-    """
-    headers = 0
+    header for this computer."""
     for preset in ("host", "k64"):
-        alone = [one for one in header_objects(root, preset, log) if not is_first(root, one)]
-        build(root, preset, log, *alone)
-        headers += len(alone)
-    return f"{headers} headers"
-
-
-def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
-    """Returns the objects of a build that are compiled from one header each."""
-    build(root, preset, log, "build.ninja")
-    words = ["ninja", "-C", str(root / "build" / preset), "-t", "targets", "all"]
-    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    return sorted(set(HEADER_OBJECT.findall(listed)))
-
-
-def is_first(root: Path, target: str) -> bool:
-    """Returns whether the header of an object is the first include of the source of the same
-    name."""
-    header = target.rsplit("_verify_interface_header_sets/", maxsplit=1)[-1].rpartition(".cxx.")[0]
-    sources = (root / folder / header.replace(".hpp", ".cpp") for folder in DESIGN)
-    texts = (source.read_text(encoding="utf-8") for source in sources if source.exists())
-    return any(INCLUDED.findall(text)[:1] == [header] for text in texts)
+        build(root, preset, log, "all_verify_interface_header_sets")
 
 
 def check_tidy(root: Path, log: TextIO) -> str:
@@ -340,8 +322,7 @@ def name_of(root: Path, unit: tuple[Path, ...]) -> str:
 def key_of(root: Path, unit: tuple[Path, ...], command: list[str]) -> str:
     """Returns the hash of all inputs that determine the result of a command on a unit."""
     total = hashlib.sha256(" ".join(command).encode())
-    read = {file for path in unit for file in included(root, path)}
-    for part in (*unit, *settings(root, unit[0]), *sorted(read)):
+    for part in (*unit, *settings(root, unit[0]), *sorted(included(root, unit))):
         total.update(part.read_bytes())
     return total.hexdigest()
 
@@ -350,26 +331,3 @@ def settings(root: Path, path: Path) -> list[Path]:
     """Returns the settings of clang-tidy for a file."""
     folders = [parent for parent in path.parents if parent.is_relative_to(root)]
     return [file for folder in folders if (file := folder / ".clang-tidy").exists()]
-
-
-def included(root: Path, path: Path) -> set[Path]:
-    """Returns the file and all files of the project that it includes, directly or indirectly."""
-    files: set[Path] = set()
-    waiting = [path]
-    while waiting:
-        file = waiting.pop()
-        if file not in files:
-            files.add(file)
-            waiting += direct(root, file)
-    return files
-
-
-@cache
-def direct(root: Path, path: Path) -> tuple[Path, ...]:
-    names = INCLUDE.findall(path.read_text(errors="replace"))
-    places = (path.parent, *(root / name for name in DESIGN), root)
-    return tuple(
-        next(place / name for place in places if (place / name).exists())
-        for name in names
-        if any((place / name).exists() for place in places)
-    )

@@ -2,91 +2,27 @@
 
 from __future__ import annotations
 
-import functools
-import re
 import xml.etree.ElementTree as ET
 from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TextIO
 
 from tools.cmake_build import jobs, outcome_of
+from tools.python_imports import covers, files_of, imported_by, read_by, runs_all_tools
 from tools.steps import FailureError, run
 from tools.task_graph import Outcome
-from traceability.reading.tool_tests import TESTS, junit_counts, results_of
+from traceability.reading.tool_tests import junit_counts, results_of
 from traceability.schema import Counts
+from traceability.sources import TESTS_OF_TOOLS
 from traceability.whole_file import write_whole
 
 PYTHON = ("tests/python/", "tools/", "traceability/", "site/portal/", "client/")
-COMMANDS = "tools/cli.py"  # This file imports the module of a command when the command runs.
-RUNS_TOOLS = "pytest.mark.runs_tools"
 LONG = "long"  # mark of the tests that run only with ./wr test --long
 NOT_LONG = f"not {LONG}"
 # The tests of this folder mostly wait for a robot in real time. Therefore, more of these tests run
 # in parallel than the computer has processors.
 WAITING = "client"
 WAITING_JOBS = "8"
-
-IMPORT = re.compile(
-    r"^\s*(?:from\s+([\w.]+)\s+import\s+(\([^)]*\)|.+)|import\s+([\w.]+))", re.MULTILINE
-)
-IMPORTED_FROM = ("", "site", "client")  # folders from which tests import, as in pyproject.toml
-
-
-def imported_files(root: Path, folder: str) -> list[str]:
-    """Returns the Python files of the project that the tests of a folder import, directly or
-    indirectly.
-    """
-    tests = root / TESTS
-    waiting = [*tests.glob("conftest.py"), *(tests / folder).glob("*.py")]
-    return sorted(str(file.relative_to(root)) for file in _imported(root, waiting))
-
-
-def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
-    """Returns the test files that are in ``paths`` or import a file of ``paths``. The value of a
-    test file is the test file itself if ``paths`` contains this file, and otherwise a file of
-    ``paths`` that the test file imports.
-    """
-    found = {}
-    for test in sorted((root / TESTS).glob("*/test_*.py")):
-        around = [*(root / TESTS).glob("conftest.py"), *test.parent.glob("conftest.py")]
-        own = str(test.relative_to(root))
-        used = {str(file.relative_to(root)) for file in _imported(root, [test, *around])}
-        if reached := sorted(used.intersection(paths), key=lambda path: path != own):
-            found[own] = reached[0]
-    return found
-
-
-def _imported(root: Path, waiting: list[Path]) -> set[Path]:
-    """Returns the given files and the files that these files import, directly or indirectly."""
-    found: set[Path] = set()
-    while waiting:
-        file = waiting.pop()
-        if file not in found:
-            found.add(file)
-            waiting += _imports(root, file)
-    return found
-
-
-@functools.cache
-def _imports(root: Path, file: Path) -> tuple[Path, ...]:
-    names: set[str] = set()
-    for source, imported, module in IMPORT.findall(file.read_text(encoding="utf-8")):
-        inner = [word.split()[0] for word in imported.strip("()").split(",") if word.strip()]
-        names.update((source or module, *(f"{source}.{name}" for name in inner)))
-    found = (one for name in sorted(names) for one in _files(root, name))
-    return tuple(dict.fromkeys(found))
-
-
-@functools.cache
-def _files(root: Path, module: str) -> tuple[Path, ...]:
-    """Returns the file of a module, and the ``__init__.py`` of each package that contains the
-    module."""
-    parts = module.split(".")
-    ways = [
-        Path(place, *parts[:count]) for place in IMPORTED_FROM for count in range(1, len(parts) + 1)
-    ]
-    files = [root / one for way in ways for one in (way.with_suffix(".py"), way / "__init__.py")]
-    return tuple(file for file in files if file.is_file())
 
 
 def workers(folder: str) -> list[str | Path]:
@@ -101,18 +37,18 @@ def workers(folder: str) -> list[str | Path]:
 def run_pytest(root: Path, folder: str, log: TextIO, marks: str = NOT_LONG) -> Outcome:
     """Runs the tests of a folder whose marks match the given expression. Failed tests are an
     outcome, but a run without results is an error."""
-    return outcome_of(counted(root, folder, log, [root / TESTS / folder], marks))
+    return outcome_of(counted(root, folder, log, [root / TESTS_OF_TOOLS / folder], marks))
 
 
 def run_long(root: Path, log: TextIO) -> Outcome:
     """Runs the long tests of all folders."""
-    return outcome_of(counted(root, LONG, log, [root / TESTS], LONG))
+    return outcome_of(counted(root, LONG, log, [root / TESTS_OF_TOOLS], LONG))
 
 
 def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str]) -> Outcome:
     """Runs only the test files that a change of the files in ``changed`` can affect, and the test
-    files with failed tests. The results of the other test files remain. If a changed file is not a
-    Python file of the project, runs all tests of the folder.
+    files with failed tests. The results of the other test files remain. If all tests of the folder
+    may read a changed file, runs all of them.
     """
     results = root / results_of(folder)
     before = ET.parse(results).getroot()
@@ -133,19 +69,20 @@ def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str])
 def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str] | None:
     """Returns the test files of a folder that a change of the files in ``changed`` can affect.
 
-    Returns None if a changed file is not a Python file of the project, because all tests of the
-    folder may read such a file.
+    Returns None if a changed file is neither a Python file of the project nor a file that a mark
+    ``reads`` names, because all tests of the folder may read such a file.
     """
     python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
-    if python != set(changed):
-        return None
-    tests = {str(file.relative_to(root)) for file in (root / TESTS / folder).glob("test_*.py")}
-    found = tests & importing_tests(root, python).keys()
-    if any(not name.startswith(f"{TESTS}/") for name in python):
-        # These tests run tools as programs, and a program may import any file of the tools.
-        found |= {name for name in tests if RUNS_TOOLS in (root / name).read_text(encoding="utf-8")}
-        found |= tests & importing_tests(root, [COMMANDS]).keys()
-    return found
+    of_tools = any(not name.startswith(f"{TESTS_OF_TOOLS}/") for name in python)
+    found: set[str] = set()
+    explained = set(python)
+    for test in files_of(root, folder):
+        imported, read = imported_by(root, test), read_by(test)
+        used = {name for name in changed if name in imported or covers(read, name)}
+        explained |= used
+        if used or (of_tools and runs_all_tools(test, imported)):
+            found.add(str(test.relative_to(root)))
+    return found if explained == set(changed) else None
 
 
 def merge_results(

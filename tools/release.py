@@ -215,7 +215,7 @@ def bring_results(root: Path, copy: Path) -> None:
     second run. Recordings also contain the addresses of the recorded program.
     """
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
-    covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.json")]
+    covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.pickle")]
     for name in (RESULTS, TASKS, TIMES, MODULE, *recorded, *covered):
         if (root / name).is_dir():
             shutil.copytree(root / name, copy / name)

@@ -16,6 +16,7 @@ from tools.tasks import (
     LONG_TESTS,
     PAGES,
     PYTHON_TESTS,
+    QUICK_TESTS,
     RESULT_TASKS,
     TESTS_SANITIZE,
     graph,
@@ -24,11 +25,13 @@ from tools.tasks import (
 from traceability.reading.lint_record import files_hash
 from traceability.reading.task_record import (
     CHANGES,
+    COVERAGE,
     PORTS,
     RECORD,
     SEEDED_FAULTS,
     TESTS_BOARD,
     TESTS_TRACE,
+    is_fresh,
 )
 from traceability.reading.tool_tests import python_task
 from traceability.schema import Counts
@@ -43,16 +46,22 @@ PARTS = {
     **{folder: python_task(folder) for folder in PYTHON_TESTS},
 }
 
+# The tasks of ./wr test.
+QUICK = (TESTS_TRACE, COVERAGE, TESTS_BOARD, *map(python_task, QUICK_TESTS))
+# The tasks of ./wr test --all, except the pages.
+WHOLE = (*RESULT_TASKS, *map(python_task, PYTHON_TESTS), TESTS_SANITIZE)
+
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
-        description="Runs the tests of the firmware (with traces and coverage, with sanitizers, "
-        "and with the firmware image on the virtual K64). Runs the tests of the tools, every "
-        "check, and the tests of the portal's pages in a browser. A task runs again "
-        "only if its inputs changed. If only Python files changed, only the test files "
-        "that the change can affect run again. The last line counts the tests of the firmware "
-        "(on this computer and on the virtual K64), of the tools and of the pages.",
+        description="Runs the tests of the firmware (with traces and coverage, and with the "
+        "firmware image on the virtual K64), the tests of the tools that start no program, and "
+        "every check. With --all, also runs the other tests and the measurements: the firmware "
+        "with sanitizers, the client, the commands, the example changes, the ports, the bench "
+        "and the portal's pages in a browser. A task runs again only if its inputs changed, and "
+        "a Python test only if a file that it imports or reads changed. The last lines name the "
+        "results that are older than the files, and count the tests.",
     )
     parser.add_argument(
         "parts",
@@ -61,16 +70,21 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help=f"run only these tests, and check nothing else: {', '.join(PARTS)}",
     )
     parser.add_argument(
+        "--all",
+        action="store_true",
+        help="run every test except the long tests, and every measurement",
+    )
+    parser.add_argument(
         "--long",
         action="store_true",
-        help="also run the long tests of the tools, and test the checks: insert each seeded "
-        "fault of tests/drift into a copy of the project",
+        help="--all, and also run the long tests of the tools, and test the checks: insert each "
+        "seeded fault of tests/drift into a copy of the project",
     )
     parser.add_argument(
         "--ci",
         action="store_true",
-        help="the run of .ci/run: leave out the tests with sanitizers, and run the quick steps of "
-        "./wr lint at the same time",
+        help="the run of .ci/run: --all, but leave out the tests with sanitizers, and run the "
+        "quick steps of ./wr lint at the same time",
     )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 
@@ -81,7 +95,9 @@ def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         parser.error(f"there is no part {unknown[0]}; the parts are {', '.join(PARTS)}")
     if options.parts:
         return test_parts(root, options.parts)
-    return test(root, long=options.long, ci=options.ci)
+    if options.all or options.long or options.ci:
+        return test_all(root, long=options.long, ci=options.ci)
+    return test(root)
 
 
 def test_parts(root: Path, parts: list[str]) -> int:
@@ -92,12 +108,25 @@ def test_parts(root: Path, parts: list[str]) -> int:
     return 0 if counts.passed and not results.failed else 1
 
 
-def test(root: Path, *, long: bool, ci: bool) -> int:
+def test(root: Path) -> int:
+    """Runs the tests that a developer needs after each change, and the checks."""
+    with only_one(root, "test"):
+        results = graph(root).run(QUICK)
+        pages = pages_graph(root, keep=True).run([DOCUMENTS])
+        code = report(read_findings(root), [*results.failed, *pages.failed])
+        old = [name for name in WHOLE if name not in QUICK and not is_fresh(root, name)]
+    counts = counts_of(results)
+    if old:
+        print(f"older than the files, or missing: {', '.join(old)}; run ./wr test --all")
+    print(counts)
+    return code if counts.passed else 1
+
+
+def test_all(root: Path, *, long: bool, ci: bool) -> int:
     start = time.monotonic()
     with only_one(root, "test"):
         cold = ci and not (root / RECORD).exists()
-        names = [*RESULT_TASKS, *map(python_task, PYTHON_TESTS)]
-        names += [] if ci else [TESTS_SANITIZE]
+        names = [name for name in WHOLE if not (ci and name == TESTS_SANITIZE)]
         names += [SEEDED_FAULTS] if long else []
         style = lint_tasks(root, quick=True) if ci else []
         tasks = Graph(root, [*style, *graph(root).tasks])

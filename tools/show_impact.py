@@ -10,7 +10,7 @@ import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tools.python_tests import importing_tests
+from tools.python_imports import importing_tests
 from tools.steps import UsageError, need_file
 from traceability.reading.build_evidence import git
 
@@ -115,7 +115,10 @@ def lines_of(found: Impact) -> list[str]:
     lines += ["", f"run again: {counted(len(found.python_tests), 'file')} of Python tests"]
     lines += reasons(found.python_tests)
     if found.unfollowed:
-        lines += ["", f"not followed: {counted(len(found.unfollowed), 'file')}; run ./wr test"]
+        lines += [
+            "",
+            f"not followed: {counted(len(found.unfollowed), 'file')}; run ./wr test --all",
+        ]
         lines += [f"  {path}" for path in found.unfollowed]
     return lines
 

@@ -34,7 +34,9 @@ from traceability.whole_file import write_whole
 
 SECONDS = "seconds of tasks"  # key of the duration of each task
 WAKE = 0.2  # period at which a waiting main thread wakes up, so that it receives Ctrl-C [s]
-LONG = 10  # If a task is expected to take at least this time, its start is printed [s].
+# If a task is expected to take at least this time, its start is printed. The start of another task
+# is printed when the task has run for this time [s].
+LONG = 10
 
 
 @dataclass(frozen=True)
@@ -205,8 +207,14 @@ class Reporter:
         with self.lock:
             expected = self.progress.waiting.pop(task.name, None)
             self.progress.running[task.name] = (time.time(), expected)
-            if expected and expected >= LONG and not self.tasks[task.name].quiet:
+            if self.tasks[task.name].quiet:
+                pass
+            elif expected and expected >= LONG:
                 self._say(f"        {task.name}: started, takes about {expected:.0f} s")
+            else:
+                timer = threading.Timer(LONG, self._say_started, [task.name])
+                timer.daemon = True
+                timer.start()
         self.changed(None)
 
     def add_success(self, task: DoitTask) -> None:
@@ -272,6 +280,11 @@ class Reporter:
         times = self.record.backend.get(SECONDS, "all") or {}
         seconds = times.get(name)
         return None if seconds is None else float(seconds)
+
+    def _say_started(self, name: str) -> None:
+        with self.lock:
+            if name in self.progress.running:
+                self._say(f"        {name}: started {LONG} s ago")
 
     def _say(self, text: str) -> None:
         print(text, file=self.out, flush=True)

@@ -38,9 +38,9 @@ from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
+from tools.python_imports import READ_BY_ALL, inputs_of
 from tools.python_tests import (
     NOT_LONG,
-    imported_files,
     reported_numbers,
     run_long,
     run_pytest,
@@ -114,7 +114,11 @@ PROOF_INPUTS = (
 )
 CODE = (*DESIGN, "changes", "ports", "sim", "tests", "requirements")
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of tests and runs
-PYTHON_SETTINGS = ("pyproject.toml", "setup/python.lock", "tools/python_tests.py")
+PYTHON_SETTINGS = (
+    *("pyproject.toml", "setup/python.lock"),
+    *("tools/python_imports.py", "tools/python_tests.py"),
+    *READ_BY_ALL,
+)
 TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
 # Inputs of the test of the checks. They are the sources, the checks and the seeded faults.
 SEEDED = (
@@ -131,34 +135,23 @@ SHOWN_RESULTS = (
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json", "diff.json", "lint.json"),
 )
-# Each folder of tests/python, and the inputs of its tests in addition to their Python sources. The
-# tests of the client mostly wait, and are therefore started first.
-PYTHON_TESTS: dict[str, tuple[str, ...]] = {
+# Folders of tests/python whose tests start programs: programs of the build, or commands of ./wr.
+# Their inputs are the files in this table, all sources of the tools and, except for the commands,
+# the programs of the build. The tests of the client mostly wait, and are therefore started first.
+PROGRAM_TESTS: dict[str, tuple[str, ...]] = {
     "client": ("design", "docs", "sim/scenario", "site"),
-    "reading": (*DESIGN, "sim", "design", "requirements", "tests/support", "tests/usual_design"),
-    "model": ("design", "requirements", "sim/scenario"),
-    "checks": ("design",),
-    "exports": (*DESIGN, "sim", "design", "docs"),
-    "portal": (*DESIGN, "site", "docs", "design", "setup/vendored.txt", "tools/__init__.py"),
-    "tools": (
-        *("site", "setup", "wr", ".vscode", "tests/drift", "design", *DESIGN, "sim"),
-        "tests/usual_design",
-    ),
     "firmware": (*DESIGN, "sim", "tests/k64"),
     "programs": (
         *(*DESIGN, "sim/scenario", "design", "site", "tests/fuzz", "tests/support"),
         str(COVERAGE_LINES),
     ),
+    "commands": SHOWN,
 }
-# Folders with tests that run programs of the build.
-RUN_PROGRAMS = (
-    "client",
-    "firmware",
-    "programs",
-)
-# Folders with tests that also run the tools as programs. The other tests use only the files that
-# they import.
-RUN_TOOLS = (*RUN_PROGRAMS, "tools")
+NO_BUILD = "commands"
+# Folders whose tests start no program. Each test file depends on the files that it imports and on
+# the files that its mark "reads" names.
+QUICK_TESTS = ("reading", "model", "checks", "exports", "portal", "tools")
+PYTHON_TESTS = (*PROGRAM_TESTS, *QUICK_TESTS)
 
 
 # ---- the tasks ---------------------------------------------------------------
@@ -344,20 +337,20 @@ def checks_of_tools(root: Path) -> list[Task]:
     the checks."""
     built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, RECORDED_IMAGES, LIVE_MODULE)
 
-    def tests(folder: str, others: tuple[str, ...]) -> Task:
-        tools = TOOLS if folder in RUN_TOOLS else PYTHON_SETTINGS
-        inputs = {*tools, *others, *imported_files(root, folder), f"tests/python/{folder}"}
+    def tests(folder: str) -> Task:
+        others = (*TOOLS, *PROGRAM_TESTS[folder]) if folder in PROGRAM_TESTS else PYTHON_SETTINGS
+        inputs = {*others, *inputs_of(root, folder), f"tests/python/{folder}"}
         return Task(
             python_task(folder),
             lambda log: run_pytest(root, folder, log),
             tuple(sorted(inputs)),
             (str(results_of(folder)),),
-            inputs_from=built if folder in RUN_PROGRAMS else (),
+            inputs_from=built if folder in PROGRAM_TESTS and folder != NO_BUILD else (),
             update=partial(update_pytest, root, folder),
         )
 
     return [
-        *(tests(folder, others) for folder, others in PYTHON_TESTS.items()),
+        *map(tests, PYTHON_TESTS),
         Task(
             task_record.SEEDED_FAULTS,
             partial(seed_faults, root),

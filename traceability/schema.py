@@ -598,8 +598,6 @@ class SafetyGoal:
     because: str
     reaction: float  # the time that the firmware needs until the same event
     reacts: str
-    requirements: Sequence[str]
-    scenarios: Sequence[str]
     place: Place
     # known situations in which the robot does not meet the goal
     exceptions: Sequence[str] = field(default_factory=list)
@@ -607,9 +605,12 @@ class SafetyGoal:
     open_points: Sequence[str] = field(default_factory=list)
     # greatest ordered velocity [m/s] in the formula; 0 if the formula does not contain it
     velocity: float = 0.0
+    parts: str = ""  # formula of constants for the reaction time [ms]; "" if there is none
     computed: float | None = None  # value of the formula; None if the formula is invalid
     hazards: Sequence[str] = field(default_factory=list)
     level: str = ""  # the highest level among the hazards of the goal
+    requirements: Sequence[str] = field(default_factory=list)  # requirements that name the goal
+    scenarios: Sequence[str] = field(default_factory=list)  # fault scenarios that name the goal
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ DESIGN = (SRC, EXTENSIONS)
 # The table of the protocol's frames, and the Python module that reads it. The build of the
 # simulator generates a header from these two files.
 FRAMES = ("design/frames.toml", "client/weeding_robot_client/layout.py")
+TESTS_OF_TOOLS = Path("tests/python")
 TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 
@@ -33,6 +34,11 @@ def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()
                 and (not suffixes or path.suffix in suffixes)
             ]
     return sorted(files)
+
+
+def text_of(path: Path) -> str:
+    """Returns the text of a file. Returns an empty text if the file does not exist."""
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
 def include_options(root: Path) -> list[str]:

@@ -56,7 +56,7 @@ ANGLE_SPREAD_DEGREES = 1.0
 STICK_RPM = 3.0
 STICK_DEGREES = 2.0
 OBSERVE_S = 2.0
-FAIL_SAFE_S = 0.3
+FAIL_SAFE_S = 0.3  # longest time from the transmitter off to the stop
 CYCLE_S = 0.1  # longest time from a stop to its report
 STEERING_DEGREES = 5.0  # turn to each side
 MOST_DEGREES = 32.0  # greatest angle that the robot accepts in an order
@@ -223,7 +223,7 @@ class BringUp:
             ),
             Step(
                 "remote control: transmitter off",
-                f"the remote control orders a stop within {FAIL_SAFE_S} s",
+                f"the stop is reported at most {self._fail_safe_limit():.1f} s after Enter",
                 self._transmitter_off,
                 ("connection",),
             ),
@@ -510,6 +510,11 @@ class BringUp:
             f"with centred sticks, the remote control orders {velocity:g} rpm and {angle:g} degrees"
         )
 
+    def _fail_safe_limit(self) -> float:
+        """Returns the longest accepted time from Enter to the report of the stop. It contains the
+        reaction time of the operator. Therefore the step cannot confirm FAIL_SAFE_S itself."""
+        return FAIL_SAFE_S + CYCLE_S + self._operator.reaction_s
+
     def _transmitter_off(self) -> str:
         if self.orders.report and "RC" in self.orders.report.stop_sources:
             raise FailError(
@@ -529,7 +534,7 @@ class BringUp:
                 "transmitter on",
                 "switch the transmitter on, centre the sticks, and set the enable switch to 'PC'",
             )
-        limit = FAIL_SAFE_S + CYCLE_S + self._operator.reaction_s
+        limit = self._fail_safe_limit()
         took = seen - begin
         self._wait(
             lambda report: "RC" not in report.stop_sources, "the remote control still orders a stop"

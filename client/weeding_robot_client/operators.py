@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Protocol
 
 SKIP = "s"
+REACTION_S = 0.5  # longest time in which a person begins an announced action
 REPLY_WITHIN_S = 2.0
 REPLY_BYTES = 4096
 
@@ -50,7 +51,7 @@ class Operator(Protocol):
 class Person:
     """A person at the terminal. Every question needs an answer. No question has a default."""
 
-    reaction_s = 0.5
+    reaction_s = REACTION_S
     patience_s = 60.0
 
     def __init__(self) -> None:

@@ -26,8 +26,8 @@ CHECKS = {
     for entry in FRAMES.enumerations["stop cause"].entries
 }
 ACTIONS = {
-    "no order": "Send orders: ./wr drive, or the remote control. If your own program sends orders, "
-    "look at the counters that ./wr monitor shows in a terminal.",
+    "no order": "Send orders with ./wr drive or with the remote control. If your own program sends "
+    "orders, look at the counters that ./wr monitor shows in a terminal.",
     "not armed": "Send neutral orders for 0.5 s, then drive at once: ./wr drive does both. With "
     "the remote control: set its enable switch to 'drive', and leave the velocity stick centred "
     "for 0.5 s.",

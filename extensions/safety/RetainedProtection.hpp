@@ -11,7 +11,7 @@ namespace wr {
 ///
 /// @function Stores the cause of the protective stop, the wheel with the fault, and a check word.
 /// Power-on clears the protective stop. A loss of the clock causes a protective stop. If the
-/// content fails its check after any other reset, it counts as a protective stop with the cause
+/// content is damaged, every reset except power-on causes a protective stop with the cause
 /// MissingMeasurement.
 ///
 /// @secret The encoding of a protective stop, and the method by which damaged memory is detected.

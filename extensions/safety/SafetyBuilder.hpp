@@ -21,11 +21,11 @@
 
 namespace wr {
 
-/// @brief The builder of a single control system that contains the robot and its safety functions.
+/// @brief The builder of one control system: the robot with its safety functions.
 ///
-/// @function Calls each step of the builders of the robot's control systems. Wraps the safety
-/// functions around these control systems. Forwards each tick of the second timer to these control
-/// systems.
+/// @function Forwards each construction step to the builders of the robot's control systems. Wraps
+/// the safety functions around these control systems. Forwards each tick of the second timer to
+/// these control systems.
 ///
 /// @secret Which safety functions wrap the robot, and in which sequence.
 ///

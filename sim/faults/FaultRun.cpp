@@ -78,7 +78,7 @@ bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& ref
 
 // The fields of a result, as a copy of this process sends them through a pipe.
 struct Message {
-  Fault fault;
+  InjectedFault fault;
   int at = 0;
   std::uint32_t pc = 0;
   Verdict verdict;
@@ -290,7 +290,7 @@ FaultRun::FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path&
   }
 }
 
-Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentPc) const {
+Verdict FaultRun::runCopy(Robot& robot, const InjectedFault& fault, int at, bool silentPc) const {
   const int resets = robot.session.board.resets();
   Listener listener{robot.reports.size()};
   Observation seen;
@@ -414,7 +414,7 @@ void FaultRun::injectAll(int count, Random& random, std::optional<Kind> only,
   }
 }
 
-Result FaultRun::injectOne(const Fault& fault, int at) {
+Result FaultRun::injectOne(const InjectedFault& fault, int at) {
   Robot robot(image_, seed_);
   while (robot.now() < at) {
     robot.step();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/board_robot/BoardSession.hpp"
-#include "sim/faults/Fault.hpp"
+#include "sim/faults/InjectedFault.hpp"
 #include "sim/faults/Verdict.hpp"
 #include "sim/scenario/PcFrames.hpp"
 
@@ -17,7 +17,7 @@ namespace wr::faults {
 
 /// @brief An injected fault and its effects.
 struct Result {
-  Fault fault;
+  InjectedFault fault;
   int at = 0;            ///< ms since the drive began
   std::uint32_t pc = 0;  ///< address of the instruction at the injection
   Verdict verdict;
@@ -55,15 +55,16 @@ class FaultRun {
   /// @brief Injects one fault.
   /// @param fault the fault
   /// @param at ms since the drive began, kFirst to kLast
-  [[nodiscard]] Result injectOne(const Fault& fault, int at);
+  [[nodiscard]] Result injectOne(const InjectedFault& fault, int at);
 
  private:
   class Robot;
-  using Choice = std::function<Fault(Robot&)>;
+  using Choice = std::function<InjectedFault(Robot&)>;
 
-  /// Runs a copy of the robot with a fault. The copy chooses the fault.
+  /// Runs a copy of the robot with the fault that `choice` returns.
   [[nodiscard]] Result observe(Robot& robot, const Choice& choice) const;
-  [[nodiscard]] Verdict runCopy(Robot& robot, const Fault& fault, int at, bool silentPc) const;
+  [[nodiscard]] Verdict runCopy(Robot& robot, const InjectedFault& fault, int at,
+                                bool silentPc) const;
 
   std::vector<std::uint8_t> image_;
   std::uint64_t seed_;

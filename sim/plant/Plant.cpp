@@ -7,15 +7,39 @@ namespace {
 // The purpose that selects the random numbers of the plant (see Noise).
 constexpr std::uint32_t kOfPlant = 64;
 
-// A source of random numbers. Each number is within a given range.
-class Bands {
- public:
-  explicit Bands(const Noise& noise) : noise_(noise) {}
+struct Range {
+  double low;
+  double high;
+};
 
-  double between(double low, double high) {
+// The ranges have these reasons. Copper that is 50 K hotter than nominal has 20 percent more
+// resistance. Hot magnets lose a tenth of their field. A lead battery of 24 V has 21 V when it is
+// empty, and 29 V while it is charged. The smallest mass is the mass of the robot without panels
+// and sprayers. The greatest mass is the mass of the robot with a load.
+constexpr Range kSupply{.low = 21.0, .high = 29.0};             // [V]
+constexpr Range kBatteryResistance{.low = 0.01, .high = 0.08};  // [ohm]
+constexpr Range kCurrentOffset{.low = -0.3, .high = 0.3};       // [A]
+constexpr Range kAngleOffset{.low = -0.5, .high = 0.5};         // [degree]
+// Factors of the nominal values.
+constexpr Range kMass{.low = 0.57, .high = 1.7};
+constexpr Range kInertia{.low = 0.5, .high = 2.0};
+constexpr Range kRolling{.low = 0.5, .high = 2.0};
+constexpr Range kResistance{.low = 0.8, .high = 1.25};
+constexpr Range kMotorConstant{.low = 0.9, .high = 1.1};
+constexpr Range kInductance{.low = 0.5, .high = 1.5};
+constexpr Range kFriction{.low = 0.5, .high = 2.0};
+constexpr Range kCurrentGain{.low = 0.95, .high = 1.05};
+constexpr Range kAngleGain{.low = 0.98, .high = 1.02};
+
+// A source of random numbers. Each number is within a given range.
+class RandomValues {
+ public:
+  explicit RandomValues(const Noise& noise) : noise_(noise) {}
+
+  double within(const Range& range) {
     const double share = (noise_.uniform(kOfPlant, index_) + 1.0) / 2.0;
     ++index_;
-    return low + share * (high - low);
+    return range.low + share * (range.high - range.low);
   }
 
  private:
@@ -47,30 +71,26 @@ void setRolling(Plant& plant, double share) {
 
 }  // namespace
 
-// The ranges have these reasons. Copper that is 50 K hotter than nominal has 20 percent more
-// resistance. Hot magnets lose a tenth of their field. A lead battery of 24 V has 21 V when it is
-// empty, and 29 V while it is charged. The smallest mass is the mass of the robot without panels
-// and sprayers. The greatest mass is the mass of the robot with a load.
 Plant Plant::varied(const Noise& noise) {
-  Bands bands(noise);
+  RandomValues values(noise);
   Plant plant;
-  plant.supply = bands.between(21.0, 29.0);
-  plant.batteryResistance = bands.between(0.01, 0.08);
-  plant.mass = Plant{}.mass * bands.between(0.57, 1.7);
-  setInertia(plant, bands.between(0.5, 2.0));
-  setRolling(plant, bands.between(0.5, 2.0));
+  plant.supply = values.within(kSupply);
+  plant.batteryResistance = values.within(kBatteryResistance);
+  plant.mass = Plant{}.mass * values.within(kMass);
+  setInertia(plant, values.within(kInertia));
+  setRolling(plant, values.within(kRolling));
   for (MotorParameters& motor : plant.motors) {
-    motor.resistance *= bands.between(0.8, 1.25);
-    motor.constant *= bands.between(0.9, 1.1);
-    motor.inductance *= bands.between(0.5, 1.5);
-    setFriction(motor, bands.between(0.5, 2.0));
+    motor.resistance *= values.within(kResistance);
+    motor.constant *= values.within(kMotorConstant);
+    motor.inductance *= values.within(kInductance);
+    setFriction(motor, values.within(kFriction));
   }
   for (CurrentSensorParameters& sensor : plant.currentSensors) {
-    sensor.gain = bands.between(0.95, 1.05);
-    sensor.offset = bands.between(-0.3, 0.3);
+    sensor.gain = values.within(kCurrentGain);
+    sensor.offset = values.within(kCurrentOffset);
   }
-  plant.angleGain = bands.between(0.98, 1.02);
-  plant.angleOffset = bands.between(-0.5, 0.5);
+  plant.angleGain = values.within(kAngleGain);
+  plant.angleOffset = values.within(kAngleOffset);
   return plant;
 }
 

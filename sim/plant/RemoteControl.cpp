@@ -18,6 +18,12 @@ constexpr milliseconds kStep{1};
 constexpr milliseconds kSpacing{3};
 constexpr double kTremorPeriod = 1000;  // ms
 constexpr std::uint32_t kForJitter = 96;
+// Widths of the pulses in the positions of the enable switch.
+constexpr microseconds kStopWidth{1100};
+constexpr microseconds kPcWidth{1500};
+constexpr microseconds kDriveWidth{1900};
+constexpr microseconds kStopPcWidth{1300};
+constexpr microseconds kPcDriveWidth{1700};
 
 // Returns the width of a pulse in whole microseconds, because the timer of a receiver has a
 // resolution of 1 us.
@@ -28,8 +34,8 @@ microseconds deflected(double share, microseconds full) {
 }
 
 microseconds widthOf(EnablePosition position) {
-  constexpr std::array<int, 5> kWidths{1100, 1500, 1900, 1300, 1700};  // [us]
-  return microseconds(kWidths.at(static_cast<std::size_t>(position)));
+  constexpr std::array kWidths{kStopWidth, kPcWidth, kDriveWidth, kStopPcWidth, kPcDriveWidth};
+  return kWidths.at(static_cast<std::size_t>(position));
 }
 
 }  // namespace

@@ -20,11 +20,11 @@ struct Sticks {
 
 /// @brief Positions of the enable switch of the remote control.
 enum class EnablePosition : std::uint8_t {
-  Stop,    ///< 1.1 ms; the robot shall stop
-  Pc,      ///< 1.5 ms; the remote control sends no orders
-  Drive,   ///< 1.9 ms; the remote control drives the robot
-  StopPc,  ///< 1.3 ms; the switch is between stop and pc
-  PcDrive  ///< 1.7 ms; the switch is between pc and drive
+  Stop,    ///< the robot shall stop
+  Pc,      ///< the remote control sends no orders
+  Drive,   ///< the remote control drives the robot
+  StopPc,  ///< the switch is between stop and pc
+  PcDrive  ///< the switch is between pc and drive
 };
 
 /// @brief Output of a receiver when its transmitter is off.

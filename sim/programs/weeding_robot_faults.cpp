@@ -34,7 +34,7 @@ void print(const faults::Result& result) {
 // injected [ms].
 struct Case {
   int at;
-  faults::Fault fault;
+  faults::InjectedFault fault;
 };
 
 Exit run(const CampaignOptions& settings, std::optional<faults::Kind> only,

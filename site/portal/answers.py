@@ -70,12 +70,17 @@ def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:
     """
 
     def value(match: re.Match[str]) -> str:
-        found = value_of(metrics, match[1])
-        if found is None:
-            return "(not measured in this build)"
-        return found if isinstance(found, str) else f"{found:,}"
+        return metric_text(metrics, match[1])
 
     return replace(question, answer=METRIC.sub(value, question.answer))
+
+
+def metric_text(metrics: Mapping[str, Any], name: str, unit: str = "") -> str:
+    """Returns the value of a metric with its unit, or states that the metric was not measured."""
+    found = value_of(metrics, name)
+    if found is None:
+        return "(not measured in this build)"
+    return f"{found if isinstance(found, str) else f'{found:,}'} {unit}".rstrip()
 
 
 def value_of(metrics: Mapping[str, Any], name: str) -> Any:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import ast
 import html
-import operator
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from portal.links import Links
 from traceability.model.design_model import Model
-from traceability.reading.plain_constants import PlainConstant, plain_constants
+from traceability.reading.formulas import UNIT, value_of
+from traceability.reading.plain_constants import plain_constants
 from traceability.schema import Constant
 
 # Unit in the code -> (number, unit on a page): one unit on a page is this number of units in the
@@ -38,18 +37,10 @@ LONGER = {
 HEXADECIMAL = "address"  # unit of a number that is shown in hexadecimal digits
 PLURALS = ("degree", "byte", "step", "cycle")
 ROLE = re.compile(r":constant:`([^`]+)`")
-NAME = re.compile(r"[A-Za-z_]\w*(?:(?:::|\.)\w+)*")
-UNIT = re.compile(r" \[([^\]]+)\]$")
-OPERATIONS = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-}
-Constants = Mapping[str, Constant | PlainConstant]
+Constants = Mapping[str, Constant]
 
 
-def constant_text(constant: Constant | PlainConstant) -> str:
+def constant_text(constant: Constant) -> str:
     """Returns the value and the unit, as in ``100 ms``."""
     return number_text(float(constant.number), constant.unit)
 
@@ -71,17 +62,24 @@ def number_text(number: float, unit: str) -> str:
 def constant_links(model: Model, links: Links, root: Path) -> dict[str, str]:
     """Returns for each constant its text in HTML, and also for each formula on a page in ``docs``.
 
-    A formula such as ``2 * kFirst / kSecond [ms]`` consists of constants, numbers and operations.
-    The unit of its result is in square brackets. The constants have the values and the units of the
-    code.
+    The module ``formulas`` describes the parts of a formula.
     """
-    constants: Constants = {**plain_constants(root), **model.constants}
+    constants: Constants = {**plain_constants(root), **model.constants, **goal_constants(model)}
     texts = {}
     for name, constant in constants.items():
         text = in_html(constant_text(constant))
         address = links.source(constant.place)
         texts[name] = f'<a href="{address}" title="{name}">{text}</a>' if address else text
     return texts | dict(formulas(root, constants))
+
+
+def goal_constants(model: Model) -> dict[str, Constant]:
+    """Returns the numbers of the safety goals, with names such as ``SG-2.time``."""
+    return {
+        f"{goal.id}.{name}": Constant(getattr(goal, name), unit, goal.place)
+        for goal in model.safety.goals.values()
+        for name, unit in (("time", "s"), ("reaction", "s"), ("velocity", "m/s"))
+    }
 
 
 def formulas(root: Path, constants: Constants) -> Iterator[tuple[str, str]]:
@@ -92,33 +90,6 @@ def formulas(root: Path, constants: Constants) -> Iterator[tuple[str, str]]:
                 unit = UNIT.search(formula)
                 text = in_html(number_text(number, unit[1] if unit else ""))
                 yield formula, f'<span title="{html.escape(formula)}">{text}</span>'
-
-
-def value_of(formula: str, constants: Constants) -> float | None:
-    """Returns the value of a formula. Returns None if the formula contains an unknown name, or is
-    not valid."""
-    names: list[str] = []
-
-    def replaced(match: re.Match[str]) -> str:
-        names.append(match[0])
-        return f"_{len(names) - 1}"
-
-    text = NAME.sub(replaced, UNIT.sub("", formula))
-    try:
-        return evaluated(ast.parse(text, mode="eval").body, [constants[name] for name in names])
-    except (KeyError, SyntaxError, ValueError, ZeroDivisionError):
-        return None
-
-
-def evaluated(node: ast.expr, values: list[Constant | PlainConstant]) -> float:
-    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
-        return node.value
-    if isinstance(node, ast.Name):
-        return float(values[int(node.id[1:])].number)
-    if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
-        left, right = evaluated(node.left, values), evaluated(node.right, values)
-        return float(OPERATIONS[type(node.op)](left, right))
-    raise ValueError(f"this is not a formula: {ast.unparse(node)}")
 
 
 def in_html(text: str) -> str:

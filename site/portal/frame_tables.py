@@ -24,6 +24,7 @@ VALUES_WIDTHS = {4: (12, 22, 24, 42), 5: (8, 16, 16, 28, 32), 6: (8, 14, 14, 22,
 LIVE_FRAMES = """\
 <link rel="stylesheet" href="../_static/live/live.css">
 <script src="../_static/live/frames.js" defer></script>
+<script src="../_static/live/can_run.js" defer></script>
 <script src="../_static/live/frame_view.js" defer></script>
 <div class="lv-watch" data-frames-of="../live/" data-scripts="../_static/live/" hidden>
   <p class="lv-row">

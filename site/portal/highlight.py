@@ -4,10 +4,8 @@ its content has changed.
 
 from __future__ import annotations
 
-import hashlib
-import json
-import os
 from collections.abc import Iterable, Iterator
+from functools import partial
 from pathlib import Path
 
 import pygments
@@ -18,6 +16,8 @@ from pygments.lexer import Lexer
 from pygments.lexers import TextLexer, get_lexer_for_filename
 from pygments.token import Name, Punctuation, Text, Whitespace, _TokenType
 from pygments.util import ClassNotFound
+
+from traceability.reading.result_cache import cached_result
 
 
 class Plain(Filter):
@@ -57,7 +57,6 @@ class Highlighter:
         self.root = root
         self.cache = cache
         self.lines_of: dict[str, list[str]] = {}
-        cache.mkdir(parents=True, exist_ok=True)
 
     def lines(self, path: str) -> list[str]:
         if path not in self.lines_of:
@@ -69,16 +68,7 @@ class Highlighter:
         if not source.is_file():
             return []
         text = source.read_text(encoding="utf-8", errors="replace")
-        content = f"{pygments.__version__}\0{Path(path).suffix}\0{text}"
-        digest = hashlib.sha256(content.encode()).hexdigest()
-        stored = self.cache / f"{digest}.json"
-        if stored.exists():
-            loaded: list[str] = json.loads(stored.read_text(encoding="utf-8"))
-            return loaded
-        lines = highlighted_lines(path, text)
-        # Another process may read the cached file at the same time. Therefore the result is written
-        # to a separate file, which then replaces the cached file.
-        written = stored.with_suffix(f".{os.getpid()}")
-        written.write_text(json.dumps(lines), encoding="utf-8")
-        written.replace(stored)
-        return lines
+        parts = [pygments.__version__, text]
+        return cached_result(
+            self.cache / f"{path}.pickle", parts, partial(highlighted_lines, path, text)
+        )

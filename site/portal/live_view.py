@@ -7,7 +7,6 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-import subprocess
 from dataclasses import asdict, dataclass
 from itertools import dropwhile, takewhile
 from pathlib import Path
@@ -18,6 +17,7 @@ from portal.portal import Portal
 from portal.writing import remove_others, write_changed
 from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
+from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.live_record import MODULE, read_live
 from traceability.reading.products import (
     CALLS_SUFFIX,
@@ -27,24 +27,20 @@ from traceability.reading.products import (
     image_of,
     recorded_image_of,
 )
-from traceability.reading.result_cache import cached_result
-from traceability.reading.traces import function_of, method_of
+from traceability.reading.traces import read_symbols
 from traceability.schema import Method, TreeNode
-from traceability.sources import file_hash
 from weeding_robot_client.layout import Field, Layout, read_frames
 
 FOLDER = "live"  # folder in the site that contains the files of this page
 DATA = "live.json"
 # Scenario whose recorded curves the page shows before the reader starts the robot.
 RECORDED = "stop"
-SAFETY = Path("sim/scenario/safety")
 SIGNATURE = re.compile(r"(?P<result>.+?) ?\b\w+\((?P<parameters>[^()]*)\)")
 INTEGERS = {"void": "", "bool": "bool"} | {
     f"std::{sign}int{bits}_t": f"{kind}{bits}"
     for sign, kind in (("", "i"), ("u", "u"))
     for bits in (8, 16, 32)
 }
-SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
 
 @dataclass
@@ -239,21 +235,9 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
     """Returns the address of each method in a firmware image, and the number of the method in
     ``numbers``, sorted by address.
     """
-    elf = root / file_of(name, ".elf")
-    words = ["arm-none-eabi-nm", "--demangle", str(elf)]
-
-    def symbols() -> str:
-        return subprocess.run(words, capture_output=True, text=True, check=True).stdout
-
     cache = root / "build" / "pages-cache" / "symbols" / name
-    listed = cached_result(cache, [words, file_hash(elf)], symbols)
-    numbered = {}
-    for line in listed.splitlines():
-        match = SYMBOL.match(line)
-        method = match and (method_of(match[2]) or function_of(match[2]))
-        if match and method in numbers:
-            numbered[int(match[1], 16) & ~1] = numbers[method]
-    return [list(pair) for pair in sorted(numbered.items())]
+    symbols = read_symbols(root / file_of(name, ".elf"), "arm-none-eabi-nm", cache)
+    return [[at, numbers[method]] for at, method in sorted(symbols.items()) if method in numbers]
 
 
 def overriders(model: Model) -> dict[str, list[str]]:
@@ -330,7 +314,7 @@ def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
     }
     titles |= {loop_run.name: (loop_run.title, loop_run.says) for loop_run in model.closed_loop}
     played = []
-    for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):
+    for folder, product in ((EXAMPLES, PAPER), (SCENARIOS, DEFAULT)):
         for path in sorted((root / folder).glob("*.scenario")):
             text = path.read_text(encoding="utf-8")
             title, says = titles.get(path.stem, (path.stem.replace("_", " "), first_comment(text)))

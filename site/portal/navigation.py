@@ -14,7 +14,6 @@ from traceability.reading.products import PRODUCTS
 # The hand-written pages of each group, in this order. A hand-written page that is not listed here
 # is in the group "build".
 DOCS = {
-    "understand": ("tour",),
     "build": (
         "quick_start",
         "client",
@@ -104,9 +103,7 @@ class Navigation:
         answers = Entry("answers", "Answers", "answers/index.html", "", questions)
         answers_ = [answers] if questions else []
         self.groups = [
-            Group(
-                "understand", "Understand", [*answers_, *written["understand"], *understand(model)]
-            ),
+            Group("understand", "Understand", [*answers_, *understand(model)]),
             Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
             Group(
                 "build",

@@ -51,7 +51,8 @@ def box(root: Path, name: str) -> str:
     first line of its docstring.
     """
     file = name.replace(".", "/")
-    paths = [root / part / (file + end) for part in ("", "site") for end in ("/__init__.py", ".py")]
+    folders = (root, root / "site", root / "client")
+    paths = [folder / f"{file}{end}" for folder in folders for end in ("/__init__.py", ".py")]
     path = next(path for path in paths if path.exists())
     text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
     first = text.partition("\n")[0]

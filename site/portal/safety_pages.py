@@ -7,11 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from portal.portal import Page, Portal
-from traceability.model.safety_case import requirements_of, scenarios_of
-from traceability.reading.products import DEFAULT, HAS, PRODUCTS
+from traceability.model.safety_case import scenarios_of
+from traceability.reading.products import DEFAULT, HAS, PAPER, PRODUCTS
 from traceability.schema import BenchScenario, FaultScenario, SafetyGoal, Test
 
-PAPER_PRODUCT = "weeding_robot_paper"
 TIMING = "no-wait-states"
 SAFE_MODULE = "SafeSystem"  # Only the products with safety functions contain this module.
 
@@ -105,7 +104,7 @@ def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
         case=model.safety,
         goal=goal,
         verdict=portal.report.goals[goal.id],
-        requirements=requirements_of(model, goal),
+        requirements=[model.requirements[name] for name in goal.requirements],
         scenarios=scenarios_of(model, goal),
         played_on=played_on(portal, scenarios_of(model, goal)),
     )
@@ -130,13 +129,13 @@ def cost(portal: Portal) -> dict[str, Any]:
         "case": portal.model.safety,
         "cost": portal.model.safety.cost,
         "compared": [*sizes(portal), *cycles(portal)],
-        "products": (DEFAULT, PAPER_PRODUCT),
+        "products": (DEFAULT, PAPER),
     }
 
 
 def sizes(portal: Portal) -> Iterator[Compared]:
     products = portal.model.products or {}
-    safe, paper = products.get(DEFAULT), products.get(PAPER_PRODUCT)
+    safe, paper = products.get(DEFAULT), products.get(PAPER)
     kinds = {"flash": "flash of the image", "ram": "RAM of the image, stack included"}
     for key, title in kinds.items():
         yield Compared(title, "bytes", getattr(safe, key, None), getattr(paper, key, None))

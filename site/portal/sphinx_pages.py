@@ -36,6 +36,7 @@ from portal.tables import (
     command_table,
     connection_table,
     key_table,
+    measures_table,
     package_table,
     product_table,
     review_questions,
@@ -124,6 +125,8 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
     current = copy_docs(portal.root / "docs", pages / "docs") | write_members(shown, pages)
     remove_others(pages, "*.rst", [f"{name}.rst" for name in current])
     write_included(portal, pages / "_generated")
+    # This file changes often. Sphinx then reads only the page that includes it.
+    write_changed(pages / "_measures" / "measures.inc", measures_table(portal.metrics))
     copy_doxygen(portal, shown, pages / "_doxygen")
     write_changed(pages / NAMES, json.dumps(search.inventory(search.entries(portal))))
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))

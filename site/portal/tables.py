@@ -7,9 +7,11 @@ import csv
 import io
 import re
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
+from portal.answers import metric_text
 from traceability.model.reviews import QUESTIONS
 from traceability.reading.products import LIST, listed
 from weeding_robot_client.keyboard import KEYS
@@ -28,6 +30,16 @@ ROOM_LIBRARY = "sim_"  # begin of the name of the library of a folder
 CONNECTION = Path("design/fsm/pc_connection.toml")
 KEYBOARD = Path("client/weeding_robot_client/keyboard.py")
 NAMED = re.compile(r"\{(\w+)\}")  # name of a constant in the effect of a key
+# The measures of the tools: the text, the metric, and its unit.
+MEASURES = (
+    ("Python code of the checks, the portal and the tools", "tools.python_lines", "lines"),
+    ("Python tests of the tools and of the client", "tools.python_test_lines", "lines"),
+    ("tables in ``design/*.toml``", "tools.design_lines", "lines"),
+    ("``./wr check`` after an edit of one file", "build.edit_s", "s"),
+    ("``./wr portal`` without an earlier build, until the first page", "build.first_page_s", "s"),
+    ("``./wr portal`` without an earlier build, until the last page", "build.cold_s", "s"),
+    ("``./wr test --ci`` without an earlier build", "build.ci_s", "s"),
+)
 PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
 
 
@@ -65,6 +77,14 @@ def product_table(root: Path) -> str:
         for product in listed(root)
     )
     return list_table((30, 34, 36), ("product", "its composition", "its parts"), rows)
+
+
+def measures_table(metrics: Mapping[str, Any]) -> str:
+    """Returns the table of the sizes of the tools and of the times of their commands."""
+    rows = (
+        (text, metric_text(metrics, name, unit), f"``{name}``") for text, name, unit in MEASURES
+    )
+    return list_table((52, 24, 24), ("measure", "value", "metric"), rows)
 
 
 def review_questions(_root: Path) -> str:

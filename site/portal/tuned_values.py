@@ -9,7 +9,7 @@ from pathlib import Path
 
 from portal.constant_texts import constant_text
 from traceability.model.design_model import Model
-from traceability.reading.plain_constants import PlainConstant, plain_constants
+from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_lines import place_of
 from traceability.schema import Constant, Place, Tuned
 
@@ -45,7 +45,7 @@ def parts_of(model: Model, name: str) -> Iterator[tuple[str, Constant]]:
             yield part, constant
 
 
-def shown(constant: Constant | PlainConstant) -> str:
+def shown(constant: Constant) -> str:
     """Returns the value with its unit, such as ``17.6 rpm`` or ``2094 uV per 0.1 rpm``."""
     if " per " in constant.unit:
         return f"{constant.number:.12g} {constant.unit}"
@@ -72,6 +72,6 @@ def other_lines(root: Path, tuned: Tuned) -> list[tuple[Place, str]]:
     return lines
 
 
-def constant_named(root: Path, model: Model, name: str) -> Constant | PlainConstant | None:
+def constant_named(root: Path, model: Model, name: str) -> Constant | None:
     """Returns a constant of the firmware or of the simulator."""
     return model.constants.get(name) or plain_constants(root).get(name)

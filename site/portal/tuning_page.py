@@ -8,7 +8,6 @@ from typing import Any
 from portal.portal import Portal
 from portal.tuned_values import constant_named
 from traceability.model.design_model import Model
-from traceability.reading.plain_constants import PlainConstant
 from traceability.schema import Constant, Method, Tuned
 
 ROBOT = "SystemConstants"  # the module with the values that several modules read
@@ -51,7 +50,7 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
     ]
 
 
-def dimensions(portal: Portal) -> list[tuple[Tuned, Constant | PlainConstant]]:
+def dimensions(portal: Portal) -> list[tuple[Tuned, Constant]]:
     """Returns the values that depend on a constant outside SystemConstants, and this constant."""
     found = []
     for tuned in portal.model.tuned:

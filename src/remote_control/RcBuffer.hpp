@@ -29,8 +29,9 @@ class RcBuffer {
   RcBuffer& operator=(const RcBuffer&) = delete;
 
   /// @brief Processes an edge of the signal. A falling edge ends a pulse. The value of this pulse
-  /// is stored if three conditions are met: the pulse began 15 to 30 ms after the previous pulse
-  /// began, the pulse is shorter than this time, and the function accepts the width of the pulse.
+  /// is stored if three conditions are met: the period is 15 to 30 ms, the pulse is shorter than
+  /// the period, and the function accepts the width of the pulse. The period is the time between
+  /// the beginnings of the previous pulse and of this pulse.
   /// @param rising true when the level is high after the edge
   /// @param at time of the edge
   /// @isr{yes}

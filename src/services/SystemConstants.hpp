@@ -66,7 +66,7 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds watchdogTimeout() const { return milliseconds(300); }
 
-  /// @brief Returns the time between two ticks.
+  /// @brief Returns the time from a tick to the next tick.
   /// @return period of the ticks [us]
   /// @satisfies FR-100
   /// @isr{yes}
@@ -127,8 +127,8 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Angle steeringStep() const { return Angle(5); }
 
-  /// @brief Returns the greatest rate of the steering motor. A step needs two ticks: one tick with
-  /// the pulse and one tick without it.
+  /// @brief Returns the greatest rate of the steering motor. A step needs one tick with the pulse
+  /// and one tick without it.
   /// @return greatest rate [steps/s]
   /// @satisfies FR-103
   /// @isr{yes}

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tools.python_imports import READ_BY_ALL, covers, imported_by, read_by, runs_all_tools
+
 ROOT = Path(__file__).parents[2]
 
 # Programs that a test starts must end when they receive SIGINT (Ctrl-C), even if a shell started
@@ -38,32 +40,59 @@ def build() -> Callable[..., None]:
 
 
 python_programs: list[str] = []  # the Python programs that the running test has started
+opened: set[str] = set()  # the files of the project that the running test has opened
+# A test needs no mark for its own outputs, and for files that pytest and its plugins open.
+OWN_FILES = ("build", ".venv", ".hypothesis", ".git")
+# Tests in these folders start programs that read other files. Therefore, their task in
+# tools/tasks.py names the files that they read.
+START_PROGRAMS = ("client", "commands", "firmware", "programs", "site", "worked_examples")
 
 
-def record_program(event: str, arguments: tuple[object, ...]) -> None:
+def record_event(event: str, arguments: tuple[object, ...]) -> None:
     if event == "subprocess.Popen":
         program, words = arguments[:2]
         names = {Path(os.fsdecode(word)).name for word in (program, *words) if word}
         python_programs.extend(name for name in names if name == "wr" or name.startswith("python"))
+    elif event == "open" and isinstance(arguments[0], str | Path):
+        path = Path(arguments[0]).absolute()
+        if path.is_relative_to(ROOT) and path.suffix != ".pyc":
+            opened.add(str(path.relative_to(ROOT)))
 
 
-sys.addaudithook(record_program)
+sys.addaudithook(record_event)
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol() -> Generator[None, object, object]:
     python_programs.clear()
+    opened.clear()
     return (yield)
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, object]:
-    """Fails each test that starts a Python program and has no mark ``runs_tools``.
+    """Fails each test that starts a Python program and has no mark ``runs_tools``, and each test
+    that reads a file of the project and has no mark ``reads`` with this file or its folder.
 
-    Without the mark, ./wr test repeats a test only after a change of a file that the test itself
-    imports. The started program can import other files.
+    Without the marks, ./wr test repeats a test only after a change of a file that the test itself
+    imports.
     """
     result = yield
     if python_programs and not pyfuncitem.get_closest_marker("runs_tools"):
         pytest.fail(f"mark this test with pytest.mark.runs_tools: it started {python_programs}")
+    if unknown := undeclared(pyfuncitem.path):
+        pytest.fail(f"name these files in a mark pytest.mark.reads of this test: {unknown}")
     return result
+
+
+def undeclared(test: Path) -> list[str]:
+    """Returns the files that the running test has opened and does not declare."""
+    folder = test.parent.relative_to(ROOT)
+    if folder.name in START_PROGRAMS:
+        return []
+    known = (*OWN_FILES, *READ_BY_ALL, str(folder), *read_by(test))
+    left = {name for name in opened if not covers(known, name) and (ROOT / name).is_file()}
+    imported = imported_by(ROOT, test) if left else set()
+    if runs_all_tools(test, imported):
+        left = {name for name in left if not name.endswith(".py")}
+    return sorted(left - imported)

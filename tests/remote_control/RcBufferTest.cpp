@@ -216,8 +216,8 @@ TEST_F(RcPathTest, FR56_MessageWithPulses) {
   EXPECT_EQ(reader.readI16({.name = FieldName::Steering}), -1600);
 }
 
-/// @brief When the pulses end on both pins, the message can be read until the older of the two last
-/// pulses is 200 ms old.
+/// @brief When the pulses end on both pins, the message can be read until the last pulse of one pin
+/// is 200 ms old.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_NoMessageWithoutPulses) {
   bothPulse(3);

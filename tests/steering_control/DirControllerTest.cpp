@@ -37,8 +37,8 @@ TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
   EXPECT_EQ(turn(4, 20), SteeringState::Turning);
 }
 
-/// @brief A steering that makes half of the expected motion is not stalled. With less motion, it is
-/// stalled. A step is 0.05 degrees.
+/// @brief A steering that makes half of the expected motion is not stalled. A steering that makes
+/// less than half of it is stalled. A step is 0.05 degrees.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
@@ -46,8 +46,8 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
-/// @brief A steering that makes half of the expected motion to the right is also not stalled. With
-/// less motion, it is stalled.
+/// @brief A steering that makes half of the expected motion to the right is not stalled. A steering
+/// that makes less than half of it is stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();

@@ -54,7 +54,7 @@ TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
 }
 
 /// @brief While the slope grows from flat to 10 % downhill in 2 s, and on this slope, a wheel with an
-/// order of 150 rpm is never faster than 165 rpm.
+/// order of 150 rpm is never faster than 165 rpm. On a real slope this change lasts 3.7 s.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
@@ -86,7 +86,7 @@ TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
   playWithThePapersDesign("one_hall_sensor");
 }
 
-/// @brief After the last order at 0.85 m/s, the robot stops within 1.5 m.
+/// @brief After the last order at 0.85 m/s, the robot drives at most 1.5 m.
 /// @verifies FR-95
 /// @verifies FR-18
 TEST(ClosedLoopOfRobot, FR95_RobotIsAtRestSoonAfterTheLastMessage) {
@@ -113,7 +113,7 @@ TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");
 }
 
-/// @brief When the PC orders a stop at 0.85 m/s, the robot stops within 1.5 m of the order.
+/// @brief When the PC orders a stop at 0.85 m/s, the robot drives at most 1.5 m after this order.
 /// @verifies FR-21
 TEST(ClosedLoopOfRobot, FR21_StopOrderStopsARobotAtFullSpeed) {
   play("stop_order_at_full_speed");

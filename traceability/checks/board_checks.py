@@ -10,6 +10,7 @@ from traceability.checks.register_checks import REGISTERS
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import BoardBelief, Finding, Place
+from traceability.sources import text_of
 
 BELIEFS = "design/board_beliefs.toml"
 
@@ -43,11 +44,11 @@ def _findings(model: Model) -> list[Finding]:
 
 
 def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
-    registers = _text(facts, REGISTERS)
+    registers = text_of(facts.root / REGISTERS)
     for belief in model.beliefs:
         if not _declares(registers, belief):
             yield _belief(belief, f"there is no register {belief.register} in {REGISTERS}")
-        if not _names(_text(facts, belief.model), belief):
+        if not _names(text_of(facts.root / belief.model), belief):
             yield _belief(belief, f"{belief.model} does not name {belief.name}")
         if belief.source not in model.belief_sources:
             yield _belief(belief, f"there is no source {belief.source}")
@@ -56,7 +57,7 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
 def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds registers of src/k64/registers.hpp for which design/board_beliefs.toml has no entry."""
     believed, block = {belief.register for belief in model.beliefs}, ""
-    for number, line in enumerate(_text(facts, REGISTERS).splitlines(), 1):
+    for number, line in enumerate(text_of(facts.root / REGISTERS).splitlines(), 1):
         if begin := re.match(r"namespace (\w+) \{", line):
             block = begin[1]
         declared = re.search(r"\bRegister<.*> (\w+);", line)
@@ -67,11 +68,6 @@ def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _belief(belief: BoardBelief, text: str) -> Finding:
     return Finding(belief.place, "board-belief", text)
-
-
-def _text(facts: Facts, file: str) -> str:
-    path = facts.root / file
-    return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
 def _declares(registers: str, belief: BoardBelief) -> bool:

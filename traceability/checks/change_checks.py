@@ -93,7 +93,7 @@ def _particular(
             yield particular.place, module, text
 
     if application and particular.examples and bound.isdisjoint(particular.examples):
-        yield particular.place, "examples", f"no example has a role in {name}"
+        yield particular.place, "examples", f"no module of the examples has a role in {name}"
 
 
 def _above(module: str, facts: Facts) -> Iterator[str]:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import functools
 import html
 import json
-import os
 import pickle
 import posixpath
 import re
@@ -22,7 +21,8 @@ from traceability.reading.change_kits import PATCH
 from traceability.reading.products import LIST, listed
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
-from traceability.sources import file_hash, files_below
+from traceability.sources import file_hash, files_below, text_of
+from traceability.whole_file import write_whole
 
 PAGES = ("README.md", "CONTRIBUTING.md", "changes", "docs", "ports")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in a style sheet
@@ -91,12 +91,7 @@ def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
         read = pool.map(_read, changed) if pool else map(_read, changed)
         cached |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
     cached = {name: cached[name] for name in names}
-    cache.parent.mkdir(parents=True, exist_ok=True)
-    # The cache is replaced in one step, because another process may read the cache at the same
-    # time.
-    new = cache.with_suffix(f".{os.getpid()}")
-    new.write_bytes(pickle.dumps(code) + pickle.dumps(cached))
-    new.replace(cache)
+    write_whole(cache, pickle.dumps(code) + pickle.dumps(cached))
     return {name: page for name, (_, page) in cached.items()}
 
 
@@ -178,8 +173,7 @@ def _others(links: list[tuple[str, str]]) -> str:
 def dead_clicks(site: Path) -> Iterator[Finding]:
     """Finds clicks in design/questions.toml whose target page the site does not contain. The clicks
     are the links that lead a reader to the answer of a question."""
-    path = site.resolve().parent.parent / QUESTIONS
-    lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+    lines = text_of(site.resolve().parent.parent / QUESTIONS).splitlines()
     for number, line in enumerate(lines, 1):
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
@@ -254,8 +248,7 @@ def missing_parts(root: Path) -> Iterator[Finding]:
 
 def _pins(root: Path) -> set[str]:
     """Returns the pins that src/k64/pins.hpp lists or names in comments."""
-    path = root / "src" / "k64" / "pins.hpp"
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    text = text_of(root / "src" / "k64" / "pins.hpp")
     return _rows(text).union(PIN.findall(text))
 
 

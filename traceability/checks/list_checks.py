@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from itertools import takewhile
 from pathlib import Path
 
+from traceability.reading.bench_record import FOLDER as BENCH
 from traceability.schema import Finding, Place
-from traceability.sources import files_below
+from traceability.sources import files_below, text_of
 
 PAGES = ("README.md", "CONTRIBUTING.md", "docs", "changes", "ports")
 TEXTS = (*PAGES, "design/questions.toml", "requirements", "site/templates")
@@ -72,12 +73,11 @@ def _totals(root: Path) -> dict[str, int]:
     """Returns the number of parts of each kind."""
 
     def lines(file: str, start: str) -> list[str]:
-        path = root / "design" / file
-        text = path.read_text(encoding="utf-8") if path.is_file() else ""
+        text = text_of(root / "design" / file)
         return [line for line in text.splitlines() if line.startswith(start)]
 
     return {
-        "scenario": len(files_below(root, ("sim/scenario/bench",), (".scenario",))),
+        "scenario": len(files_below(root, (str(BENCH),), (".scenario",))),
         **{
             part: len(lines("safety_case.toml", f"[[{part}]]"))
             for part in ("assumption", "hazard", "goal")

@@ -54,7 +54,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods:
             if method.access == "public":
                 findings += _specification(method)
-    for find in (_folders, _written, _products, _unused, _behaviour, _units):
+    for find in (_folders, _written, _products, _unused, _unused_parts, _behaviour, _units):
         findings += find(model, facts)
     findings += _nested(facts)
     return [*findings, *_silent(facts, findings)]
@@ -82,6 +82,24 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
                 "product contains it"
             )
             yield Finding(module.place, "module-used", text)
+
+
+def _unused_parts(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds members that are objects of a design module, but that the code only constructs: no
+    function uses such a member, and no other object gets a reference to it."""
+    used = {place for flow in facts.syntax.flows for place in flow.sources}
+    for body in facts.syntax.bodies:
+        used |= {f"field {member}" for member in body.touches}
+        used |= {place for call in body.calls for place in call.on}
+        used |= {place for call in body.calls for argument in call.args for place in argument}
+    for owner in facts.syntax.classes:
+        for part in owner.fields if owner.place.file.startswith(DESIGN) else ():
+            modules = [model.modules[name] for name in part.classes if name in model.modules]
+            behaves = any(not module.datatype for module in modules)
+            own = not (part.refers or part.static)
+            if behaves and own and f"field {owner.name}::{part.name}" not in used:
+                text = f"{owner.name}::{part.name} is constructed, but no other object uses it"
+                yield Finding(part.place, "module-used", text, "pass it on, or remove it")
 
 
 def _products(model: Model, facts: Facts) -> Iterator[Finding]:

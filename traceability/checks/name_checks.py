@@ -19,7 +19,7 @@ from traceability.reading.comments import code_of, comment_tokens
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, files_below
+from traceability.sources import DESIGN, files_below, text_of
 
 # Forms of names in comments. No English word has one of these forms: HallCount, Wheel::stop,
 # kPeriod, read().
@@ -190,8 +190,7 @@ def _words(model: Model, facts: Facts) -> Words:
 def _fields(root: Path) -> set[str]:
     """Returns the names of the fields and values of the frames. A field that exists for each wheel
     has a name for each wheel."""
-    path = root / FRAMES
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    text = text_of(root / FRAMES)
     found = FIELD.findall(text)
     return {name for name, _ in found} | {
         f"{name}{wheel}" for name, each in found if each for wheel in range(4)

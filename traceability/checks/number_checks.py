@@ -26,7 +26,7 @@ from traceability.schema import Finding, Module, Place, Requirement, Requirement
 
 LINKS = "design/requirement_numbers.toml"
 SHARED = "SystemConstants"  # module with the constants that all modules use
-COUNTS = ("cycle", "sample", "edge", "byte", "repetition")
+COUNTS = ("cycle", "sample", "tick", "edge", "byte", "repetition")
 WHOLE = Quantity("share", Fraction(10_000))  # 100 %
 _UNIT_IN_BRACKETS = re.compile(r"\[[^\]]*\]")
 _ASSUMPTION = re.compile(r"Assumption:[^.]*(?:\.\d[^.]*)*\.?")
@@ -64,15 +64,17 @@ def _specification(
     ]
     for place, what, text in _texts(module):
         for number, quantity in _numbers(text).items():
-            if quantity not in required and not any(_equals(quantity, one) for one in constants):
+            if quantity not in required and not _is_stated(quantity, constants):
                 says = f"{what} states {number}, but no constant of the module has this value"
                 yield Finding(place, "module-number", says)
 
 
-def _equals(stated: Quantity, constant: Quantity) -> bool:
-    """Returns whether a constant has the quantity of a text. Only the constant of a count has no
-    unit."""
-    return is_same(stated, constant) if stated.kind in COUNTS else stated == constant
+def _is_stated(stated: Quantity, constants: list[Quantity]) -> bool:
+    """Returns whether a constant has the quantity of a text. Only a count can be a constant without
+    a unit, and only if no constant has the unit of the count."""
+    if stated.kind in COUNTS and not any(one.kind == stated.kind for one in constants):
+        return any(is_same(stated, one) for one in constants)
+    return stated in constants
 
 
 def _texts(module: Module) -> Iterator[tuple[Place, str, str]]:

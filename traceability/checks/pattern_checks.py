@@ -20,7 +20,6 @@ ABSTRACTIONS = (
 # applied. Usually the comment of the abstract class (for example the Strategy) contains the tag. If
 # the pattern is applied several times to one abstract class, each subclass has its own tag.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
-APPLICATIONS = "design/applications.toml"
 # The roles that a subclass can have. The role Decorator is in this list and in ABSTRACTIONS,
 # because a Decorator derives from its Component and also has subclasses.
 SUBCLASS_ROLES = (

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.schema import Finding, Place
-from traceability.sources import files_below
+from traceability.sources import files_below, text_of
 
 PINS = "src/k64/pins.hpp"
 PAGES = ("README.md", "docs", "design/questions.toml")
@@ -56,8 +56,7 @@ def wrong_pins(root: Path) -> Iterator[Finding]:
 
 
 def _pins(root: Path) -> dict[str, _Pin]:
-    path = root / PINS
-    rows = ROW.findall(path.read_text(encoding="utf-8")) if path.is_file() else []
+    rows = ROW.findall(text_of(root / PINS))
     return {
         f"PT{port}{number}": _Pin(header, _words(f"{signal} {header} {text}"))
         for port, number, signal, header, text in rows

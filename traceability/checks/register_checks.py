@@ -13,7 +13,7 @@ from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.reading.translation_units import is_board
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN
+from traceability.sources import DESIGN, text_of
 
 REGISTERS = "src/k64/registers.hpp"  # the file with the table of all blocks
 REGISTER = "src/k64/Register.hpp"  # the only file that may convert a number to an address
@@ -139,10 +139,8 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
     """Yields the source line, the block and the address of each register in the table. The address
     is None if the table does not state it as a number."""
-    path = facts.root / REGISTERS
     block = ""
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    for number, line in enumerate(lines, 1):
+    for number, line in enumerate(text_of(facts.root / REGISTERS).splitlines(), 1):
         opened = re.match(r"namespace (\w+)", line)
         block = opened[1] if opened else block
         address = re.search(r"\bRegister<[^>]*?\b(0x[\da-fA-F']+)\s*[,>]", line)
@@ -191,8 +189,7 @@ def _page(address: int) -> int:
 def _borrowed(facts: Facts) -> Iterator[Finding]:
     """Finds blocks in the table of registers that name a register of another block."""
     own: dict[int, str] = {}
-    path = facts.root / REGISTERS
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    lines = text_of(facts.root / REGISTERS).splitlines()
     for number, line in enumerate(lines, 1):
         opened = re.match(r"namespace (\w+)", line)
         own[number] = opened[1] if opened else own.get(number - 1, "")

@@ -211,7 +211,7 @@ _FIXED = [
     ),
     Check(
         "module-count",
-        "The modules of the design, and no others",
+        "design/modules.toml lists every design module, and no others",
         "design/modules.toml lists every design module below src, under the folder of the module. "
         "Every listed module exists and is not a data type. The number of listed modules equals "
         "the number in the paper. Modules of extensions are not counted.",
@@ -223,6 +223,7 @@ _FIXED = [
         "module-used",
         "Each design module is part of a product",
         "Every design module is used: a composition names the module, or a used module names it. "
+        "Every object of a design module that is a member of a class is used or passed on. "
         "Every module that design/products.toml lists exists, and this file lists every concrete "
         "class of the extensions.",
         "The check does not detect whether the product ever executes the code of the module. It "
@@ -239,7 +240,7 @@ _FIXED = [
     ),
     Check(
         "pattern-known",
-        "Known pattern applications",
+        "Each pattern application is declared",
         "Every @patternapp has a title, @why, @changes, and the id and the pattern of an entry in "
         "design/applications.toml. The tag is above the abstract class of the pattern. If several "
         "applications share one abstract class, each tag is above a subclass. Every entry of "
@@ -251,7 +252,7 @@ _FIXED = [
     ),
     Check(
         "change-tuned",
-        "Tuned constants are declared",
+        "Each tuned constant is declared",
         "The check assumes in two cases that the value of a constant depends on SystemConstants: "
         "the name or the comment of the constant mentions control cycles or ticks; or the constant "
         "is a time or a number of bytes in a requirement whose rationale counts cycles, as in "
@@ -266,7 +267,7 @@ _FIXED = [
     ),
     Check(
         "pattern-change",
-        "Likely changes name existing parts",
+        "Each likely change names only parts that exist",
         "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the "
         "pattern: the subclasses that a change adds or alters, and their base classes. An entry "
         "for an application names this application, modules with a role in the application, and "
@@ -289,7 +290,7 @@ _FIXED = [
     ),
     Check(
         "pattern-role-unknown",
-        "Known roles",
+        "Each @role is declared",
         "Every @role names an application that is declared, and a role of its pattern. No tag is "
         "written twice. The tag is above a module to which design/applications.toml assigns this "
         "role, or above a module of an extension.",
@@ -318,7 +319,7 @@ _FIXED = [
     ),
     Check(
         "pattern-count",
-        "As many applications as in the paper",
+        "Each pattern has as many applications as in the paper",
         "Each pattern has the number of applications that design/clauses.toml states.",
         "The check does not count applications of extensions. Extensions add modules to the "
         "existing applications.",
@@ -338,7 +339,7 @@ _FIXED = [
     ),
     Check(
         "uses-allowed",
-        "Only allowed uses",
+        "Each use of another logic module is allowed",
         "If the code of a logic module includes, calls or names a class of another logic module, "
         "design/uses.toml allows this use.",
         "The check does not find a use that needs no name, such as an access to a fixed address.",
@@ -362,8 +363,8 @@ _FIXED = [
         "sim/emulator includes a file of the design, because a driver and the model of its device "
         "must not contain the same mistake. The programs of tests/k64/program and "
         "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
-        "In src, `uses-allowed` checks which modules use src/k64. No other file of src names a "
-        "driver, also not in a comment.",
+        "In src, `uses-allowed` checks which modules use src/k64. No other file of src "
+        "and extensions names a driver or the microcontroller, also not in a comment.",
         "The check does not find the same wrong number in a driver and in the model of the device.",
         "write the numbers from the manual of the microcontroller, or test the firmware image on "
         "the virtual K64.",
@@ -568,7 +569,7 @@ _FIXED = [
     ),
     Check(
         "fsm-declared",
-        "State machines name existing parts",
+        "Each state machine names only parts that exist",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application. Each event refers to an operation of the State. The "
         "states, the event and the requirement of each transition exist. A method of the old state "
@@ -582,7 +583,7 @@ _FIXED = [
     ),
     Check(
         "fsm-code",
-        "Declared transitions agree with the code",
+        "The transitions in design/fsm agree with the code",
         "The file of a machine in design/fsm declares its transitions. For each operation of a "
         "state and each successor, the number of state changes in the code equals the number of "
         "declared transitions. A state change is a call of the operation of the Context that "
@@ -611,7 +612,7 @@ _FIXED = [
         "test show the transition: the Context calls the operation of the old state, and then "
         "calls methods of the new state. Of all states, only the new state has all these methods. "
         "For each requirement that a transition names, a test of the requirement makes the "
-        "transition. No test makes a change of the state that is not declared.",
+        "transition. Each change of the state in a test is a declared transition.",
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
@@ -707,7 +708,7 @@ _FIXED = [
     ),
     Check(
         "tree-node",
-        "Trees name existing methods",
+        "Each tree names only methods that exist",
         "Every tree belongs to a requirement. Every node names a method that the named class "
         "declares or inherits. No requirement has two trees.",
         "The check does not distinguish overloads: all methods with the same name in a class "
@@ -853,7 +854,7 @@ _FIXED = [
     ),
     Check(
         "req-justified",
-        "Justifications are needed",
+        "Each justification is needed",
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
@@ -863,24 +864,25 @@ _FIXED = [
     ),
     Check(
         "req-evidence",
-        "Measured requirements are met",
+        "Each metric of a requirement meets its bound",
         "Each @evidence of a requirement names a metric that was measured in this run and meets "
         "its bound. A bound has the form at most, at least or exactly.",
         "The check cannot judge whether the metric shows the property that the requirement "
         "demands.",
-        "run ./wr test to measure the metric; if the value is beyond its bound, correct the code.",
+        "run ./wr test --all to measure the metric; if the value is beyond its bound, correct the "
+        "code.",
     ),
     Check(
         "req-passed",
-        "Verifying tests ran and passed",
+        "Each test of a requirement ran and passed",
         "Every test that verifies a requirement ran in the last test run and passed. Every other "
         "test ran. The build of the tests names every folder with tests.",
         "The check does not compare results that are older than the sources.",
-        "correct the code or the test, then run ./wr test.",
+        "correct the code or the test, then run ./wr test --all.",
     ),
     Check(
         "req-unknown",
-        "Tags and texts name requirements that exist",
+        "Each id of a requirement in a tag or a text exists",
         "Every @satisfies and @verifies names one requirement of requirements/. Every requirement "
         "that a transition of a state machine or a metric in design/closed_loop.toml names exists. "
         "Every id of a requirement, hazard, safety goal or assumption in a comment, a page, a text "
@@ -891,7 +893,7 @@ _FIXED = [
     ),
     Check(
         "req-name",
-        "A test named after a requirement verifies it",
+        "A test whose name contains the id of a requirement verifies it",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
         "The check does not read tests without an id in the name.",
         "write the tag @verifies above the test, or rename the test.",
@@ -920,7 +922,7 @@ _FIXED = [
     ),
     Check(
         "hazard-name",
-        "The safety case names existing parts",
+        "The safety case names only parts that exist",
         "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an "
         "id AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe "
         "state, another entry of the file declares this goal, assumption or safe state.",
@@ -939,10 +941,10 @@ _FIXED = [
     Check(
         "hazard-goal",
         "Each safety goal is complete",
-        "For every safety goal, at least one hazard names the goal. Every safety goal lists "
-        "requirements and names a safe state.",
+        "For every safety goal, at least one hazard and one requirement name the goal. Every "
+        "safety goal names a safe state.",
         "The check cannot judge whether the requirements are sufficient to reach the goal.",
-        "complete the goal in design/safety_case.toml.",
+        "complete the goal in design/safety_case.toml, or name it in a requirement.",
     ),
     Check(
         "hazard-time",
@@ -951,7 +953,9 @@ _FIXED = [
         "10 %. If a goal declares a velocity, its formula contains this velocity. The velocity "
         "differs by at most 1 % from the greatest ordered velocity, which is calculated from "
         "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
-        "reaction time of the firmware is at most the fault-tolerant time. Both times end when the "
+        "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
+        "parts of its reaction, the reaction time is the value of this formula of constants, "
+        "rounded up by at most 10 %. Both times end when the "
         "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
         "without known exceptions accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
@@ -966,21 +970,22 @@ _FIXED = [
     ),
     Check(
         "hazard-requirement",
-        "Goals and requirements name each other",
-        "Each goal lists the requirements that name this goal in @goal. Each listed requirement "
-        "exists and names the goal in @goal.",
+        "Requirements name existing goals",
+        "Each safety goal that a requirement names in @goal exists.",
+        "The check does not find a missing tag: suspect-requirement reports a removed tag. "
         "The check cannot judge whether the requirement really contributes to the goal. If some "
         "requirements of a goal are not verified, the check reports nothing, but the page of the "
         "goal shows the goal as open.",
-        "add the missing link.",
+        "correct the tag @goal.",
     ),
     Check(
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
-        "Every file of sim/scenario/safety names a safety goal, and this goal lists the file. At "
+        "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
         "least one hazard lists the file. A test plays the scenario, and this test passed on each "
-        "target for which it is built. Every scenario that a goal lists exists.",
-        "The check does not find faults without a scenario. It cannot judge whether a hazard "
+        "target for which it is built.",
+        "The check does not find faults without a scenario. If a scenario no longer names one of "
+        "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
         "occurs in the scenarios that it lists. It ignores test results that are older than the "
         "sources.",
         "complete the links, play the scenario in a test, or correct the failure.",
@@ -1004,14 +1009,15 @@ _FIXED = [
         "suspect-requirement",
         "A requirement is as in its baseline",
         "These texts of each requirement are unchanged since its baseline: the requirement, its "
-        "invocation tree, its transitions of state machines, its safety goals and their hazards.",
+        "invocation tree, its transitions of state machines, its safety goals, and the hazards and "
+        "fault scenarios of these goals.",
         "The check cannot judge whether the texts are right. A review answers this question. The "
         "check ignores changes of line breaks.",
         "check the text, and then run ./wr review --baseline with the id of the requirement.",
     ),
     Check(
         "suspect-method",
-        "Satisfying methods are as in the baseline",
+        "The methods of each requirement are as in the baseline",
         "These texts are unchanged since the baseline: the specifications of the methods that "
         "satisfy a requirement, the bodies of these methods and of the methods in the invocation "
         "tree of the requirement, and the constants in the files of these methods.",
@@ -1021,7 +1027,7 @@ _FIXED = [
     ),
     Check(
         "suspect-test",
-        "Verifying tests are as in the baseline",
+        "The tests of each requirement are as in the baseline",
         "These texts are unchanged since the baseline: the tests that verify a requirement, their "
         "fixtures, parameters and helpers, the scenarios that the tests play, and the "
         "justifications of source lines.",
@@ -1073,7 +1079,7 @@ _FIXED = [
     ),
     Check(
         "paper-stale",
-        "The concordance names existing parts",
+        "The concordance names only parts that exist",
         "The entries of design/concordance.toml and the backticks in their texts name only "
         "existing modules, methods, applications, state machines, requirements, checks and pages. "
         "A count of modules or of applications equals the number of entries in "
@@ -1103,8 +1109,9 @@ _FIXED = [
         "doc-frame",
         "Numbers of the protocol agree with the code",
         "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
-        "firmware, both have the same number. If a frame has the name of an enumerator of "
-        "FrameType, the type of the frame is the number of this enumerator.",
+        "firmware, or names a constant of the firmware, both have the same number. If a frame has "
+        "the name of an enumerator of FrameType, the type of the frame is the number of this "
+        "enumerator.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",
@@ -1144,9 +1151,10 @@ _FIXED = [
         "folders of the build, used pins and keys that a page names exist too. If a page or an "
         "answer names a signal or a connector directly next to a pin, src/k64/pins.hpp lists them "
         "for this pin. Pages and help texts insert the exit codes.",
-        "The check cannot judge whether the link has the right target. It does not find the option "
-        "of another command that the page also names. It does not find a wrong pin in a sentence "
-        "that does not contain the words of the table of pins.",
+        "The check cannot judge whether the link has the right target. It accepts an option "
+        "without a command if any command on the page has this option, even if the sentence is "
+        "about another command. It does not find a wrong pin in a sentence that does not contain "
+        "the words of the table of pins.",
         "correct the target.",
     ),
     Check(

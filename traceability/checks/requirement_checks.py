@@ -32,7 +32,7 @@ from traceability.schema import (
     Requirement,
     Suspicion,
 )
-from traceability.sources import files_below
+from traceability.sources import files_below, text_of
 
 TAGGED = ("src", "extensions", "tests")
 TEST_BUILD = "tests/CMakeLists.txt"
@@ -171,7 +171,7 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def headings(page: Path) -> list[str]:
     """Returns the headings of a hand-written page."""
-    lines = page.read_text(encoding="utf-8").splitlines() if page.exists() else []
+    lines = text_of(page).splitlines()
     return [
         above.strip()
         for above, line in pairwise(lines)
@@ -364,8 +364,7 @@ def _results(model: Model) -> Iterator[Finding]:
 
 def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds folders whose tests are in no test program."""
-    build = facts.root / TEST_BUILD
-    text = build.read_text(encoding="utf-8") if build.exists() else ""
+    text = text_of(facts.root / TEST_BUILD)
     words = {word.strip("./") for word in re.findall(r"[\w./]+", text)}
     folders: dict[str, Place] = {}
     for test in model.tests.values():

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.safety_case import scenario_state, scenarios_of
-from traceability.reading.declared_safety import SCENARIOS
+from traceability.reading.formulas import value_of
 from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_facts import Facts
 from traceability.schema import Assumption, Finding, Hazard, Place, SafetyGoal
@@ -31,9 +31,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         _velocities,
         _bounds,
         _requirements,
-        _listed_requirements,
         _scenarios,
-        _listed_scenarios,
         _assumptions,
         _priorities,
     )
@@ -103,7 +101,7 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
             "hazard": (goal.hazards, "name it in the goals of a hazard, or remove it"),
             "requirement": (
                 goal.requirements,
-                f"list the requirements with the tag @goal {goal.id}",
+                f"write @goal {goal.id} below a requirement",
             ),
             "safe state": (goal.safe_states, "name a safe state that is declared"),
         }
@@ -114,7 +112,8 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _times(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds safety goals with a wrong time. The time must agree with the value of the goal's
-    formula, and must not be shorter than the reaction time of the firmware."""
+    formula, and must not be shorter than the reaction time of the firmware. The reaction time must
+    agree with the constants of its parts."""
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
@@ -125,6 +124,16 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
                 f"{goal.computed:.3g} s"
             )
             yield Finding(_at(facts, goal), "hazard-time", text)
+        parts = value_of(goal.parts, model.constants) if goal.parts else 1000 * goal.reaction
+        if parts is None:
+            text = f"the parts of the reaction of {goal.id} have no value: {goal.parts}"
+            yield Finding(_at(facts, goal), "hazard-time", text)
+        elif not 0.999 * parts <= 1000 * goal.reaction <= 1.1 * parts:
+            text = (
+                f"the reaction time of {goal.id} is {goal.reaction:g} s, but its parts need "
+                f"{parts:.4g} ms"
+            )
+            yield Finding(_at(facts, goal), "hazard-time", text, "correct the reaction time")
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
             text = f"the firmware needs {needed} for {goal.id}, but the goal allows {allowed}"
@@ -169,42 +178,16 @@ def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds requirements whose @goal does not exist, or does not list the requirement."""
+    """Finds requirements whose @goal does not exist."""
     for requirement in model.requirements.values():
-        for name in requirement.goals:
-            goal = model.safety.goals.get(name)
-            if goal is None:
-                text = f"{requirement.id} names the goal {name}, which does not exist"
-                yield Finding(
-                    requirement.place, "hazard-requirement", text, "correct the tag @goal"
-                )
-            elif requirement.id not in goal.requirements:
-                text = f"{requirement.id} serves {name}, but this goal does not list it"
-                fix = f"add it to the requirements of {name} in design/safety_case.toml"
-                yield Finding(requirement.place, "hazard-requirement", text, fix)
-
-
-def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds requirements that a goal lists, although they do not exist or do not name the goal in
-    @goal."""
-    for goal in model.safety.goals.values():
-        for name in goal.requirements:
-            requirement = model.requirements.get(name)
-            if requirement is None:
-                text, fix = f"{goal.id} lists {name}, which does not exist", "correct the id"
-            elif goal.id not in requirement.goals:
-                text = f"{goal.id} lists {name}, but this requirement does not name the goal"
-                fix = f"write @goal {goal.id} below {name}, or remove it from the list"
-            else:
-                continue
-            place = facts.declared.entries.line_in(goal.place, name)
-            yield Finding(place, "hazard-requirement", text, fix)
+        for name in [name for name in requirement.goals if name not in model.safety.goals]:
+            text = f"{requirement.id} names the goal {name}, which does not exist"
+            yield Finding(requirement.place, "hazard-requirement", text, "correct the tag @goal")
 
 
 def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds fault scenarios without a valid goal: the scenario names no goal, or the goal does not
-    list the scenario. Also finds fault scenarios that no hazard lists, that no test plays, or whose
-    tests did not pass.
+    """Finds fault scenarios that name no goal, or a goal that does not exist. Also finds fault
+    scenarios that no hazard lists, that no test plays, or whose tests did not pass.
     """
     of_hazards = {name for hazard in model.safety.hazards.values() for name in hazard.scenarios}
     for scenario in model.safety.scenarios.values():
@@ -212,15 +195,9 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
         if not scenario.goals:
             fix = "write the goal as a comment, such as '# goal SG-1', below the title"
             yield Finding(where, check, f"the scenario {scenario.name} names no goal", fix)
-        for name in scenario.goals:
-            goal = model.safety.goals.get(name)
-            if goal is None:
-                text = f"the scenario {scenario.name} names the goal {name}, which does not exist"
-                yield Finding(where, check, text)
-            elif scenario.name not in goal.scenarios:
-                text = f"the scenario {scenario.name} names {name}, but this goal does not list it"
-                fix = f"add it to the scenarios of {name} in design/safety_case.toml"
-                yield Finding(where, check, text, fix)
+        for name in [name for name in scenario.goals if name not in model.safety.goals]:
+            text = f"the scenario {scenario.name} names the goal {name}, which does not exist"
+            yield Finding(where, check, text)
         if scenario.name not in of_hazards:
             text = f"no hazard lists the scenario {scenario.name}"
             fix = "add it to the scenarios of a hazard in design/safety_case.toml"
@@ -232,23 +209,6 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
             word = "failed" if state == "failed" else "did not pass"
             text = f"the scenario {scenario.name} {word} in {', '.join(scenario.tests)}"
             yield Finding(where, check, text)
-
-
-def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds scenarios that a goal lists, although they do not exist or do not name the goal."""
-    for goal in model.safety.goals.values():
-        for name in goal.scenarios:
-            scenario = model.safety.scenarios.get(name)
-            place = facts.declared.entries.line_in(goal.place, name)
-            if scenario is None:
-                text = f"{goal.id} lists the scenario {name}, which is not in {SCENARIOS}"
-                yield Finding(place, "hazard-scenario", text)
-            elif goal.id not in scenario.goals:
-                text = (
-                    f"{goal.id} lists the scenario {name}, but the scenario does not name the goal"
-                )
-                fix = f"write '# goal {goal.id}' into the scenario, or remove it from the list"
-                yield Finding(place, "hazard-scenario", text, fix)
 
 
 def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:

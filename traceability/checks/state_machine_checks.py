@@ -371,7 +371,7 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
                         yield Finding(row.place, "fsm-code", text)
             declared = {name for row in rows for name in machine.actions.get(row.action, ())}
             every = {name for names in machine.actions.values() for name in names}
-            for name in sorted((every & called) - declared) if rows else []:
+            for name in sorted((every & called) - declared):
                 text = f"{method} calls {name}, but no transition has this action"
                 yield Finding(bodies[0].place, "fsm-code", text)
 

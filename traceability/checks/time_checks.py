@@ -27,13 +27,8 @@ def check(model: Model, _facts: Facts) -> Iterator[Finding]:
         *((f"the path '{path.title}'", path.seen_ms, path.ms) for path in model.times.paths),
     ]
     yield from _loops(model.times)
-    yield from (
-        (
-            finding
-            for what, seen_ms, bound_ms in seen
-            for finding in _seen(model.times, what, seen_ms, bound_ms)
-        )
-    )
+    for what, seen_ms, bound_ms in seen:
+        yield from _seen(model.times, what, seen_ms, bound_ms)
 
 
 def _loops(proof: TimeProof) -> Iterator[Finding]:

@@ -20,7 +20,8 @@ VIRTUAL_BOARD = "sim/emulator/"
 # include the headers of the drivers.
 PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
 OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
-DRIVER = re.compile(r"\bK64\w+")  # name of a driver that is no English word
+MICROCONTROLLER = {"K64", "Kinetis"}
+NAMED = re.compile(r"\b(?:K64\w*|Kinetis)\b")
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -37,13 +38,14 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _drivers(model: Model, root: Path) -> Iterator[Finding]:
-    """Finds files of src outside the drivers that name a driver, in the code or in a comment."""
+    """Finds files of the firmware outside the folders of the K64 that name a driver or the
+    microcontroller, in the code or in a comment."""
     drivers = {module.name for module in model.modules.values() if is_board(module.header)}
-    for place, line in lines_below(root, ("src",), (".hpp", ".cpp", ".dox")):
-        for name in drivers.intersection(DRIVER.findall(line)):
+    for place, line in lines_below(root, DESIGN, (".hpp", ".cpp", ".dox")):
+        for name in (drivers | MICROCONTROLLER).intersection(NAMED.findall(line)):
             if is_board(place.file):
                 continue
-            text = f"the file names the driver {name}"
+            text = f"the file names {name}"
             yield Finding(place, "uses-board", text, "name the interface of the driver")
 
 

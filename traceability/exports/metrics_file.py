@@ -10,9 +10,8 @@ from typing import Any
 from traceability.model.design_model import Model
 from traceability.model.metrics import metrics
 from traceability.model.report import Report
+from traceability.reading.results import METRICS
 from traceability.schema import Finding
-
-METRICS = Path("build/metrics.json")
 
 
 def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, Any]) -> Path:

@@ -66,7 +66,7 @@ from traceability.schema import (
     RoleBinding,
     Use,
 )
-from traceability.sources import DESIGN, SRC, files_below, source_hash
+from traceability.sources import DESIGN, SRC, files_below, source_hash, text_of
 
 DRIVERS = f"{SRC}/k64/"
 
@@ -189,8 +189,7 @@ def commit(root: Path) -> str:
 
 
 def _version(root: Path) -> str:
-    path = root / "CMakeLists.txt"
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    text = text_of(root / "CMakeLists.txt")
     match = re.search(r"project\([^)]*VERSION\s+([\d.]+)", text)
     return match[1] if match else ""
 

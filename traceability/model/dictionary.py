@@ -12,12 +12,12 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact, FieldFact
+from traceability.reading.constants import UNIT
 from traceability.reading.source_facts import Facts
 from traceability.schema import DataPart, MessageField
 
 FIELDS = "FieldName"
 ACCESS = re.compile(r"\w*(Reader|Writer)::(read|write)([UI]\d+)")
-UNIT = re.compile(r"\[([^\]]+)\]")
 
 
 def with_dictionary(model: Model, facts: Facts) -> Model:

@@ -11,9 +11,7 @@ from traceability.reading.call_graph import Function, names_of_addresses, read_g
 from traceability.reading.image_record import read_image
 from traceability.reading.loop_bounds import Place
 from traceability.reading.machine_code import Code, places, read_code
-
-BUILD = Path("build/k64")
-PRODUCT = "weeding_robot"
+from traceability.reading.products import DEFAULT, image_of
 
 
 @dataclass(frozen=True)
@@ -60,7 +58,7 @@ def read_image_code(root: Path) -> ImageCode | None:
     """Returns the code of the firmware image. Returns None if the image was not built from the
     present sources.
     """
-    elf = root / BUILD / f"{PRODUCT}.elf"
+    elf = root / image_of(DEFAULT, ".elf")
     if read_image(root) is None or not elf.exists():
         return None
     built = elf.resolve()

@@ -90,5 +90,5 @@ def unproven(change: MadeChange) -> str:
     if failed := [test.id for test in change.tests if test.result not in ("passed", None)]:
         return f"{failed[0]} did not pass"
     if None in results:
-        return "its tests did not run with the present sources: run ./wr test"
+        return "its tests did not run with the present sources: run ./wr test --all"
     return f"the change has no test on this target: {', '.join(missing)}" if missing else ""

@@ -22,7 +22,7 @@ from traceability.reading.products import HAS, intruders
 from traceability.reading.proof_record import PROVE
 from traceability.reading.prose_record import read_prose
 from traceability.reading.release_record import release_metrics
-from traceability.reading.results import read_recording_factor, read_totals
+from traceability.reading.results import read_recording_factor, read_times, read_totals
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, LastRecord, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash, files_below
@@ -38,6 +38,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("site.pages", "site.dead_links", "build.first_page_s"),
     "changes.proven",
     *("build.cold_s", "build.edit_s", "build.ci_s", "release.reproducible"),
+    *("tools.python_lines", "tools.python_test_lines", "tools.design_lines"),
     *(f"live.{key}" for key in LIVE),
     *CAMPAIGNS,
 )
@@ -59,7 +60,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     live = live_metrics(root)
     release = release_metrics(root, model.commit)
     values = drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
-    return values | changes(model) | sizes(root)
+    return values | changes(model) | sizes(root) | read_times(root)
 
 
 def sizes(root: Path) -> dict[str, int]:

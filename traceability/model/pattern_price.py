@@ -6,16 +6,17 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from traceability.model.design_model import Model
-from traceability.model.image_code import PRODUCT, ImageCode, Program
+from traceability.model.image_code import ImageCode, Program
 from traceability.model.stack import Prover, read_declared
 from traceability.reading.bench_record import CYCLES, MANUAL
 from traceability.reading.call_graph import short_name, table_bytes
+from traceability.reading.products import DEFAULT
 from traceability.reading.results import read_json
 from traceability.reading.source_facts import Facts
 from traceability.schema import PatternPrice, Place
 
 SCENARIO = "steps_and_steering"
-MEASURED = Path("build/bench") / f"{PRODUCT}-{SCENARIO}-{MANUAL}.json"
+MEASURED = Path("build/bench") / f"{DEFAULT}-{SCENARIO}-{MANUAL}.json"
 # A virtual call has three instructions: load the address of the virtual table, load the address of
 # the method from this table, and branch.
 OF_A_CALL = 3

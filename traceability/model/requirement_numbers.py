@@ -11,7 +11,10 @@ from fractions import Fraction
 from traceability.reading.ast_facts import ConstantFact
 
 _ELEVEN = "two three four five six seven eight nine ten eleven twelve"
+_THIRD = "third fourth fifth sixth seventh eighth ninth tenth"
 WORDS = {word: number for number, word in enumerate(_ELEVEN.split(" "), 2)}
+_ORDINALS = {word: number for number, word in enumerate(_THIRD.split(" "), 3)}
+_IN_WORDS = WORDS | _ORDINALS
 # Unit -> the kind of its quantity, and the factor that converts a value to the smallest unit of
 # this kind.
 UNITS = {
@@ -35,6 +38,7 @@ UNITS = {
     "steps/s": ("step rate", Fraction(1)),
     "cycle": ("cycle", Fraction(1)),
     "sample": ("sample", Fraction(1)),
+    "tick": ("tick", Fraction(1)),
     "edge": ("edge", Fraction(1)),
     "byte": ("byte", Fraction(1)),
     "time": ("repetition", Fraction(1)),  # as in "seven times"
@@ -47,13 +51,14 @@ _OF_LIMITS = {
     "KiB": ("byte", Fraction(1024)),
 }
 _UNIT = (
-    r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s|cycles?|samples?|edges?|bytes?|times|baud)"
+    r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s"
+    r"|cycles?|samples?|ticks?|edges?|bytes?|times|baud)"
 )
 _NAMED = re.compile(r"\bN = (\d+)")  # the number of cycles that the paper calls N
 _LIST = rf"(?=(?: to | and | or |, )[\d.]+ ?(?P<later>{_UNIT})(?![\w/]))"
 _STATED = re.compile(
-    rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(WORDS)})"
-    rf"(?: ?(?P<unit>{_UNIT})(?![\w/])|{_LIST})"
+    rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(_IN_WORDS)})"
+    rf"(?:(?: successive)? ?(?P<unit>{_UNIT})(?![\w/])|{_LIST})"
 )
 _RANGE = re.compile(r"\[([^\]]+)\][^.;]*?-?(\d+(?:\.\d+)?) to -?(\d+(?:\.\d+)?)")
 
@@ -71,7 +76,7 @@ def stated_numbers(text: str) -> dict[str, Quantity]:
     for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
         unit = match["unit"] or match["later"]
         kind, scale = UNITS[_singular(unit)]
-        amount = Fraction(WORDS.get(match["number"]) or match["number"])
+        amount = Fraction(_IN_WORDS.get(match["number"]) or match["number"])
         quantities[f"{match['number']} {unit}"] = Quantity(kind, amount * scale)
     for number in _NAMED.findall(text):
         quantities[f"N = {number}"] = Quantity("cycle", Fraction(number))

@@ -15,13 +15,14 @@ from pathlib import Path
 from typing import Any
 
 from traceability.model.design_model import Model
-from traceability.model.image_code import PRODUCT, ImageCode
+from traceability.model.image_code import ImageCode
 from traceability.model.stack import Prover, read_declared
 from traceability.model.time_bounds import DeclaredFacts, Limit, Spread, Times
 from traceability.reading.call_record import BYTE_RECEIVED, read_recordings
 from traceability.reading.chains import Chain, declared_chains, follow, frames_in
 from traceability.reading.flow_facts import Inequality, read_inequality
 from traceability.reading.loop_bounds import Bounds, Place
+from traceability.reading.products import DEFAULT
 from traceability.reading.results import numbers_reported
 from traceability.reading.source_facts import Facts
 from traceability.schema import VIRTUAL_K64, ExecutionContext, PathBound, TimeBound, TimeProof
@@ -319,6 +320,6 @@ def _seen(root: Path, model: Model) -> float | None:
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
     times = [run.report_ms.maximum for run in runs]
     if not model.stale_on(VIRTUAL_K64):
-        reported = numbers_reported(root, VIRTUAL_K64, "longest_cycle", PRODUCT)
+        reported = numbers_reported(root, VIRTUAL_K64, "longest_cycle", DEFAULT)
         times += [cycles / CLOCK for cycles in reported]
     return round(max(times), 3) if times else None

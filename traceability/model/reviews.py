@@ -213,7 +213,8 @@ class LinkTexts:
                 for h in hazards
             )
             limits = (*goal.exceptions, *goal.open_points)
-            text = "\n".join((goal.title, goal.text, goal.because, *limits, *rows))
+            parts = (goal.title, goal.text, goal.because, *goal.scenarios, *limits, *rows)
+            text = "\n".join(parts)
             yield LinkText("goal", name, goal.place, text)
 
     def _method(self, requirement: Requirement, name: str) -> LinkText:
@@ -384,7 +385,10 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
     for text in texts:
         if who & authors(root, text.place):
             place = f"{text.place.file}:{text.place.line}"
-            yield f"{review.reviewer} wrote lines of {text.kind} {text.name} ({place})"
+            yield (
+                f"{review.reviewer} wrote lines of {text.kind} {text.name} ({place}), but only "
+                "another person can review it; let such a person run ./wr review"
+            )
             break
 
 

@@ -17,16 +17,16 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import (
     BindingResult,
     FaultScenario,
-    Requirement,
     SafetyCase,
     SafetyGoal,
     Test,
 )
+from traceability.sources import text_of
 
 
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
-    """Returns the safety case with the tests that execute its scenarios, and with the cost of the
-    safety functions.
+    """Returns the safety case with the requirements of each goal, the tests that execute the
+    scenarios, and the cost of the safety functions.
 
     If the file of a parameterised test names the folder of the scenarios, the test may execute each
     scenario. The recordings of the test show which scenarios the test executed. Such a test without
@@ -50,13 +50,20 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
         name: replace(scenario, tests=playing.get(name, []))
         for name, scenario in case.scenarios.items()
     }
-    return replace(case, scenarios=scenarios, cost=read_cost(facts.root, case))
+    goals = {
+        name: replace(
+            goal,
+            requirements=[item.id for item in model.requirements.values() if name in item.goals],
+        )
+        for name, goal in case.goals.items()
+    }
+    return replace(case, scenarios=scenarios, goals=goals, cost=read_cost(facts.root, case))
 
 
 def _playing(path: Path) -> str:
     """Returns the text of a test file if the text contains the word ``scenario``. Otherwise returns
     an empty text."""
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    text = text_of(path)
     return text if "scenario" in text.lower() else ""
 
 
@@ -84,17 +91,12 @@ def safety_verdicts(
 
 def _verdict(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Verdict:
     reasons = [*_reasons(model, goal, states)]
-    failed = "failed" in {states.get(name) for name in (*goal.requirements, *goal.scenarios)}
+    failed = "failed" in {states[name] for name in (*goal.requirements, *goal.scenarios)}
     return Verdict("failed" if failed else "open" if reasons else "verified", reasons)
 
 
-def requirements_of(model: Model, goal: SafetyGoal) -> list[Requirement]:
-    return [model.requirements[name] for name in goal.requirements if name in model.requirements]
-
-
 def scenarios_of(model: Model, goal: SafetyGoal) -> list[FaultScenario]:
-    scenarios = model.safety.scenarios
-    return [scenarios[name] for name in goal.scenarios if name in scenarios]
+    return [model.safety.scenarios[name] for name in goal.scenarios]
 
 
 def scenario_state(model: Model, scenario: FaultScenario) -> str:
@@ -123,21 +125,16 @@ def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Itera
     if not goal.requirements:
         yield "no requirement serves this goal"
     for name in goal.requirements:
-        state = states.get(name)
-        if state is None:
-            yield f"there is no requirement {name}"
-        elif state == "partly":
+        state = states[name]
+        if state == "partly":
             yield f"{name} is partly verified: {model.requirements[name].partly}"
         elif state != "verified":
             yield f"{name} is {STATES[state]}"
     if not goal.scenarios:
         yield "no fault scenario tests this goal"
     for name in goal.scenarios:
-        state = states.get(name)
-        if state is None:
-            yield f"there is no scenario {name}"
-        elif state != "verified":
-            yield f"the scenario {name} is {STATES[state]}"
+        if states[name] != "verified":
+            yield f"the scenario {name} is {STATES[states[name]]}"
 
 
 STATES = {

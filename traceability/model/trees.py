@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from traceability.model.architecture import POST
 from traceability.model.design_model import Model
 from traceability.model.trace_summary import Edges, fold, starts
 from traceability.reading.ast_facts import BodyFact, CallFact
@@ -16,8 +17,6 @@ from traceability.reading.source_facts import Facts
 from traceability.reading.traces import Row, Traces, embed, excerpt, nodes_of
 from traceability.reading.translation_units import is_board
 from traceability.schema import BINDINGS, HOST, Requirement, TreeNode, TreeRun
-
-POST = "ControlThread::post"
 
 
 def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> Model:

@@ -518,7 +518,7 @@ class Reader:
         if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
             return None
         side = next(cursor.get_children(), None)
-        if side is None or (not operator and _operator_after(cursor, side) != "="):
+        if side is None or (not operator and flow.operator_of(cursor, side) != "="):
             return None
         left = bare(side)
         # The code calls the operator by its name, for example a.operator=(b).
@@ -790,14 +790,6 @@ def _signature(cursor: Cursor, kind: str, result: str, params: list[tuple[str, s
     after += " = 0" if cursor.is_pure_virtual_method() else ""
     shown = f"{result} " if result else ""
     return f"{before}{shown}{name}({inner}){after}"
-
-
-def _operator_after(cursor: Cursor, left: Cursor) -> str:
-    end = left.extent.end.offset
-    for token in cursor.get_tokens():
-        if token.extent.start.offset >= end:
-            return str(token.spelling)
-    return ""
 
 
 def comment_line(cursor: Cursor) -> int:

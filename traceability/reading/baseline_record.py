@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from traceability.reading.results import RESULTS, read_json
-from traceability.reading.task_record import BASELINE, is_fresh
+from traceability.reading.results import RESULTS, read_fresh
+from traceability.reading.task_record import BASELINE
 
 FOLDER = Path("tests/usual_design")
 RESULT = RESULTS / "usual_design.json"
@@ -99,8 +99,7 @@ def changes_of(root: Path) -> list[str]:
 def read_comparison(root: Path) -> dict[str, Any] | None:
     """Returns the measured numbers. Returns None if they were not measured with the present
     sources."""
-    record = read_json(root / RESULT)
-    return record if isinstance(record, dict) and is_fresh(root, BASELINE) else None
+    return read_fresh(root, RESULT, BASELINE)
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:

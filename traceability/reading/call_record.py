@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from traceability.reading.products import DEFAULT, recorded_image_of
-from traceability.reading.results import RESULTS, read_json
-from traceability.reading.task_record import CALLS, is_fresh
+from traceability.reading.results import RESULTS, read_fresh
+from traceability.reading.task_record import CALLS
 from traceability.reading.toml_reader import Entries
 from traceability.schema import Place
 
@@ -110,8 +110,8 @@ def declared_recordings(root: Path, entries: Entries | None = None) -> list[Wind
 def read_recordings(root: Path) -> dict[str, Recording] | None:
     """Returns the recordings by name. Returns None if no recordings of the present sources
     exist."""
-    content = read_json(root / RECORD)
-    if not isinstance(content, dict) or not is_fresh(root, CALLS):
+    content = read_fresh(root, RECORD, CALLS)
+    if content is None:
         return None
     return {name: unpacked(recording) for name, recording in content["recordings"].items()}
 

@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import Any
 
 from traceability.reading.baseline_record import count_patch
-from traceability.reading.results import RESULTS, Result, read_json, results_in
-from traceability.reading.task_record import CHANGES, is_fresh
+from traceability.reading.gtest_cases import read_tests
+from traceability.reading.products import PAPER
+from traceability.reading.results import RESULTS, Result, read_fresh, results_in
+from traceability.reading.task_record import CHANGES
 from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST, VIRTUAL_K64, Place
 
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
-# A change is compared with this firmware image if its declaration does not name another image.
-UNCHANGED = "weeding_robot_paper"
 # Folders of the composition, whose files create the objects and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
 # The file with the composition of the pattern design in the comparison with the baseline design.
@@ -27,7 +27,6 @@ COMPARED = "tests/usual_design/patterns/PatternDesign."
 # A test suite whose name ends with this word executes the firmware image of a change on the virtual
 # K64.
 ON_BOARD = "OnBoard"
-TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)")
 CLASS = re.compile(r"^class (\w+)(?: final)?(?: : public (\w+))?", re.MULTILINE)
 PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
 
@@ -47,7 +46,7 @@ class Kit:
     classes: list[str] = field(default_factory=list)
     extension: str = ""  # folder of the extension that makes the change
     image: str = ""
-    base: str = UNCHANGED  # firmware image without the change, for the comparison
+    base: str = PAPER  # firmware image without the change, for the comparison
     # Suite.Name of a test -> place of the test
     tests: dict[str, Place] = field(default_factory=dict)
     # names of tests that are part of an extension
@@ -144,13 +143,8 @@ def count_lines(kit: Kit, patch: str) -> None:
 
 def tests_in(root: Path, source: Path) -> dict[str, Place]:
     """Returns the place of each test in a file, by ``Suite.Name``."""
-    lines = source.read_text(encoding="utf-8").splitlines()
-    file = str(source.relative_to(root))
-    return {
-        f"{match[1]}.{match[2]}": Place(file, number)
-        for number, line in enumerate(lines, 1)
-        if (match := TEST.match(line))
-    }
+    file, text = str(source.relative_to(root)), source.read_text(encoding="utf-8")
+    return {case.id: Place(file, case.line) for case in read_tests(text)}
 
 
 def target_of(test: str) -> str:
@@ -160,10 +154,8 @@ def target_of(test: str) -> str:
 def read_record(root: Path) -> KitRecord | None:
     """Returns the results of the changes. Returns None if they do not belong to the present
     sources."""
-    data = read_json(root / RESULT)
-    if not isinstance(data, dict) or not is_fresh(root, CHANGES):
-        return None
-    return KitRecord(results_in(data), data["images"])
+    data = read_fresh(root, RESULT, CHANGES)
+    return KitRecord(results_in(data), data["images"]) if data else None
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:

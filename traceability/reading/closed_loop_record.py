@@ -9,8 +9,8 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
-from traceability.reading.results import RESULTS, read_json
-from traceability.reading.task_record import CLOSED_LOOP, is_fresh
+from traceability.reading.results import RESULTS, read_fresh
+from traceability.reading.task_record import CLOSED_LOOP
 from traceability.reading.toml_reader import Entries, Keys
 from traceability.schema import (
     HOST,
@@ -73,9 +73,8 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
     """Returns the closed-loop scenarios. A scenario that ran with the present sources has curves
     and values."""
-    outcomes = read_json(root / OUTCOMES)
-    fresh = isinstance(outcomes, dict) and is_fresh(root, CLOSED_LOOP)
-    runs = outcomes["runs"] if fresh else {}
+    outcomes = read_fresh(root, OUTCOMES, CLOSED_LOOP)
+    runs = outcomes["runs"] if outcomes else {}
     return [_scenario(root, item, runs.get(item["name"], {})) for item in declared(root, entries)]
 
 

@@ -9,18 +9,19 @@ lines, but no branches: see board_coverage.py.
 from __future__ import annotations
 
 import functools
-import json
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.reading.board_coverage import ELF, lines_executed, read_stretches
 from traceability.reading.gcov_arcs import Covered, Graph, read_graphs
-from traceability.reading.results import RESULTS, RUNS, read_json, run_hash
+from traceability.reading.result_cache import cached_result, code_of
+from traceability.reading.results import RESULTS, RUNS, run_hash
 from traceability.reading.traces import SOURCES
 from traceability.schema import HOST, VIRTUAL_K64
-from traceability.sources import DESIGN, file_hash
+from traceability.sources import DESIGN
 
+CODE = ("reading/coverage", "reading/gcov_arcs", "reading/board_coverage")
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
 # Build folders of the programs that do not belong to the test program of the firmware. Code that is
 # only in these programs is ignored.
@@ -62,51 +63,11 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
         if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
             coverages[binding] = Coverage()  # The tests never ran, or they are running.
             continue
-        cached = cache / f"coverage-{RUNS[binding]}.json"
-        key = _key(root, binding)
-        record = read_json(cached)
-        if isinstance(record, dict) and record.get("key") == key:
-            coverages[binding] = _loaded(record)
-            continue
-        coverages[binding] = reader(root)
-        cache.mkdir(parents=True, exist_ok=True)
-        cached.write_text(json.dumps({"key": key, **_dumped(coverages[binding])}), encoding="utf-8")
+        # A test run, or a change of the code of this reader, makes the cached coverage invalid.
+        parts = [run_hash(root, binding), *code_of(*CODE)]
+        cached = cache / f"coverage-{RUNS[binding]}.pickle"
+        coverages[binding] = cached_result(cached, parts, functools.partial(reader, root))
     return coverages
-
-
-def _key(root: Path, binding: str) -> str:
-    """Returns the key of the cache. The key changes if the tests run again, or if the code of this
-    reader changes."""
-    run = run_hash(root, binding)
-    here = Path(__file__).parent
-    parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")
-    return " ".join([run, *(file_hash(Path(part)) for part in parts)])
-
-
-def _dumped(coverage: Coverage) -> dict[str, object]:
-    def texts(covered: Covered) -> list[object]:
-        return [
-            [file, sorted(lines), sorted(covered.branches.get(file, set()))]
-            for file, lines in covered.lines.items()
-        ]
-
-    named = {name: texts(covered) for name, covered in coverage.recordings.items()}
-    return {"whole": texts(coverage.whole), "recordings": named}
-
-
-def _loaded(record: dict[str, object]) -> Coverage:
-    def covered(texts: object) -> Covered:
-        assert isinstance(texts, list)
-        total = Covered()
-        for file, lines, branches in texts:
-            total.add(file, set(lines), {(line, number) for line, number in branches})
-        return total
-
-    recordings = record["recordings"]
-    assert isinstance(recordings, dict)
-    return Coverage(
-        covered(record["whole"]), {name: covered(texts) for name, texts in recordings.items()}
-    )
 
 
 def _read_host(root: Path) -> Coverage:

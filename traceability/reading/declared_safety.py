@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 import itertools
-import operator
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+from traceability.reading.formulas import value_of
 from traceability.reading.toml_reader import Entries
 from traceability.schema import (
     SOURCE_KINDS,
@@ -32,14 +31,6 @@ SCENARIOS = Path("sim/scenario/safety")
 GOAL_LINE = re.compile(r"#\s*goals?:?\s+(SG-\d+(?:[\s,]+SG-\d+)*)\s*$")
 BOUND = re.compile(r"[^#]*\bexpect\b.*\bwithin ([\d.]+) ms\b")
 COLUMNS, ROWS = ("C0", "C1", "C2", "C3"), ("E0", "E1", "E2", "E3", "E4")
-
-OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
-}
 
 
 def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
@@ -70,7 +61,7 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
             scenarios=read_scenarios(root),
             safe_states=read("safe_state", SafeState),
             assumptions=read("assumption", Assumption),
-            goals=read("goal", SafetyGoal, ["exceptions", "open_points", "velocity"]),
+            goals=read("goal", SafetyGoal, ["exceptions", "open_points", "parts", "velocity"]),
             hazards=read("hazard", Hazard, ["scenarios"]),
             corrections=entries.records(path, "correction", Correction, may=["for_safety"]),
         )
@@ -78,8 +69,8 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
 
 
 def linked(case: SafetyCase) -> SafetyCase:
-    """Returns the safety case with computed values: the levels, the values of the formulas, and the
-    hazards of each goal and of each assumption."""
+    """Returns the safety case with computed values: the levels, the values of the formulas, the
+    hazards and scenarios of each goal, and the hazards of each assumption."""
     hazards = {
         name: replace(
             hazard, level=level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
@@ -90,8 +81,13 @@ def linked(case: SafetyCase) -> SafetyCase:
     for name, goal in case.goals.items():
         names = [hazard.id for hazard in hazards.values() for word in hazard.goals if word == name]
         level = highest(case, [hazards[name].level for name in names])
-        computed = evaluate(goal.formula)
-        goals[name] = replace(goal, hazards=names, computed=computed, level=level)
+        computed = value_of(goal.formula, {})
+        scenarios = [
+            scenario.name for scenario in case.scenarios.values() if name in scenario.goals
+        ]
+        goals[name] = replace(
+            goal, hazards=names, computed=computed, level=level, scenarios=scenarios
+        )
     assumptions = {
         name: replace(
             assumption,
@@ -115,23 +111,6 @@ def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> 
 def highest(case: SafetyCase, levels: Iterable[str]) -> str:
     valid = [level for level in levels if level in case.levels]
     return max(valid, key=case.levels.index) if valid else ""
-
-
-def evaluate(formula: str) -> float | None:
-    """Returns the value of a formula that contains only numbers and operators. Returns ``None`` if
-    the formula is invalid."""
-    try:
-        return _value(ast.parse(formula, mode="eval").body)
-    except (SyntaxError, ValueError, ZeroDivisionError):
-        return None
-
-
-def _value(node: ast.expr) -> float:
-    if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
-        return OPERATORS[type(node.op)](_value(node.left), _value(node.right))
-    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
-        return float(node.value)
-    raise ValueError("not a number")
 
 
 def words_of(texts: Iterable[str]) -> list[str]:

@@ -6,8 +6,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-KINDS = Path("sim/faults/Fault.hpp")
-CHOICES = Path("sim/faults/Fault.cpp")
+from traceability.sources import text_of
+
+KINDS = Path("sim/faults/InjectedFault.hpp")
+CHOICES = Path("sim/faults/InjectedFault.cpp")
 PLANT = Path("sim/plant/Robot.hpp")
 _ENUMERATION = r"enum class {}\b[^{{]*{{\n(.*?)\n}};"
 _ENUMERATOR = re.compile(r"\s*(?:(\w+),?\s*)?///<\s*(.*)")
@@ -26,8 +28,7 @@ def sensor_faults(root: Path) -> list[str]:
     """Returns the faults of sensors from which the campaign chooses, each with the range of its
     value."""
     texts = enumerators(root / PLANT, "Fault")
-    path = root / CHOICES
-    choices = _CHOICE.findall(path.read_text(encoding="utf-8")) if path.exists() else []
+    choices = _CHOICE.findall(text_of(root / CHOICES))
     return [_with_range(texts.get(name, name), *values) for name, *values in choices]
 
 
@@ -39,7 +40,7 @@ def _with_range(text: str, least: str, most: str) -> str:
 def enumerators(path: Path, name: str) -> dict[str, str]:
     """Returns the enumerators of a C++ enumeration, with their comments. The result is empty if the
     file does not exist."""
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    text = text_of(path)
     found: dict[str, str] = {}
     last = ""
     for body in re.findall(_ENUMERATION.format(name), text, re.DOTALL):

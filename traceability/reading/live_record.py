@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from traceability.reading.results import RESULTS, read_json
-from traceability.reading.task_record import LIVE, is_fresh
+from traceability.reading.results import RESULTS, read_fresh
+from traceability.reading.task_record import LIVE
 
 MODULE = Path("build/web/sim/live.wasm")
 RECORD = RESULTS / "live.json"
@@ -15,8 +15,7 @@ KEYS = ("ready_s", "bytes", "real_time_factor", "scenarios_equal", "scenarios")
 
 def read_live(root: Path) -> dict[str, Any] | None:
     """Returns the measurements. Returns None if they were not made with the present sources."""
-    record = read_json(root / RECORD)
-    return record if isinstance(record, dict) and is_fresh(root, LIVE) else None
+    return read_fresh(root, RECORD, LIVE)
 
 
 def live_metrics(root: Path) -> dict[str, Any]:

@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from traceability.sources import text_of
+
 PASSES = re.compile(r"//\s*passes:\s*([^;]+?)\s*(?:;|$)")
 COUNTS = re.compile(r"//\s*counts:\s*(\w+)\s*(?:;|$)")
 DECLARED = re.compile(r"//\s*bound:\s*([^;]+?)(\s+in all)?\s*(?:;|$)")
@@ -82,10 +84,7 @@ class Bounds:
 
     def _lines(self, file: str) -> list[str]:
         if file not in self.lines:
-            path = self.root / file
-            self.lines[file] = (
-                path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-            )
+            self.lines[file] = text_of(self.root / file).splitlines()
         return self.lines[file]
 
     def _of(self, node: ast.expr) -> int:

@@ -1,16 +1,15 @@
 """Reads the constants of the simulator (C++) and of the Python programs from their source texts. A
-constant is read only if its value is one number."""
+constant is read only if its value is one number, or a range of numbers."""
 
 from __future__ import annotations
 
 import ast
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.reading.constants import unit_in
-from traceability.schema import Place
+from traceability.schema import Constant, Place
 from traceability.sources import files_below
 
 SIMULATOR = "sim"
@@ -20,12 +19,20 @@ _NUMBER = r"-?\d[\d']*(?:\.\d+)?(?:e[+-]?\d+)?"
 # of a public data member such as `double mass = 175.0;  ///< [kg]`.
 _CPP = re.compile(
     r"^ *(?:(?:inline |static )*constexpr )?(?P<type>[\w:]+) (?P<name>\w*[A-Za-z0-9])"
-    rf"(?: =\s+(?:(?P<made>[\w:]+)\()?|\{{\s*)(?P<number>{_NUMBER})[UF]?[)}}]?;(?P<comment>[^\n]*)",
+    rf"(?: =\s+(?:(?P<made>[\w:]+)\()?|[{{(]\s*)(?P<number>{_NUMBER})[UF]?[)}}]?;"
+    r"(?P<comment>[^\n]*)",
+    re.MULTILINE,
+)
+# A range such as `constexpr Range kSupply{.low = 21.0, .high = 29.0};  // [V]`.
+_RANGE = re.compile(
+    rf"^constexpr \w+ (?P<name>\w+)\{{\.low = (?P<low>{_NUMBER}), \.high = (?P<high>{_NUMBER})\}};"
+    r"(?P<comment>[^\n]*)",
     re.MULTILINE,
 )
 _CHRONO = {
     "nanoseconds": "ns",
     "microseconds": "us",
+    "Microseconds": "us",
     "milliseconds": "ms",
     "seconds": "s",
 }
@@ -33,20 +40,11 @@ _CHRONO = {
 _ENDS = {"S": "s", "RPM": "rpm", "DEGREES": "degree", "VOLTS": "V", "AMPERES": "A", "BYTES": "byte"}
 
 
-@dataclass(frozen=True)
-class PlainConstant:
-    """A constant outside the firmware."""
-
-    number: float
-    unit: str
-    place: Place
-
-
-def plain_constants(root: Path) -> dict[str, PlainConstant]:
+def plain_constants(root: Path) -> dict[str, Constant]:
     """Returns the constants by their names: ``folder::File::name`` for a constant in a folder of
-    the simulator, ``file.NAME`` for a constant of a Python program. A name is left out if it has
-    more than one value."""
-    values: dict[str, list[PlainConstant]] = {}
+    the simulator, ``file.NAME`` for a constant of a Python program. A range has two names, with
+    ``.low`` and ``.high`` at the end. A name is left out if it has more than one value."""
+    values: dict[str, list[Constant]] = {}
     for path in files_below(root, (SIMULATOR, *PROGRAMS), (".hpp", ".cpp", ".py")):
         read = _of_python if path.suffix == ".py" else _of_cpp
         for name, constant in read(path, str(path.relative_to(root))):
@@ -58,25 +56,30 @@ def plain_constants(root: Path) -> dict[str, PlainConstant]:
     }
 
 
-def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
+def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
     text = path.read_text(encoding="utf-8")
+    folder = f"{path.parent.name}::{path.stem}::"
+
+    def constant(match: re.Match[str], group: str, unit: str) -> Constant:
+        place = Place(file, text.count("\n", 0, match.start("name")) + 1)
+        return Constant(float(match[group].replace("'", "")), unit, place)
+
     for match in _CPP.finditer(text):
         unit = unit_in(match["comment"]) or next(
             (_CHRONO[word] for word in _words(match) if word in _CHRONO), ""
         )
-        place = Place(file, text.count("\n", 0, match.start("name")) + 1)
-        number = float(match["number"].replace("'", ""))
-        yield (
-            f"{path.parent.name}::{path.stem}::{match['name']}",
-            PlainConstant(number, unit, place),
-        )
+        yield folder + match["name"], constant(match, "number", unit)
+    for match in _RANGE.finditer(text):
+        for end in ("low", "high"):
+            unit = unit_in(match["comment"])
+            yield f"{folder}{match['name']}.{end}", constant(match, end, unit)
 
 
 def _words(match: re.Match[str]) -> list[str]:
     return [(match[group] or "").rpartition("::")[2] for group in ("type", "made")]
 
 
-def _of_python(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
+def _of_python(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
     text = path.read_text(encoding="utf-8")
     lines = text.splitlines()
     for node in ast.parse(text).body:
@@ -87,5 +90,5 @@ def _of_python(path: Path, file: str) -> Iterator[tuple[str, PlainConstant]]:
         if isinstance(number, (int, float)) and not isinstance(number, bool):
             comment = lines[node.lineno - 1].partition("#")[2]
             unit = unit_in(comment) or _ENDS.get(name.rpartition("_")[2], "")
-            constant = PlainConstant(float(number), unit, Place(file, node.lineno))
+            constant = Constant(float(number), unit, Place(file, node.lineno))
             yield f"{path.stem}.{name}", constant

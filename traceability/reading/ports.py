@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from traceability.reading.change_kits import PATCH, Kit, count_lines
-from traceability.reading.results import RESULTS, read_json, results_in
-from traceability.reading.task_record import PORTS, is_fresh
+from traceability.reading.results import RESULTS, read_fresh, results_in
+from traceability.reading.task_record import PORTS
 from traceability.reading.toml_reader import Entries
 from traceability.schema import Place, Port
 
@@ -20,8 +20,7 @@ RESULT = RESULTS / "ports.json"  # folder of a port -> its test suites, and the 
 def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
     """Returns the ports by their folders. Test results are included only if they belong to the
     present sources."""
-    data = read_json(root / RESULT)
-    results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
+    results = read_fresh(root, RESULT, PORTS) or {}
     ports = {}
     for path in sorted((root / FOLDER).glob("*/port.toml")):
         item: dict[str, Any] = dict(entries.whole(path))

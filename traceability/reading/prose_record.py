@@ -7,32 +7,13 @@ import json
 from pathlib import Path
 
 from traceability.reading.results import RESULTS, read_json
-from traceability.sources import files_below, hash_of
+from traceability.sources import DESIGN, files_below, hash_of
 
 RECORD = RESULTS / "prose.json"
 FOLDERS = (
-    *(
-        "docs",
-        "requirements",
-        "design",
-        "src",
-        "extensions",
-        "changes",
-        "ports",
-        "sim",
-        "client",
-        "tests",
-    ),
-    *(
-        "tools",
-        "traceability",
-        "site/portal",
-        "site/templates",
-        "site/theme",
-        "setup",
-        "README.md",
-        "wr",
-    ),
+    *("docs", "requirements", "design", *DESIGN, "changes", "ports", "sim", "client", "tests"),
+    *("tools", "traceability", "site/portal", "site/templates", "site/theme", "setup"),
+    *("README.md", "wr"),
 )
 
 

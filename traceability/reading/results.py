@@ -18,6 +18,7 @@ from traceability.sources import file_hash, source_hash
 T = TypeVar("T")
 RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
+METRICS = Path("build/metrics.json")
 # target -> name of the test run whose results are used
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
@@ -26,6 +27,7 @@ PLAIN = "plain"  # name of the test run without recordings
 # The results of gcovr: the totals, and the executed lines of each file.
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
+TIMES = RESULTS / "times.json"  # durations of commands, for the metrics
 BOARD_ONLY = (
     *("tests/sim/emulator/", "tests/sim/faults/", "tests/sim/web/", "tests/torture/"),
     "tests/k64/",
@@ -51,12 +53,24 @@ class Result:
     images: list[str] = field(default_factory=list)
 
 
+def read_times(root: Path) -> dict[str, float]:
+    times = read_json(root / TIMES)
+    return times if isinstance(times, dict) else {}
+
+
 def read_json(path: Path) -> Any:
     """Returns the content of a JSON file. Returns None if the file is missing or incomplete."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
+
+
+def read_fresh(root: Path, path: Path, task: str) -> dict[str, Any] | None:
+    """Returns the content of the JSON file that a task writes. Returns None if the file is missing
+    or incomplete, or if the inputs of the task have changed since."""
+    content = read_json(root / path)
+    return content if isinstance(content, dict) and task_record.is_fresh(root, task) else None
 
 
 def day_of(record: Path) -> str:

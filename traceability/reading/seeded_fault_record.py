@@ -8,27 +8,15 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from traceability.reading.published import last_score
-from traceability.reading.results import RESULTS, day_of, read_json
+from traceability.reading.results import RESULTS, day_of, read_fresh, read_json
 from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
 from traceability.schema import LastRecord
+from traceability.sources import DESIGN
 
 RECORD = RESULTS / "drift.json"
 SOURCES = (
-    *(
-        "src",
-        "extensions",
-        "changes",
-        "ports",
-        "sim",
-        "tests",
-        "requirements",
-        "design",
-        "docs",
-        "traceability",
-        "tools",
-        "client",
-    ),
-    *("README.md", "CONTRIBUTING.md"),
+    *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs"),
+    *("traceability", "tools", "client", "README.md", "CONTRIBUTING.md"),
     *("CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake"),
 )
 
@@ -75,7 +63,5 @@ def last_seeded(root: Path) -> LastRecord | None:
 
 def read_record(root: Path) -> list[Outcome] | None:
     """Returns the outcomes. Returns None if files have changed since the faults were seeded."""
-    record = read_json(root / RECORD)
-    if not isinstance(record, dict) or not is_fresh(root, SEEDED_FAULTS):
-        return None
-    return [Outcome(**outcome) for outcome in record["outcomes"]]
+    record = read_fresh(root, RECORD, SEEDED_FAULTS)
+    return [Outcome(**outcome) for outcome in record["outcomes"]] if record else None

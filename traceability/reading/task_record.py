@@ -24,7 +24,6 @@ BASELINE = "bench of the baseline design"
 CHANGES = "likely changes"
 PORTS = "ports"
 SEEDED_FAULTS = "seeded faults"
-FIRMWARE_FAULTS = "tests (tools, firmware)"
 
 
 def is_fresh(root: Path, task: str) -> bool:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Protocol, TypeVar, get_args, get_origin, get_type_hints
 
 from traceability.schema import Place
+from traceability.sources import text_of
 
 MAY_BE_EMPTY = ("guard", "action")  # keys of a transition whose text may be empty
 Keys = Mapping[str, type[Any]]
@@ -46,7 +47,7 @@ class Entries:
         """Returns the content of a TOML file. Returns an empty content if the file does not exist
         or is not valid TOML."""
         if path not in self._read:
-            text = path.read_text(encoding="utf-8") if path.exists() else ""
+            text = text_of(path)
             try:
                 self._read[path] = tomllib.loads(text)
             except tomllib.TOMLDecodeError as error:
@@ -152,8 +153,7 @@ class Entries:
     def line_in(self, place: Place, words: str) -> Place:
         """Returns the place of a text in the entry that begins at ``place``. If the entry does not
         contain the text, returns ``place``."""
-        path = self.root / place.file
-        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+        lines = text_of(self.root / place.file).splitlines()
         pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
         header = lines[place.line - 1] if place.line <= len(lines) else ""
         # Tables with this prefix, such as [[entry.part]], belong to the entry.
@@ -182,7 +182,7 @@ class Entries:
     def place_of(self, path: Path, name: str) -> Place:
         """Returns the place where a name first occurs in a file."""
         begins = re.compile(rf"\s*(\[\[?\s*)?{re.escape(name)}\b")
-        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+        lines = text_of(path).splitlines()
         line = next((n for n, line in enumerate(lines, 1) if begins.match(line)), 1)
         return Place(str(path.relative_to(self.root)), line)
 

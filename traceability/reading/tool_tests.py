@@ -8,8 +8,8 @@ from pathlib import Path
 from traceability.reading.results import RESULTS
 from traceability.reading.task_record import is_fresh
 from traceability.schema import Counts
+from traceability.sources import TESTS_OF_TOOLS
 
-TESTS = Path("tests/python")
 AFTER_PAGES = "site"  # tests of the built pages; the pages cannot contain their own results
 LONG = "worked_examples"  # tests that run only with ./wr test --long
 
@@ -41,7 +41,7 @@ def read_tool_tests(root: Path) -> dict[str, Counts | None]:
     """Returns the counts for each folder of tests. They are None if the tests did not run on the
     present files. The result leaves out the folders ``AFTER_PAGES`` and ``LONG``.
     """
-    folders = sorted({path.parent.name for path in (root / TESTS).glob("*/test_*.py")})
+    folders = sorted({path.parent.name for path in (root / TESTS_OF_TOOLS).glob("*/test_*.py")})
     return {
         folder: junit_counts(path)
         if path.exists() and is_fresh(root, python_task(folder))

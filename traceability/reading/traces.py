@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import functools
 import hashlib
-import json
 import os
 import re
 import subprocess
@@ -15,10 +14,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.reading.products import PAPER, recorded_image_of
+from traceability.reading.result_cache import cached_result, code_of
 from traceability.reading.results import RESULTS, RUNS
 from traceability.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
 from traceability.sources import file_hash
-from traceability.whole_file import write_whole
 
 
 @dataclass(frozen=True)
@@ -174,7 +173,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
             root / RESULTS / f"{RUNS[binding]}.json"
         ).exists()  # If there are no results, the tests are still running.
         if tests and done and (root / source.executable).exists():
-            cached = cache / f"symbols-{source.names}.json"
+            cached = cache / f"symbols-{source.names}.pickle"
             traces.state = _state(traces.folder, root / source.executable)
             traces.symbols = read_symbols(root / source.executable, source.names, cached)
             traces.tests = tests
@@ -195,11 +194,11 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
     """Returns the name of the function at each address. For the K64, bit 0 is cleared, because this
     bit only marks the Thumb instruction set."""
     state = executable.stat()
-    key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
-    if cache.exists():
-        by_address = json.loads(cache.read_text(encoding="utf-8"))
-        if by_address["key"] == key:
-            return {int(address): name for address, name in by_address["symbols"].items()}
+    parts = [state.st_mtime_ns, state.st_size, *code_of("reading/traces")]
+    return cached_result(cache, parts, functools.partial(_symbols, executable, names))
+
+
+def _symbols(executable: Path, names: str) -> dict[int, str]:
     run = subprocess.run([names, "-C", str(executable)], capture_output=True, text=True, check=True)
     symbols: dict[int, str] = {}
     even = 0 if names == "nm" else 1
@@ -210,7 +209,6 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
         )
         if match and name:
             symbols[int(match[1], 16) & ~even] = name
-    write_whole(cache, json.dumps({"key": key, "symbols": symbols}))
     return symbols
 
 

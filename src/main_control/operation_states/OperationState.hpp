@@ -23,7 +23,7 @@ enum class OperationStateId : std::uint8_t {
 /// message and the reaction to a missing message. In each cycle the state also orders the control
 /// systems to follow their set-points, and sends the report.
 ///
-/// @secret The steps of reading an order that all operation states share.
+/// @secret The steps in which every operation state reads an order.
 ///
 /// @role{operation-states, State}
 /// @role{read-orders, Abstract Class}

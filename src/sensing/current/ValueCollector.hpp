@@ -38,7 +38,7 @@ class ValueCollector final {
   static constexpr std::int32_t kMaxSamples = 500'000;
 
   /// @brief Number of samples between two writes of the record.
-  static constexpr std::uint32_t kGroupSize = 8;
+  static constexpr std::uint32_t kGroupSize = 8;  // [samples]
 
   /// @param overcurrent is executed in the interrupt, at the fifth successive sample that is too
   /// high and at each further successive sample that is too high

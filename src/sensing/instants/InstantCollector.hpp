@@ -20,7 +20,7 @@ struct Edge {
 /// @datatype
 struct Instants {
   std::optional<Instant> last;         ///< time of the last edge
-  std::optional<Microseconds> period;  ///< time between the two last rising edges
+  std::optional<Microseconds> period;  ///< time between the last two rising edges
   std::optional<Microseconds> width;   ///< length of the last pulse, from rising to falling edge
   std::int32_t count = 0;              ///< number of forward edges minus number of backward edges
 };
@@ -32,8 +32,8 @@ struct Instants {
 ///
 /// @patternapp{instant-collectors, Decorator, Collectors of time instants}
 /// @why The signals of the remote control and of the Hall sensors are measured by the times of
-/// their edges. Each signal needs different values. Each value has its own collector, which extends
-/// a basic collector.
+/// their edges. The values that are computed from the edges differ between the signals. Each value
+/// has its own collector, which extends a basic collector.
 /// @changes The calculation of a value may change. A new value needs one more decorator, which
 /// wraps only the collectors of the signals that need this value.
 class InstantCollector {

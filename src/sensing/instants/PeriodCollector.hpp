@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief A collector that adds the period of the signal to the record.
-/// @function Measures the time between the two last rising edges.
+/// @function Measures the time between the last two rising edges.
 /// @secret The edges that begin and end a period.
 /// @role{instant-collectors, Concrete Decorator}
 class PeriodCollector final : public CollectorDecorator {

@@ -112,6 +112,9 @@ TEST_F(SafeRobot, FR282_TheRobotAcceleratesGently) {
     order(1, 3000);
     speeds.push_back(line.robot().groundSpeed());
   }
+  // In 0.5 s the set-points change five times by 0.05 m/s, which is 0.5 m/s^2. The wheels follow
+  // them with a delay. If the delay decreases by one cycle, the velocity changes by six of these
+  // steps.
   for (std::size_t i = 5; i < speeds.size(); ++i) {
     EXPECT_LE((speeds[i] - speeds[i - 5]) / 0.5, 0.6) << i;
   }

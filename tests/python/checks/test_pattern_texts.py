@@ -1,4 +1,5 @@
-"""The finding of a pattern names the modules with a role, or the role if no module has it."""
+"""The text of a finding lists the modules that have a role. If no module has it, the text names the
+role."""
 
 from types import SimpleNamespace
 from typing import cast

@@ -12,6 +12,8 @@ from traceability.checks import run_checks
 from traceability.checks.protocol_checks import not_in_body
 from traceability.model.build import build
 
+pytestmark = pytest.mark.reads("docs/protocol_examples.txt")
+
 HEADER = "src/main_control/operation_states/Kind.hpp"
 FILES = {
     HEADER: """\

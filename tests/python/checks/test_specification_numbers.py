@@ -35,6 +35,12 @@ def messages(root: Path, sentence: str, member: str = "") -> list[str]:
             ["RC states 400 ms, but no constant of the module has this value"],
         ),
         ("Waits 300 ms.", "", ["RC states 300 ms, but no constant of the module has this value"]),
+        (
+            "Ends at the third successive sample.",
+            "  static constexpr int kLimit = 4;\n",
+            ["RC states third sample, but no constant of the module has this value"],
+        ),
+        ("Ends at the fourth sample.", "  static constexpr int kLimit = 4;\n", []),
         ("Assumption: a lead battery of 12 V.", "", []),
         ("Returns an angle in 0.01 degree.", "", []),
     ],

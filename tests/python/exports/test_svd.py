@@ -10,6 +10,8 @@ from cmsis_svd.parser import SVDParser
 from traceability.exports.svd import svd_of, write_svd
 from traceability.reading.register_table import TABLE, read_registers
 
+pytestmark = pytest.mark.reads("src/k64/registers.hpp", "sim/emulator/Blocks.hpp")
+
 ROOT = Path(__file__).parents[3]
 # The table in this file was written from the manual, independently of the firmware.
 BLOCKS = ROOT / "sim/emulator/Blocks.hpp"

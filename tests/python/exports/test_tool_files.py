@@ -26,6 +26,8 @@ from traceability.exports.trace_items import trace_items
 from traceability.model.design_model import Model
 from traceability.schema import BindingResult, Finding, Place, Test
 
+pytestmark = pytest.mark.reads("docs/other_tools.rst")
+
 SARIF = json.loads((Path(__file__).parent / "sarif-2.1.0.schema.json").read_text())
 
 

@@ -58,8 +58,6 @@ formula = "0.3 / 0.85"
 because = "0.3 m at 0.85 m/s."
 reaction = 0.2
 reacts = "Two cycles."
-requirements = ["FR-1"]
-scenarios = ["lost"]
 
 [[hazard]]
 id = "HZ-1"

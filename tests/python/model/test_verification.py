@@ -18,13 +18,12 @@ from traceability.model.build import build
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.model.reviews import LinkTexts, write_baseline
-from traceability.reading import traces
 from traceability.reading.image_record import TOTALS
+from traceability.reading.result_cache import cached_result, code_of
 from traceability.reading.results import RESULTS
 from traceability.reading.task_record import IMAGES, TESTS_TRACE
 from traceability.reading.traces import EXIT, SOURCES
 from traceability.schema import HOST
-from traceability.sources import file_hash
 
 CALLS = [
     "MainController::read",
@@ -53,13 +52,8 @@ def write_trace(root: Path, calls: list[str]) -> None:
     executable.parent.mkdir(parents=True, exist_ok=True)
     executable.write_text("is no program")
     state = executable.stat()
-    known = {
-        "key": f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(traces.__file__))}",
-        "symbols": {str(number): name for number, name in enumerate(CALLS)},
-    }
-    cache = root / "build" / "model" / "symbols-nm.json"
-    cache.parent.mkdir(parents=True, exist_ok=True)
-    cache.write_text(json.dumps(known))
+    parts = [state.st_mtime_ns, state.st_size, *code_of("reading/traces")]
+    cached_result(root / "build/model/symbols-nm.pickle", parts, lambda: dict(enumerate(CALLS)))
     numbers = [CALLS.index(name) for name in calls]
     events = [*numbers, *(number | EXIT for number in reversed(numbers))]
     folder = root / SOURCES[HOST].folder

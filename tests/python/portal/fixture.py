@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tempfile
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -54,8 +55,18 @@ HEADER = "#pragma once\n\nnamespace wr {\nclass {name} {{\n public:\n  void read
 SOURCE = "namespace wr {\n\nvoid {name}::read() {{\n  act();\n}}\n}}\n"
 
 
+# All projects of a process share the compiled templates and the finished diagrams.
+SHARED = tempfile.TemporaryDirectory(prefix="portal-")
+
+
 def make_project(root: Path) -> Model:
     """Writes the files of the project, and returns the model of the project."""
+    for name in ("pages-cache/templates", "diagrams"):
+        folder, shared = root / "build" / name, Path(SHARED.name, name)
+        shared.mkdir(parents=True, exist_ok=True)
+        if not folder.exists():
+            folder.parent.mkdir(parents=True, exist_ok=True)
+            folder.symlink_to(shared)
     for name in ("MainController", "Mode", "RC"):
         folder = root / "src" / (MODES if name != "MainController" else "main_control")
         folder.mkdir(parents=True, exist_ok=True)

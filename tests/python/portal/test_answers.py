@@ -12,6 +12,8 @@ from portal.portal import Portal
 from tests.python.portal.fixture import REPORT, make_project
 from tests.python.portal.page_reader import read_page
 
+pytestmark = pytest.mark.reads("site")
+
 QUESTION = """
 [[question]]
 ask = "How?"

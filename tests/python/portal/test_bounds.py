@@ -12,6 +12,8 @@ from tests.python.portal.fixture import REPORT, make_project
 from traceability.reading.published import Published
 from traceability.schema import PathBound, TimeBound, TimeProof
 
+pytestmark = pytest.mark.reads("site")
+
 EDGES = TimeBound("edges-of-wheels", "Hall edges", 912, 8, 1, 32, 2, "eight inputs", 0.235)
 SEEN = PathBound("order", "Order to duty cycle", [("wait", 100.2), ("cycle", 2.7)], 58.5, "why")
 UNSEEN = PathBound("fault", "Fault to stop", [("tick", 1.0)], None, "why")

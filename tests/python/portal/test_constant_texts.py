@@ -37,6 +37,7 @@ def test_a_constant_is_shown_in_the_unit_of_a_reader(number: int, unit: str, tex
 CONSTANTS = {
     "Times::kCycle": Constant(100, "ms", Place("src/Times.hpp", 1)),
     "kMost": Constant(4, "", Place("src/Times.hpp", 2)),
+    "SG-2.time": Constant(0.35, "s", Place("design/safety_case.toml", 3)),
 }
 
 
@@ -48,6 +49,11 @@ CONSTANTS = {
         ("kMost * 5 *\n  Times::kCycle [ms]", "2 s"),
         ("Times::kCycle / kMost", "25"),
         ("kMost - 1", "3"),
+        ("kMost ** 2", "16"),
+        ("ceil(kMost / 3)", "2"),
+        ("round(2 * pi / kMost, 2) [s]", "1.57 s"),
+        ("round(Times::kCycle / kMost / 3)", "8"),
+        ("1000 * SG-2.time [ms]", "350 ms"),
     ],
 )
 def test_a_formula_of_a_page_is_computed_from_constants(
@@ -58,7 +64,18 @@ def test_a_formula_of_a_page_is_computed_from_constants(
     assert f">{text}<" in shown.replace("\N{NO-BREAK SPACE}", " ")
 
 
-@pytest.mark.parametrize("formula", ["kOther + 1", "kMost +", "kMost ** 2", "kMost / 0", "kMost"])
+@pytest.mark.parametrize(
+    "formula",
+    [
+        "kOther + 1",
+        "kMost +",
+        "kMost / 0",
+        "kMost",
+        "sin(kMost)",
+        "round(kMost, 1, 2)",
+        "round + 1",
+    ],
+)
 def test_a_formula_with_an_unknown_name_or_operation_has_no_text(
     tmp_path: Path, formula: str
 ) -> None:

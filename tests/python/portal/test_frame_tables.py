@@ -8,6 +8,8 @@ import pytest
 
 from portal.frame_tables import frame_tables
 
+pytestmark = pytest.mark.reads("design/frames.toml", "docs/protocol.rst")
+
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "protocol.rst"
 CODES = {"u8": "B", "i8": "b", "u16": "H", "i16": "h", "u32": "I", "i32": "i", "char8": "8s"}

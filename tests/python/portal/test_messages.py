@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from portal.messages import Message, messages
+
+pytestmark = pytest.mark.reads("client", "tools", "wr")
 
 CODE = """
 ADVICE = "Connect the board, and try again."

@@ -7,6 +7,8 @@ import pytest
 
 from portal.pin_map import COLUMNS, HEADER, PinMapError, pin_map
 
+pytestmark = pytest.mark.reads("src/k64/pins.hpp")
+
 ROOT = Path(__file__).parents[3]
 HEADER_TEXT = """\
 enum class Role : std::uint8_t {

@@ -30,6 +30,8 @@ from traceability.schema import (
     TouchedFile,
 )
 
+pytestmark = pytest.mark.reads("site")
+
 TIMES = Spread(0.2, 0.1, 0.25)
 RUN = BenchRun(report_ms=TIMES, load=TIMES, start_us=TIMES, jitter_us=0, times_us=[], cycles=1)
 RECORD = {"steps": BenchScenario({"no-wait-states": RUN})}

@@ -6,10 +6,14 @@ import hashlib
 import re
 from pathlib import Path
 
+import pytest
+
 from portal.navigation import Entry
 from portal.page_words import parts_of
 from portal.search import listed
 from portal.sections import terms_of
+
+pytestmark = pytest.mark.reads("site", "setup/vendored.txt", "tests/python")
 
 ROOT = Path(__file__).parents[3]
 VENDORED = re.compile(r"^([0-9a-f]{64})  (\S+)$", re.MULTILINE)

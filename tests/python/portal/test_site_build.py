@@ -17,6 +17,8 @@ from traceability.model.design_model import Model
 from traceability.schema import Finding, Place
 from weeding_robot_client import exit_codes
 
+pytestmark = pytest.mark.reads("site", "docutils.conf")
+
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it.")
 ]

@@ -14,10 +14,12 @@ from portal.tables import (
     command_table,
     connection_table,
     key_table,
+    measures_table,
     package_table,
     review_questions,
     room_table,
 )
+from traceability.model.metrics import OF_OTHER_STEPS
 
 USAGE = """\
 usage() {
@@ -39,6 +41,16 @@ def test_each_question_of_a_review_is_an_item(tmp_path: Path) -> None:
     items = review_questions(tmp_path).splitlines()
     assert len(items) == 6, "the answer to the question about reviews names six questions"
     assert all(item.startswith("* ") and item.endswith("?") for item in items)
+
+
+def test_a_measure_of_the_tools_has_its_unit_or_is_missing() -> None:
+    measured = {"tools.design_lines": 12345, "build.edit_s": 8.9}
+    table = measures_table(dict.fromkeys(OF_OTHER_STEPS) | measured)
+    rows = [row.split("\n     - ") for row in table.split("   * - ")[2:]]
+    values = {metric.strip("`\n"): value for _, value, metric in rows}
+    assert values["tools.design_lines"] == "12,345 lines"
+    assert values["build.edit_s"] == "8.9 s"
+    assert values["build.cold_s"] == "(not measured in this build)"
 
 
 def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:

@@ -5,7 +5,6 @@ import shutil
 import signal
 import socket
 import subprocess
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from threading import Timer
@@ -273,13 +272,11 @@ def test_the_time_stands_still_while_the_program_is_stopped(start: Start) -> Non
         "stepi",
         "monitor time",
     )
-    began = time.monotonic()
     done = subprocess.run(words, capture_output=True, text=True, timeout=60, check=False)
     assert "SIGINT" in done.stdout, done.stdout + done.stderr
     stopped, waited, stepped = instants(done.stdout + done.stderr)
     assert stopped == waited
-    assert stepped[0] - stopped[0] < 2
-    assert 300 < stopped[0] < 1000 * (time.monotonic() - began)
+    assert 0 < stopped[0] <= stepped[0] < stopped[0] + 2
 
 
 def test_bytes_of_the_pc_come_again_at_the_same_instant(start: Start) -> None:

@@ -7,6 +7,8 @@ import pytest
 from traceability.reading import baseline_record
 from traceability.reading.baseline_record import PATTERNS, USUAL
 
+pytestmark = pytest.mark.reads("tests/usual_design", "extensions/warning")
+
 ROOT = Path(__file__).parents[3]
 PATCH = """\
 diff --git a/src/Old.cpp b/src/Old.cpp

@@ -12,6 +12,8 @@ from traceability.reading.task_record import CLOSED_LOOP
 from traceability.schema import HOST, VIRTUAL_K64
 from weeding_robot_client.layout import LAYOUTS
 
+pytestmark = pytest.mark.reads("design/closed_loop.toml", "sim/scenario/GroundTruth.cpp")
+
 ROOT = Path(__file__).parents[3]
 
 DECLARED = """\

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from traceability.reading.fault_kinds import enumerators, fault_kinds, sensor_faults
+
+pytestmark = pytest.mark.reads("sim/faults", "sim/plant")
 
 ROOT = Path(__file__).parents[3]
 ENUMERATION = """\

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from traceability.reading.plain_constants import PlainConstant, plain_constants
+from traceability.reading.plain_constants import plain_constants
+from traceability.schema import Constant
 
 HEADER = """\
 struct Wheel {
@@ -17,6 +18,8 @@ struct Wheel {
   double computed = 2 * kRadius;
 };
 constexpr int kTwice = 1;
+constexpr Microseconds kStart(5364);
+constexpr Range kSupply{.low = -0.5, .high = 29.0};  // [V]
 """
 PROGRAM = """\
 KEY_AT = 0x410  # in the flash [address]
@@ -28,7 +31,7 @@ SUM = KEY_AT + 1
 
 
 @pytest.fixture(scope="module")
-def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, PlainConstant]:
+def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
     root = tmp_path_factory.mktemp("project")
     plant, tools = root / "sim" / "plant", root / "tools"
     plant.mkdir(parents=True)
@@ -47,12 +50,15 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, PlainConsta
         ("plant::Wheel::kPeriod", 20, "ms", 5),
         ("plant::Wheel::kLate", 2, "s", 6),
         ("plant::Wheel::mass", 175, "kg", 7),
+        ("plant::Wheel::kStart", 5364, "us", 11),
+        ("plant::Wheel::kSupply.low", -0.5, "V", 12),
+        ("plant::Wheel::kSupply.high", 29, "V", 12),
         ("key.KEY_AT", 0x410, "address", 1),
         ("key.DEAD_MAN_S", 0.3, "s", 2),
     ],
 )
 def test_a_constant_has_its_value_and_unit(
-    constants: dict[str, PlainConstant], name: str, number: float, unit: str, line: int
+    constants: dict[str, Constant], name: str, number: float, unit: str, line: int
 ) -> None:
     found = constants[name]
     assert (found.number, found.unit, found.place.line) == (number, unit, line)
@@ -62,6 +68,6 @@ def test_a_constant_has_its_value_and_unit(
     "name", ["plant::Wheel::computed", "plant::Wheel::kTwice", "key.NAME", "key.ON", "key.SUM"]
 )
 def test_a_constant_without_a_single_number_is_left_out(
-    constants: dict[str, PlainConstant], name: str
+    constants: dict[str, Constant], name: str
 ) -> None:
     assert name not in constants

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from traceability.reading import ports
+from traceability.reading import task_record
 from traceability.reading.ports import RESULT, read_ports
 from traceability.reading.toml_reader import Entries
 
@@ -72,7 +72,7 @@ def test_a_port_without_a_title_is_not_read(project: Path) -> None:
 def test_results_count_for_the_present_sources_only(
     project: Path, monkeypatch: pytest.MonkeyPatch, fresh: bool
 ) -> None:
-    monkeypatch.setattr(ports, "is_fresh", lambda *_: fresh)
+    monkeypatch.setattr(task_record, "is_fresh", lambda *_: fresh)
     write_result(project, "COMPLETED")
     port = read_ports(project, Entries(project))["line"]
     assert port.tests == ({"Line.Runs": "passed"} if fresh else None)
@@ -83,6 +83,6 @@ def test_results_count_for_the_present_sources_only(
 def test_a_port_whose_test_was_skipped_has_not_passed(
     project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(ports, "is_fresh", lambda *_: True)
+    monkeypatch.setattr(task_record, "is_fresh", lambda *_: True)
     write_result(project, "SKIPPED")
     assert not read_ports(project, Entries(project))["line"].passed

@@ -16,6 +16,8 @@ from traceability.reading.comments import read_comments
 from traceability.reading.declared import Declared, read_declared
 from traceability.schema import TreeNode
 
+pytestmark = pytest.mark.reads("design", "requirements", "src")
+
 ROOT = Path(__file__).parents[3]
 DESIGN = sorted((ROOT / "design").rglob("*.toml"))
 TREES = sorted((ROOT / "design" / "trees").glob("*.tree"))

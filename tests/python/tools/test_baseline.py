@@ -12,6 +12,19 @@ from tools.sizes import Size
 from tools.steps import FailureError
 from traceability.reading.baseline_record import DESIGNS, changes_of, patch_of
 
+pytestmark = pytest.mark.reads(
+    "src",
+    "extensions",
+    "sim",
+    "tests",
+    "design",
+    "docs",
+    "setup",
+    "client/weeding_robot_client/layout.py",
+    "CMakeLists.txt",
+    "CMakePresets.json",
+)
+
 SIZES = {
     "usual": {"Crc16": Size(10, 1), "UsualDesign": Size(100, 4), "main": Size(5, 50)},
     "patterns": {"Crc16": Size(10, 1), "PC": Size(70, 0), "main": Size(6, 60), "stack": Size(0, 9)},

@@ -19,6 +19,8 @@ from traceability.reading.bench_record import (
 from traceability.schema import Spread
 from weeding_robot_client.exit_codes import MISSING
 
+pytestmark = pytest.mark.reads("sim/scenario/bench")
+
 ROOT = Path(__file__).parents[3]
 
 

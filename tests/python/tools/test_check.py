@@ -15,7 +15,7 @@ import pytest
 
 from tests.python.portal.fixture import make_module
 from tools import check, documents
-from tools.documents import CURRENT, FINDINGS, make_documents, read_findings, read_times
+from tools.documents import CURRENT, FINDINGS, make_documents, read_findings
 from tools.steps import FailureError, Steps
 from tools.task_graph import Graph, Task
 from tools.tasks import DOCUMENTS
@@ -23,6 +23,7 @@ from traceability.checks.document_checks import not_text
 from traceability.model.build import Built, Facts
 from traceability.model.design_model import Model
 from traceability.model.report import Report
+from traceability.reading.results import read_times
 from traceability.schema import Finding, Place
 
 FINDING = {

@@ -10,6 +10,8 @@ from tools import cli, debug
 from tools.python_tests import failed_tests
 from weeding_robot_client.exit_codes import USAGE
 
+pytestmark = pytest.mark.reads("tests", ".vscode", "CMakePresets.json", "wr")
+
 ROOT = Path(__file__).parents[3]
 SCENARIO = str(ROOT / "sim/scenario/examples/velocity_step.scenario")
 ON_BOTH = "OrdersOfRobot.FR20_OnlyTheNewestOrderIsReadAndOnce"

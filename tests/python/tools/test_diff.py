@@ -77,7 +77,9 @@ def test_changed_files_that_are_not_followed_are_listed(
     assert "run again: 2 files of Python tests" in shown
     assert "tests/python/tools/test_a.py  changed" in shown
     assert "tests/python/tools/test_b.py  changed" in shown
-    assert shown.endswith("not followed: 2 files; run ./wr test\n  docs/a.rst\n  sim/a.scenario\n")
+    assert shown.endswith(
+        "not followed: 2 files; run ./wr test --all\n  docs/a.rst\n  sim/a.scenario\n"
+    )
     assert cli.main(["diff", "HEAD~1"]) == 0
     shown = capsys.readouterr().out
     assert "no differences" not in shown

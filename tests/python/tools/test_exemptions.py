@@ -5,7 +5,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+
 from traceability.sources import files_below
+
+pytestmark = pytest.mark.reads("src", "extensions", "changes", "ports", "sim", "tests")
 
 ROOT = Path(__file__).resolve().parents[3]
 FOLDERS = ("src", "extensions", "ports", "sim", "tests", "changes")

@@ -8,9 +8,7 @@ import pytest
 from tools.lint import check_imports
 from tools.steps import FailureError
 
-# The tests read the sources of all packages. Because of this mark, they run again after each change
-# of these sources.
-pytestmark = pytest.mark.runs_tools
+pytestmark = pytest.mark.reads("tools", "traceability", "site/portal", "client", "pyproject.toml")
 
 ROOT = Path(__file__).parents[3]
 WRONG = [
@@ -22,6 +20,8 @@ WRONG = [
     ("traceability/reading/clang_names.py", "from traceability.reading import flow"),
     ("site/portal/navigation.py", "if TYPE_CHECKING:\n    from portal.portal import Portal"),
     ("tools/usb_drive.py", "from tools import flash"),
+    ("client/weeding_robot_client/reasons.py", "from traceability import schema"),
+    ("client/weeding_robot_client/layout.py", "from weeding_robot_client import messages"),
 ]
 
 
@@ -35,7 +35,7 @@ def lint(root: Path) -> str:
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
     """Returns a copy of the packages, and of pyproject.toml with the rules for their imports."""
-    for name in ("traceability", "site/portal", "tools"):
+    for name in ("traceability", "site/portal", "tools", "client"):
         ignored = shutil.ignore_patterns("__pycache__")
         shutil.copytree(ROOT / name, tmp_path / name, ignore=ignored)
     shutil.copy(ROOT / "pyproject.toml", tmp_path)

@@ -33,6 +33,8 @@ from traceability.reading.proof_record import (
 from traceability.reading.toml_reader import Entries
 from traceability.schema import Place, ProofProperty, ProofResult, Proofs
 
+pytestmark = pytest.mark.reads("design", "changes", "sim/scenario", "requirements")
+
 ROOT = Path(__file__).parents[3]
 TRIED = ProofProperty("tried", "FR-1", "It is tried.", "[] !drives", Place("a.toml", 1))
 needs_spin = pytest.mark.skipif(bool(missing_program()), reason="Spin is not installed")

@@ -10,9 +10,9 @@ from typing import TextIO
 import pytest
 
 from tools import python_tests
+from tools.python_imports import inputs_of
 from tools.python_tests import (
     affected_tests,
-    imported_files,
     merge_results,
     run_pytest,
     update_pytest,
@@ -20,6 +20,8 @@ from tools.python_tests import (
 from tools.tasks import PYTHON_TESTS, graph
 from traceability.reading.results import RESULTS
 from traceability.reading.tool_tests import python_task
+
+pytestmark = pytest.mark.reads("ports")  # graph() reads the list of the ports
 
 ROOT = Path(__file__).parents[3]
 
@@ -41,12 +43,12 @@ def test_a_test_depends_on_the_files_that_it_imports_directly_or_not(tmp_path: P
         traceability__other="import os\n",
         site__portal__page="",
     )
-    assert imported_files(tmp_path, "reading") == [
+    assert inputs_of(tmp_path, "reading") == {
         "site/portal/page.py",
         "tests/python/reading/test_one.py",
         "traceability/inner.py",
         "traceability/reading/one.py",
-    ]
+    }
 
 
 def test_a_change_of_a_page_does_not_repeat_the_tests_of_the_readers() -> None:
@@ -59,7 +61,7 @@ def test_a_change_of_a_page_does_not_repeat_the_tests_of_the_readers() -> None:
 def test_helpers_of_another_folder_are_inputs() -> None:
     """The tests of the checks import small_case.py from the tests of the model. Therefore this file
     is an input of these tests."""
-    assert "tests/python/model/small_case.py" in imported_files(ROOT, "checks")
+    assert "tests/python/model/small_case.py" in inputs_of(ROOT, "checks")
 
 
 # ---- a change of some files ----------------------------------------------------
@@ -72,6 +74,7 @@ def small_project(root: Path) -> None:
         tests__python__tools__test_program="pytestmark = pytest.mark.runs_tools\n",
         tests__python__tools__test_command="from tools import cli\n",
         tests__python__tools__test_other="import re\n",
+        tests__python__tools__test_reader='pytestmark = pytest.mark.reads("sim", "a.toml")\n',
         tests__python__model__test_one="from tools import one\n",
         tools__one="",
         tools__two="",
@@ -97,7 +100,14 @@ def test_a_changed_test_affects_only_itself(tmp_path: Path) -> None:
     assert affected(tmp_path, "tests/python/tools/test_other.py") == {"test_other"}
 
 
-@pytest.mark.parametrize("other", ["design/uses.toml", "pyproject.toml", "sim/frame_table.py"])
+@pytest.mark.parametrize("file", ["sim/frame_table.py", "sim/plant/Plant.hpp", "a.toml"])
+def test_a_change_of_a_file_that_tests_read_affects_these_tests(tmp_path: Path, file: str) -> None:
+    small_project(tmp_path)
+    assert affected(tmp_path, file) == {"test_reader"}
+    assert affected(tmp_path, file, "tests/python/tools/test_one.py") == {"test_reader", "test_one"}
+
+
+@pytest.mark.parametrize("other", ["design/uses.toml", "pyproject.toml", "a.toml.txt"])
 def test_each_other_file_affects_all_tests(tmp_path: Path, other: str) -> None:
     small_project(tmp_path)
     assert affected(tmp_path, "tools/one.py", other) is None

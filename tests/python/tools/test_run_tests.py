@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
 from tools import run_tests
-from tools.documents import TIMES
 from tools.task_graph import Graph, Task
 from tools.tasks import (
     DOCUMENTS,
@@ -17,7 +17,7 @@ from tools.tasks import (
     RESULT_TASKS,
     TESTS_SANITIZE,
 )
-from traceability.reading.results import read_json
+from traceability.reading.results import TIMES, read_json
 from traceability.reading.task_record import RECORD, SEEDED_FAULTS
 from traceability.reading.tool_tests import python_task
 
@@ -33,18 +33,31 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     results += map(python_task, PYTHON_TESTS)
     monkeypatch.setattr(run_tests, "graph", lambda _root: graph_of(*results))
     monkeypatch.setattr(
-        run_tests, "pages_graph", lambda _root: graph_of(DOCUMENTS, PAGES, LONG_TESTS)
+        run_tests, "pages_graph", lambda _root, **_: graph_of(DOCUMENTS, PAGES, LONG_TESTS)
     )
     monkeypatch.setattr(run_tests, "lint_tasks", lambda _root, **_: [])
     monkeypatch.setattr(run_tests, "report", lambda _findings, _failed: 0)
     return tmp_path
 
 
+def test_a_usual_run_names_the_old_results(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run_tests.test(root)
+    shown = capsys.readouterr().out
+    for name in run_tests.QUICK:
+        assert re.search(rf"\] {re.escape(name)} \.\.\.", shown)
+    assert PAGES not in shown
+    assert f"missing: {', '.join(n for n in run_tests.WHOLE if n not in run_tests.QUICK)}" in shown
+    run_tests.test_all(root, long=False, ci=False)
+    capsys.readouterr()
+    run_tests.test(root)
+    assert "missing" not in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("long", [False, True])
 def test_long_tests_and_seeded_faults_run_only_on_request(
     root: Path, capsys: pytest.CaptureFixture[str], *, long: bool
 ) -> None:
-    run_tests.test(root, long=long, ci=False)
+    run_tests.test_all(root, long=long, ci=False)
     shown = capsys.readouterr().out
     assert (LONG_TESTS in shown, SEEDED_FAULTS in shown) == (long, long)
 
@@ -54,17 +67,17 @@ def measured(root: Path) -> set[str]:
 
 
 def test_the_first_run_for_the_ci_is_measured(root: Path) -> None:
-    run_tests.test(root, long=False, ci=True)
+    run_tests.test_all(root, long=False, ci=True)
     assert measured(root) == {"build.ci_s"}
 
 
 def test_a_later_run_is_not_measured(root: Path) -> None:
     (root / RECORD).parent.mkdir(parents=True)
     (root / RECORD).write_text("{}", encoding="utf-8")
-    run_tests.test(root, long=False, ci=True)
+    run_tests.test_all(root, long=False, ci=True)
     assert measured(root) == set()
 
 
 def test_another_first_run_is_not_measured(root: Path) -> None:
-    run_tests.test(root, long=False, ci=False)
+    run_tests.test_all(root, long=False, ci=False)
     assert measured(root) == set()

@@ -14,6 +14,26 @@ from traceability.checks.registry import KNOWN
 from traceability.reading.seeded_fault_record import SOURCES
 from traceability.reading.seeded_faults import COMPILER, STAGES, Edit, Fault, read_faults
 
+pytestmark = pytest.mark.reads(
+    "src",
+    "extensions",
+    "changes",
+    "ports",
+    "sim",
+    "tests",
+    "requirements",
+    "design",
+    "docs",
+    "README.md",
+    "CONTRIBUTING.md",
+    "CMakeLists.txt",
+    "CMakePresets.json",
+    "setup",
+    "client",
+    "tools",
+    "traceability",
+)
+
 ROOT = Path(__file__).parents[3]
 FAULTS = read_faults(ROOT)
 

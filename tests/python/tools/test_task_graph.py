@@ -17,6 +17,7 @@ from typing import TextIO
 
 import pytest
 
+from tools import task_graph
 from tools.steps import FailureError
 from tools.task_graph import Graph, Outcome, Reporter, Task
 from traceability.reading.task_record import is_fresh
@@ -234,6 +235,24 @@ def test_a_record_of_results_is_fresh_until_a_source_changes(project: Project) -
     project.write("src/constants.hpp", "second")
     assert not is_fresh(project.root, "tests")
     assert not is_fresh(project.root, "another task")
+
+
+def test_the_start_of_a_task_that_takes_long_is_printed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No earlier run has recorded how long the tasks take."""
+    monkeypatch.setattr(task_graph, "LONG", 0.05)
+    out = io.StringIO()
+
+    def wait(_log: TextIO) -> None:
+        end = time.monotonic() + 10
+        while "slow: started" not in out.getvalue() and time.monotonic() < end:
+            time.sleep(0.01)
+
+    quick = Task("quick", lambda _log: None)
+    Graph(tmp_path, [quick, Task("slow", wait, after=("quick",))], out).run(["slow"])
+    lines = [line.partition(" ...")[0].strip() for line in out.getvalue().splitlines()]
+    assert lines == ["[1/2] quick", "slow: started 0.05 s ago", "[2/2] slow"]
 
 
 LONG = """

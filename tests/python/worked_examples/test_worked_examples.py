@@ -4,20 +4,17 @@ copy of the project, and tested in this copy."""
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
-from textwrap import dedent
 
 import pytest
 
+from tests.python.worked_examples.examples import PAGE, ROOT, apply
+
 pytestmark = [pytest.mark.runs_tools, pytest.mark.long]
 
-ROOT = Path(__file__).parents[3]
-PAGE = ROOT / "docs" / "how_these_pages_are_made.rst"
-BLOCK = re.compile(r"^\.\. code-block:: diff\n((?:\n|   .*\n?)+)", re.MULTILINE)
 SERIALIZATION = Path("src/communication/serialization")
 PROGRAM = """\
 #include <cstdio>
@@ -47,13 +44,11 @@ print([values[f"reversal_late{wheel}"] for wheel in range(4)])
 """
 
 
-def run(root: Path, *words: str | Path, text: str | None = None) -> str:
+def run(root: Path, *words: str | Path) -> str:
     env = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, (root, root / "client")))}
-    done = subprocess.run(
-        words, cwd=root, input=text, env=env, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(words, cwd=root, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, (
-        f"an example no longer works; update {PAGE.relative_to(ROOT)}: {done.stdout}{done.stderr}"
+        f"an example no longer works; update {PAGE}: {done.stdout}{done.stderr}"
     )
     return done.stdout
 
@@ -67,9 +62,7 @@ def example(tmp_path: Path, request: pytest.FixtureRequest) -> Path:
     """Returns a copy of the sources to which an example of the page was applied."""
     ignored = shutil.ignore_patterns("build", ".*", "__pycache__")
     root = Path(shutil.copytree(ROOT, tmp_path / "project", ignore=ignored))
-    section = PAGE.read_text(encoding="utf-8").split(f".. _{request.param}:")[1]
-    for block in BLOCK.findall(section.partition("\n.. _")[0]):
-        run(root, "patch", "-p1", "--fuzz=0", text=dedent(block).strip("\n") + "\n\n")
+    apply(root, request.param)
     return root
 
 

@@ -37,7 +37,7 @@ TEST(InstantCollector, FR120_BasicKnowsTheLastEdge) {
   EXPECT_EQ(known(basic).count, 0);
 }
 
-/// @brief A period is the time between the two last rising edges.
+/// @brief A period is the time between the last two rising edges.
 /// @verifies FR-55
 TEST(InstantCollector, FR55_PeriodBetweenRisingEdges) {
   BasicCollector basic;

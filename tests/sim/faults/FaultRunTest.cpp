@@ -12,14 +12,13 @@
 #include "k64/patch.hpp"
 #include "sim/emulator/Image.hpp"
 #include "sim/emulator/Symbols.hpp"
-#include "sim/faults/Fault.hpp"
+#include "sim/faults/InjectedFault.hpp"
 #include "support/image.hpp"
 
 namespace wr::test {
 
 namespace {
 
-using faults::Fault;
 using faults::FaultRun;
 using faults::Kind;
 using faults::Outcome;

@@ -72,7 +72,7 @@ TEST_P(VariedRobot, VelocityIsReached) {
 }
 
 /// @brief At the greatest velocity that can be ordered, no wheel turns faster than 330 rpm. After
-/// the last order, the robot stops within 1.5 m.
+/// the last order, the robot drives at most 1.5 m.
 TEST_P(VariedRobot, StopsFromFullSpeed) {
   cycles(80, 3000);
   EXPECT_LT(robot().greatestRpm(), 330);

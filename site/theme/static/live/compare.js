@@ -3,7 +3,7 @@
 (function () {
   "use strict";
   const place = document.querySelector("[data-compare]");
-  if (!place || location.protocol === "file:" || typeof Worker === "undefined") return;
+  if (!place || !LiveCheck.shows(place)) return;
   const button = place.querySelector("[data-go]");
   const result = place.querySelector("[data-result]");
   const folder = new URL(place.dataset.folder, location.href).href;
@@ -24,7 +24,6 @@
   const list = (names) => names.flatMap((name, i) => (i ? [", ", linked(name)] : [linked(name)]));
   const say = (text) => result.replaceChildren(element("p", {}, text));
 
-  place.hidden = false;
   button.addEventListener("click", () => {
     button.disabled = true;
     say("Loading the virtual board.");

@@ -3,7 +3,7 @@
 (function () {
   "use strict";
   const place = document.querySelector("[data-frames-of]");
-  if (!place || location.protocol === "file:" || typeof Worker === "undefined") return;
+  if (!place || !LiveCheck.shows(place)) return;
   const one = (selector) => place.querySelector(selector);
   const [button, kinds, parts, detail] = ["go", "kind", "parts", "detail"].map((name) => one(`[data-${name}]`));
   const PERIOD = 250; // ms between two cycles, so that a reader can follow the bytes
@@ -22,7 +22,6 @@
   };
   const hex = (bytes) => bytes.map((byte) => byte.toString(16).padStart(2, "0")).join(" ");
 
-  place.hidden = false;
   button.addEventListener("click", () => {
     if (worker) return timer ? pause() : go();
     button.disabled = true;

@@ -76,10 +76,7 @@
     loadButton.disabled = true;
   }
 
-  if (location.protocol === "file:")
-    unavailable("a page that was opened as a file cannot load the virtual board; serve the pages with ./wr portal");
-  else if (typeof WebAssembly === "undefined" || typeof Worker === "undefined")
-    unavailable("this browser does not support WebAssembly or web workers");
+  if (LiveCheck.reason()) unavailable(LiveCheck.reason());
 
   function load(time) {
     loadButton.disabled = true;

@@ -4,7 +4,7 @@
 (function () {
   "use strict";
   const place = document.querySelector("[data-watch], [data-play]");
-  if (!place || location.protocol === "file:" || typeof Worker === "undefined") return;
+  if (!place || !LiveCheck.shows(place)) return;
   const id = place.dataset.watch;
   const button = place.querySelector("[data-go]");
   const result = place.querySelector("[data-result]");
@@ -20,7 +20,6 @@
   };
   const say = (...parts) => result.replaceChildren(element("p", {}, ...parts));
 
-  place.hidden = false;
   button.addEventListener("click", () => {
     if (run && !ended) return timer ? stop() : go();
     button.disabled = true;

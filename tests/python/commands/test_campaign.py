@@ -38,7 +38,7 @@ for _ in range(count):
 RUN = """
 import sys
 from pathlib import Path
-from tests.python.tools.test_campaign import run, small
+from tests.python.commands.test_campaign import run, small
 root = Path(sys.argv[1])
 sys.exit(run(root, *sys.argv[2:]))
 """

@@ -43,8 +43,8 @@ struct Places {
   std::vector<int> interrupts;  ///< interrupt lines that the firmware uses
 };
 
-/// @brief A fault.
-struct Fault {
+/// @brief A fault to inject.
+struct InjectedFault {
   Kind kind = Kind::Ram;
   std::uint32_t place =
       0;  ///< memory address, register, interrupt line, or number of the fault within its kind
@@ -73,7 +73,7 @@ inline constexpr int kLongestWindow = 7000;
 /// the angle sensor, the observation lasts at least until the latest time at which the firmware
 /// must report the fault. For example, the firmware reports a wheel without Hall edges 1 s after
 /// the wheel got voltage.
-[[nodiscard]] int windowOf(const Fault& fault);
+[[nodiscard]] int windowOf(const InjectedFault& fault);
 
 /// @brief Chooses a kind of fault. The two most frequent kinds change a bit in RAM: a bit of an
 /// object, or a bit of the program.
@@ -84,19 +84,20 @@ inline constexpr int kLongestWindow = 7000;
 /// @param random source of the random choice
 /// @param places the memory and the interrupts that can be affected
 /// @param stack stack pointer at the time of the injection
-[[nodiscard]] Fault choose(Kind kind, Random& random, const Places& places, std::uint32_t stack);
+[[nodiscard]] InjectedFault choose(Kind kind, Random& random, const Places& places,
+                                   std::uint32_t stack);
 
 /// @brief Injects a fault now. This function does not inject noise on the serial line. For noise,
 /// see noiseOf().
-void inject(const Fault& fault, board_robot::BoardSession& robot);
+void inject(const InjectedFault& fault, board_robot::BoardSession& robot);
 
 /// @brief Ends a fault that lasts a limited time.
 /// @param fault the fault
 /// @param ms time since the injection
-void endIfDue(const Fault& fault, int ms, board_robot::BoardSession& robot);
+void endIfDue(const InjectedFault& fault, int ms, board_robot::BoardSession& robot);
 
 /// @brief Returns the number of wrong bits per 1000 bits on the serial line from the PC; 0 for a
 /// fault without noise.
-[[nodiscard]] int noiseOf(const Fault& fault);
+[[nodiscard]] int noiseOf(const InjectedFault& fault);
 
 }  // namespace wr::faults

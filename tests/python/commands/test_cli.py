@@ -13,6 +13,7 @@ from threading import Thread
 import pytest
 
 from tools import cli, lint, serve
+from tools.includes import direct
 from tools.steps import FailureError
 
 pytestmark = pytest.mark.runs_tools
@@ -180,7 +181,7 @@ def test_only_files_whose_content_or_includes_changed_are_checked_again(tmp_path
     units = [(tmp_path / "src/b.cpp",), (tmp_path / "src/c.cpp",)]
 
     def check(command: str = "true") -> str:
-        lint.direct.cache_clear()
+        direct.cache_clear()
         with (tmp_path / "log").open("a") as log:
             return lint.check_changed(
                 tmp_path, "test", units, lambda unit: [command, *map(str, unit)], log

@@ -1,4 +1,4 @@
-#include "sim/faults/Fault.hpp"
+#include "sim/faults/InjectedFault.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@ namespace wr::faults {
 namespace {
 
 using plant::Fault;  // faults of sensors
-using Injected = wr::faults::Fault;
 
 struct Share {
   Kind kind;
@@ -53,8 +52,8 @@ constexpr std::array<SensorFault, 10> kSensorFaults{{
 
 constexpr std::uint32_t kCoreRegisters = 16;
 constexpr int kForEver = 0;
-constexpr std::uint32_t kHeld =
-    0;  // Fault::bit; 0: the interrupt line is blocked; 1: an interrupt is raised without a cause
+// InjectedFault::bit; 0: the interrupt line is blocked; 1: an interrupt is raised without a cause
+constexpr std::uint32_t kHeld = 0;
 constexpr std::uint32_t kFirstException = 16;
 constexpr std::uint32_t kNominalBaud = 115'200;
 
@@ -63,17 +62,17 @@ enum ClockFault : std::uint32_t { OtherBaud, NoClock, NoLock, ClockFaults };
 constexpr std::array<emulator::Reset, 3> kSupplyFaults{
     emulator::Reset::LowVoltage, emulator::Reset::PowerOn, emulator::Reset::Pin};
 
-Injected chooseInterrupt(Random& random, const Places& places) {
+InjectedFault chooseInterrupt(Random& random, const Places& places) {
   const std::uint32_t line = random.below(static_cast<std::uint32_t>(places.interrupts.size()));
-  Injected fault{Kind::Interrupt, static_cast<std::uint32_t>(places.interrupts[line]),
-                 random.below(2)};
+  InjectedFault fault{Kind::Interrupt, static_cast<std::uint32_t>(places.interrupts[line]),
+                      random.below(2)};
   // The interrupt line is blocked for up to 100 ms, which is the period of the slowest interrupt.
   // On average, one of ten blocked lines stays blocked forever.
   fault.value = random.below(10) == 0 ? kForEver : random.between(1, 100);
   return fault;
 }
 
-Injected chooseSensor(Random& random) {
+InjectedFault chooseSensor(Random& random) {
   const std::uint32_t number = random.below(kSensorFaults.size());
   const SensorFault& chosen = kSensorFaults.at(number);
   const std::uint32_t wheel = random.below(plant::kWheels);
@@ -85,11 +84,11 @@ bool addsUp(Fault fault) {
   return fault == Fault::AngleDrift || fault == Fault::HallLosses;
 }
 
-void flipRegister(const Injected& fault, emulator::VirtualBoard& board) {
+void flipRegister(const InjectedFault& fault, emulator::VirtualBoard& board) {
   board.setCore(fault.place, board.core(fault.place) ^ 1U << fault.bit);
 }
 
-void injectClock(const Injected& fault, emulator::VirtualBoard& board) {
+void injectClock(const InjectedFault& fault, emulator::VirtualBoard& board) {
   if (fault.place == NoClock) {
     board.setExternalClock(false);
   } else if (fault.place == NoLock) {
@@ -111,7 +110,7 @@ std::optional<Kind> kindOf(std::string_view name) {
   return found == kShares.end() ? std::nullopt : std::optional(found->kind);
 }
 
-int windowOf(const Injected& fault) {
+int windowOf(const InjectedFault& fault) {
   constexpr int kWindow = 1000;
   constexpr int kOfSurroundings = 1800;
   constexpr int kOfSensor = 3000;
@@ -137,10 +136,10 @@ Kind chooseKind(Random& random) {
   return Kind::Ram;
 }
 
-Injected choose(Kind kind, Random& random, const Places& places, std::uint32_t stack) {
+InjectedFault choose(Kind kind, Random& random, const Places& places, std::uint32_t stack) {
   const auto byteOf = [&](std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t address = begin + random.below(std::max(end, begin + 1) - begin);
-    return Injected{kind, address, random.below(8)};
+    return InjectedFault{kind, address, random.below(8)};
   };
   switch (kind) {
     case Kind::Ram:
@@ -167,7 +166,7 @@ Injected choose(Kind kind, Random& random, const Places& places, std::uint32_t s
   return {kind, random.below(kSupplyFaults.size())};
 }
 
-void inject(const Injected& fault, board_robot::BoardSession& robot) {
+void inject(const InjectedFault& fault, board_robot::BoardSession& robot) {
   emulator::VirtualBoard& board = robot.board;
   switch (fault.kind) {
     case Kind::Ram:
@@ -200,14 +199,14 @@ void inject(const Injected& fault, board_robot::BoardSession& robot) {
   }
 }
 
-void endIfDue(const Injected& fault, int ms, board_robot::BoardSession& robot) {
+void endIfDue(const InjectedFault& fault, int ms, board_robot::BoardSession& robot) {
   if (fault.kind == Kind::Interrupt && fault.bit == kHeld && fault.value != kForEver &&
       ms == fault.value) {
     robot.board.holdInterrupt(static_cast<int>(fault.place), false);
   }
 }
 
-int noiseOf(const Injected& fault) {
+int noiseOf(const InjectedFault& fault) {
   return fault.kind == Kind::Serial ? fault.value : 0;
 }
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.python.tools.small_command import RESULT, expected, write_sources
+from tests.python.commands.small_command import RESULT, expected, write_sources
 from tools.lock import HOLDER, only_one, outliving, programs_of
 from weeding_robot_client.exit_codes import BUSY, INTERRUPTED
 
@@ -30,7 +30,7 @@ from tools.steps import heed_interrupts
 heed_interrupts()
 print("begun", flush=True)
 try:
-    from tests.python.tools.small_command import main
+    from tests.python.commands.small_command import main
     sys.exit(main(Path(sys.argv[1])))
 except KeyboardInterrupt:
     sys.exit(130)

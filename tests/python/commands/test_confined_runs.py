@@ -15,9 +15,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.python.tools.confined import read_only, with_disk, without_network, without_rights
-from tests.python.tools.small_command import RESULT, expected, write_sources
-from tests.python.tools.test_killed_runs import COMMAND
+from tests.python.commands.confined import read_only, with_disk, without_network, without_rights
+from tests.python.commands.small_command import RESULT, expected, write_sources
+from tests.python.commands.test_killed_runs import COMMAND
 from tools.cmake_build import sources_of
 from tools.lock import HOLDER
 from traceability.reading.result_cache import cached_result

@@ -1,0 +1,35 @@
+"""Finds the files of the project that source files include."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+from traceability.sources import DESIGN
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+FOLDERS = (*DESIGN, "tests", ".")  # folders below which the compiler looks for an included file
+
+
+def included(root: Path, files: Iterable[Path]) -> set[Path]:
+    """Returns the files and all files of the project that they include, directly or indirectly."""
+    reached: set[Path] = set()
+    waiting = list(files)
+    while waiting:
+        file = waiting.pop()
+        if file not in reached:
+            reached.add(file)
+            waiting += direct(root, file)
+    return reached
+
+
+@cache
+def direct(root: Path, file: Path) -> tuple[Path, ...]:
+    folders = (file.parent, *(root / name for name in FOLDERS))
+    found = (
+        next((folder / name for folder in folders if (folder / name).exists()), None)
+        for name in INCLUDE.findall(file.read_text(errors="replace"))
+    )
+    return tuple(path for path in found if path is not None)
