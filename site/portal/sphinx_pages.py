@@ -268,7 +268,7 @@ def run_sphinx(
         app.connect("html-collect-pages", generated.others)
         app.connect("html-page-context", generated.fill)
         app.build()
-    write_changed(site / "_static" / INDEX, search.index_script(portal, pages / BODIES))
+    write_changed(site / "_static" / INDEX, search.index_script(portal, pages / BODIES, site))
     findings = collector.findings()
     write_changed(sound, "" if findings else docs)
     return findings
