@@ -10,6 +10,7 @@ from lxml.html import HtmlElement, fromstring
 HEADS = {"h1", "h2", "h3"}
 APART = {"nav", "svg", "script", "select", "summary"}  # HTML elements whose text is not read
 INLINE = {"a", "b", "code", "em", "strong", "sub", "wbr"}  # these elements do not separate words
+INLINE_SPANS = (None, "dc")  # class of a number, and of the colons in the name of a method
 
 
 @dataclass
@@ -52,7 +53,7 @@ def _read(element: HtmlElement, parts: list[Part], part: Part, texts: list[str])
         texts = part.words
     if element.tag in HEADS and not part.heading:
         texts = part.heading
-    elif element.tag == "span" and element.get("class") != "pre":
+    elif element.tag == "span" and not is_inline(element):
         texts = part.words  # a note in a heading is no part of the title
     space = "" if is_inline(element) else " "
     texts += [space, element.text or ""]
@@ -75,7 +76,12 @@ def is_apart(element: HtmlElement) -> bool:
 
 
 def is_inline(element: HtmlElement) -> bool:
-    return element.tag in INLINE or (element.tag == "span" and element.get("class") == "pre")
+    """Returns whether an element does not separate words: a part of a name or of a link, or a
+    number.
+    """
+    if element.tag == "span":
+        return element.get("class") in INLINE_SPANS or element.getparent().tag in INLINE
+    return element.tag in INLINE
 
 
 def joined(texts: list[str]) -> str:

@@ -54,19 +54,21 @@ def test_a_part_of_a_page_has_the_words_below_its_heading() -> None:
 
 def test_a_hand_written_page_is_read_without_its_layout() -> None:
     page = (
-        "<body><nav>All pages</nav><main id=main><section id=tour><h1>Tour<a class=headerlink>#</a>"
-        "</h1><p><strong>No report.</strong> See <code>a::b</code>, (<a>the way</a>)</p>"
-        "<section id=in-design><h2>2. In <code>design/</code><a class=headerlink>#</a></h2><ul><li>"
-        "save<wbr>Mode</li><li>two</li></ul></section></section></main><footer>Legend</footer>"
+        "<body><nav>All pages</nav><main id=main><section id=tour>"
+        "<h1>Tour<a class=headerlink>#</a></h1><p><strong>No report.</strong> "
+        "See <code><span class=pre>a::b</span></code>, (<a><span class=ref>the way</span></a>), "
+        "<a>A</a><span class=dc>::</span><a>go</a>, <span>2 s</span>.</p>"
+        "<section id=in-design><h2>2. In <code>design/</code><a class=headerlink>#</a></h2>"
+        "<ul><li>save<wbr>Mode</li><li>two</li></ul></section></section></main>"
+        "<footer>Legend</footer>"
     )
     assert [(part.title, part.text) for part in parts_of(page)] == [
-        ("Tour", "No report. See a::b, (the way)"),
+        ("Tour", "No report. See a::b, (the way), A::go, 2 s."),
         ("2. In design/", "saveMode two"),
     ]
 
 
 def test_a_mark_before_a_heading_is_no_part_of_the_title() -> None:
-    body = (
-        "<section id=r><h2><span aria-hidden=true>R</span>Scores<span>of all</span></h2></section>"
-    )
+    heading = "<h2><span aria-hidden=true>R</span>Scores<span class=more>of all</span></h2>"
+    body = f"<section id=r>{heading}</section>"
     assert [(part.title, part.text) for part in parts_of(body)] == [("Scores", "of all")]
