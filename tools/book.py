@@ -75,7 +75,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "book",
         description=f"Prints the pages that explain the system into one PDF: {PDF}. The command "
-        "uses the last pages of ./wr portal or ./wr test --all, and needs Chromium.",
+        "uses the last pages of ./wr test --all or ./wr portal, and needs Chromium.",
     )
     parser.set_defaults(run=lambda root, _options: book(root))
 

@@ -22,7 +22,14 @@ from tools.prose import lint_prose
 from tools.steps import FailureError, run
 from tools.task_graph import Graph, Outcome, Reporter, Task
 from traceability.model.build import commit, logic_of
-from traceability.reading.lint_record import FAILED, NOT_RUN, PASSED, files_hash, write_lint
+from traceability.reading.lint_record import (
+    FAILED,
+    NOT_RUN,
+    PASSED,
+    files_hash,
+    tidied,
+    write_lint,
+)
 from traceability.reading.prose_record import FOLDERS, read_prose, write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
@@ -31,7 +38,6 @@ from traceability.whole_file import write_whole
 # The logic modules that each logic module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
-CHECKED = (*DESIGN, "ports", "sim")
 PYTHON = ("traceability", "site", "tools", "client", "sim", "tests/python")
 TYPED = ("traceability", "site/portal", "tools", "client/weeding_robot_client", "sim/scenario")
 PACKAGES = "setup/python.lock"  # the versions of the linters
@@ -42,8 +48,6 @@ JOINED = 16  # greatest number of source files that clang-tidy checks together
 # few functions with many paths through loops would otherwise take half of the time of clang-tidy.
 ANALYZER = ("-Xclang", "-analyzer-config", "-Xclang", "max-nodes=75000")
 LINT_RECORD = Path("build/lint.json")
-# This source needs the library of WebAssembly, which clang-tidy does not find.
-WEB = "sim/web/module"
 WARNINGS = [
     "-Wall",
     "-Wextra",
@@ -212,18 +216,13 @@ def check_tidy(root: Path, log: TextIO) -> str:
     Most of the time is spent on headers that the sources share. Several sources are therefore
     checked as one file.
     """
-    checked = [
-        source
-        for source in sources(root, CHECKED, ".cpp")
-        if not source.is_relative_to(root / WEB) and source.parent.name != "tests"
-    ]
 
     def command(unit: tuple[Path, ...]) -> list[str]:
         source = unit[0] if len(unit) == 1 else joined(root, unit)
         words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source), "--"]
         return [*words, *tidy_options(root, unit[0]), *ANALYZER]
 
-    return check_changed(root, "tidy", units_of(root, checked), command, log)
+    return check_changed(root, "tidy", units_of(root, tidied(root, (".cpp",))), command, log)
 
 
 def tidy_options(root: Path, source: Path) -> list[str]:

@@ -11,7 +11,7 @@ from tools.cmake_build import jobs, outcome_of
 from tools.python_imports import covers, files_of, imported_by, read_by, runs_all_tools
 from tools.steps import FailureError, run
 from tools.task_graph import Outcome
-from traceability.reading.tool_tests import junit_counts, results_of
+from traceability.reading.tool_tests import REPEATED, failed_tests, junit_counts, results_of
 from traceability.schema import Counts
 from traceability.sources import TESTS_OF_TOOLS
 from traceability.whole_file import write_whole
@@ -86,12 +86,15 @@ def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str
 
 
 def merge_results(
-    root: Path, before: ET.Element, results: Path, repeated: Collection[str] = ()
+    root: Path, before: ET.Element, results: Path, repeated: Collection[str] = (), mark: str = ""
 ) -> None:
     """Adds earlier results to a result file. The earlier results of tests that ran again, of
-    repeated test files, and of test files that no longer exist are left out.
+    repeated test files, and of test files that no longer exist are left out. If ``mark``
+    is not empty, the present results get this attribute.
     """
     now = list(ET.parse(results).iter("testcase")) if results.exists() else []
+    for case in now if mark else ():
+        case.set(mark, "true")
     again = {(case.get("classname"), case.get("name")) for case in now}
     suite = next(before.iter("testsuite"))
     for case in list(suite.iter("testcase")):
@@ -118,18 +121,9 @@ def counted(
     if folder == WAITING and (failed := failed_tests(results)):
         first = ET.parse(results).getroot()
         attempt_tests(log, [*words, "-n", "0", *(f"{root}/{name}" for name in failed)], results)
-        merge_results(root, first, results)
+        merge_results(root, first, results, mark=REPEATED)
     log.writelines(f"to debug this test: ./wr debug {name}\n" for name in failed_tests(results))
     return junit_counts(results)
-
-
-def failed_tests(results: Path) -> list[str]:
-    """Returns the names of the failed tests, in the form that pytest and ./wr debug use."""
-    return [
-        f"{case.get('classname', '').replace('.', '/')}.py::{case.get('name')}"
-        for case in ET.parse(results).iter("testcase")
-        if case.find("failure") is not None or case.find("error") is not None
-    ]
 
 
 def reported_numbers(results: Path) -> dict[str, float]:

@@ -826,6 +826,15 @@ class Counts:
 
 
 @dataclass(frozen=True)
+class Exemption:
+    """A comment that exempts a source line from rules of clang-tidy."""
+
+    place: Place
+    rules: str
+    why: str
+
+
+@dataclass(frozen=True)
 class BuildEvidence:
     """The commit, the tools and the computer with which the pages were built."""
 
@@ -839,6 +848,10 @@ class BuildEvidence:
     lint: LintRun | None = None  # None if ./wr lint did not run on the present files
     # folder of Python tests -> counts; None if these tests did not run on the present files
     tool_tests: Mapping[str, Counts | None] = field(default_factory=dict)
+    repeated: Sequence[str] = ()  # Python tests that failed at first, and then ran once more
+    # file of Python tests -> number of its functions with tests that only ./wr test --long runs
+    long_tests: Mapping[str, int] = field(default_factory=dict)
+    exemptions: Sequence[Exemption] = ()
 
 
 @dataclass(frozen=True)
@@ -987,6 +1000,7 @@ class ExecutionContext:
     # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)
     intended: int | None = None  # priority that the design states
+    idle: str = ""  # the function that the start executes when the interrupts are enabled
 
 
 @dataclass(frozen=True)
@@ -1072,10 +1086,14 @@ class TimeProof:
     unbound: Sequence[tuple[str, Place]]
     # indirect calls whose target is unknown: function and place of each
     unresolved: Sequence[tuple[str, Place]]
+    # the longest time [cycle] for which a lock blocks the interrupts
+    locked: int = 0
+    # locks that contain a loop or a call, and therefore have no bound: function and place of each
+    unbound_locks: Sequence[tuple[str, Place]] = ()
 
     @property
     def proven(self) -> bool:
-        return not (self.unbound or self.unresolved)
+        return not (self.unbound or self.unresolved or self.unbound_locks)
 
 
 @dataclass(frozen=True)

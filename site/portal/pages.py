@@ -43,7 +43,7 @@ from portal.tuning_page import tuning
 from portal.verification_views import Facets, facets_of_test, options
 from traceability.exports.tool_files import available
 from traceability.model.made_changes import proven
-from traceability.model.not_shown import by_method, not_shown
+from traceability.model.not_shown import by_method, driver_lines, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.bench_record import SCENARIOS
 from traceability.reading.products import DEFAULT, FUNCTIONS, PRODUCTS
@@ -396,7 +396,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "tests": tests,
     "mutation": mutation,
     "robustness": robustness,
-    "reverse": lambda portal: {"rows": reverse_rows(portal)},
+    "reverse": lambda portal: {"rows": reverse_rows(portal), "lines": driver_lines(portal.model)},
     "closed_loop": closed_loop,
     "bench": bench,
     "virtual_k64": virtual_k64,

@@ -24,7 +24,9 @@ from traceability.sources import DESIGN as SOURCES
 from traceability.sources import SRC, files_below
 
 MASKED = "interrupts masked"  # name of a protection in design/execution.toml
+WRITES_MASKED = "writes with interrupts masked"  # another such name
 LOCK = "InterruptLock"  # class whose objects mask the interrupts
+MASKS = {f"{LOCK}::{LOCK}", "closeInterrupts"}  # functions that mask the interrupts
 DECLARED = Place("design/execution.toml", 1)
 HEAP = re.compile(
     r"\bnew\s+[A-Za-z(]|\bdelete\s*(?:\[\]\s*)?[A-Za-z_]|\b(?:malloc|calloc|realloc|free)\s*\(\s*\w"
@@ -69,6 +71,12 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
         if context.kind == THREAD and context.body not in facts.bodies:
             text = f"the thread {context.id} names the body {context.body}, which does not exist"
             findings.append(_declared(context.place, text))
+        if context.kind == START and context.idle not in facts.robot.reached(
+            context.handlers, {}, facts.declared.ends
+        ):
+            text = f"{context.id} names the idle program '{context.idle}', but never calls it"
+            place = facts.declared.entries.line_in(context.place, "idle =")
+            findings.append(_declared(place, text))
     return findings
 
 
@@ -303,15 +311,18 @@ def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
         if "atomic" in member.protection and "atomic" not in member.type:
             text = f"{member.id} is declared as atomic, but its type is {member.type}"
             yield Finding(member.place, "exec-shared", text, "make it std::atomic")
-        if member.protection != MASKED:
+        if member.protection not in (MASKED, WRITES_MASKED):
             continue
         using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
         handlers = [name for context in using for name in context.handlers]
         reached = facts.robot.reached(handlers, {}, facts.declared.ends)
         for body in facts.syntax.bodies:
-            locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
-            if member.id in body.touches and body.id in reached and not locked:
-                text = f"{body.id} uses {member.id} without the {LOCK} that must protect it"
+            changed = body.touches.get(member.id)
+            needs = changed is not None and (changed or member.protection == MASKED)
+            locked = any(call.target in MASKS for call in body.calls)
+            if needs and body.id in reached and not locked:
+                verb = "changes" if changed else "uses"
+                text = f"{body.id} {verb} {member.id}, but does not mask the interrupts"
                 fix = f"create an {LOCK} first, or declare the actual protection"
                 yield Finding(body.place, "exec-shared", text, fix)
 

@@ -449,8 +449,9 @@ _FIXED = [
         "Contexts, pipes and protections are declared",
         "Every handler in the vector table belongs to one context of design/execution.toml, "
         "and a call enables its interrupt line. Each handler, thread body and shared member that "
-        "design/execution.toml names exists. The interrupt lines of a context have the declared "
-        "priority of the context. Each pipe of the robot has a name.",
+        "design/execution.toml names exists. The start calls the idle program. The interrupt "
+        "lines of a context have the declared priority of the context. Each pipe of the robot has "
+        "a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
@@ -501,12 +502,16 @@ _FIXED = [
         "Shared data of contexts is protected",
         "A member that one context changes and another context uses is a Pipe, or "
         "design/execution.toml declares its protection. A member that is declared as atomic is "
-        "atomic. Each function that uses a member that is declared as masked creates an "
-        "InterruptLock. Only one context writes each pipe, and only one context reads it.",
+        "atomic. Each function that uses a member that is declared as masked blocks the "
+        "interrupts. If only the writes are declared as masked, this applies only to functions "
+        "that change the member. The idle program counts as a context. Only one context writes "
+        "each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
-        "the threads of two wheels.",
+        "the threads of two wheels. It does not read the calls with which the start starts the "
+        "timers and sensors after it has enabled the interrupts. It does not read members of data "
+        "types, but the members in which modules store these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -548,7 +553,7 @@ _FIXED = [
         "Each loop that a handler of the firmware image reaches has a bound. Each memory copy of "
         "unknown size that a handler reaches has a bound too. The bound is the constant in the "
         "head of the loop, or a declared number above the loop or the copy. The target of each "
-        "indirect call is known.",
+        "indirect call is known. No lock of the interrupts contains a loop or a call.",
         "The check cannot judge whether a declared bound is right. It does not read loops that run "
         "only before the first interrupt. It reads only the firmware image of weeding_robot.",
         "write the bound above the loop.",

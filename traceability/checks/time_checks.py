@@ -36,6 +36,9 @@ def _loops(proof: TimeProof) -> Iterator[Finding]:
     call = "call an object that a builder passes, or declare the call in design/stack.toml"
     for name, place in proof.unbound:
         yield Finding(place, "time-bound", f"a loop or a memory copy in {name} has no bound", bound)
+    for name, place in proof.unbound_locks:
+        text = f"a lock of the interrupts in {name} contains a loop or a call, and has no bound"
+        yield Finding(place, "time-bound", text, "move the loop or the call out of the lock")
     for name, place in proof.unresolved:
         yield Finding(place, "time-bound", f"the target of a call in {name} is unknown", call)
 

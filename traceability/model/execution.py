@@ -31,7 +31,8 @@ class Code:
 
     # handler -> numbers of its interrupt lines
     lines: dict[str, list[int]] = field(default_factory=dict)
-    # context -> method that the context may execute -> first caller of this method that was found
+    # context -> method that the context may execute while the other contexts run -> first caller
+    # of this method that was found
     reached: dict[str, dict[str, str]] = field(default_factory=dict)
 
 
@@ -45,7 +46,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
         numbers = {facts.syntax.constants[name] for name in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.robot.reached(context.handlers, narrowed, facts.declared.ends)
-        code.reached[context.id] = reached
+        code.reached[context.id] = reached if context.kind != START else _idle(context, facts)
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
         contexts[name] = replace(
             context,
@@ -60,6 +61,12 @@ def with_execution(model: Model, facts: Facts) -> Model:
         pipes=pipes_of(model, facts, code),
         shared=shared_members(model, facts, code),
     )
+
+
+def _idle(context: ExecutionContext, facts: Facts) -> dict[str, str]:
+    """Returns the methods that the program after a reset executes when the interrupts are
+    enabled."""
+    return facts.robot.reached([context.idle], {}, facts.declared.ends) if context.idle else {}
 
 
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
@@ -204,7 +211,7 @@ def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[s
 
 
 def contexts_of(method: str, code: Code) -> list[str]:
-    return [name for name, reached in code.reached.items() if method in reached and name != START]
+    return [name for name, reached in code.reached.items() if method in reached]
 
 
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
@@ -225,8 +232,8 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
     """Returns the data members that one context changes and that another context reads or changes.
 
     A data member of a value type such as Velocity is left out. Instead, the result contains the
-    member in which a module stores the value. References are left out, because only the context
-    "start" sets them.
+    member in which a module stores the value. References are left out, because they are set before
+    the interrupts are enabled.
     """
     fields = {
         f"{fact.name}::{member.name}": member
@@ -235,8 +242,6 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
     }
     touched: dict[str, dict[str, bool]] = {}
     for name, reached in code.reached.items():
-        if name == START:
-            continue
         for method in reached:
             owner, _, short = method.rpartition("::")
             if short == owner.rpartition("::")[2]:

@@ -12,6 +12,7 @@ from typing import Any
 from traceability.model.design_model import Model
 from traceability.model.made_changes import proven
 from traceability.model.report import Report
+from traceability.model.response_times import CLOCK
 from traceability.reading.bench_record import IMAGE, MANUAL, bench_metrics
 from traceability.reading.fault_record import LOADS, campaign_metrics
 from traceability.reading.fault_record import METRICS as CAMPAIGNS
@@ -187,6 +188,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "trees.executed": sum(_is_executed(item) for item in requirements) if fresh else None,
         "tests.total": len(runs) if fresh else None,
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
+        "tests.skipped": sum(run.result == "skipped" for run in runs) if fresh else None,
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "patterns.price": {name: asdict(price) for name, price in model.prices.items()} or None,
@@ -239,6 +241,7 @@ def _proven_times(model: Model) -> dict[str, Any]:
     noisy = outcomes.get("noise_ms")
     return {
         "bench.wcet_ratio": round(proof.cycle_ms / longest, 2) if proof and longest else None,
+        "bench.longest_lock_us": round(1000 * proof.locked / CLOCK, 2) if proof else None,
         "bench.wcet_cycle_with_noise_ms": round(proof.noise_ms, 3) if proof else None,
         "bench.wcet_ratio_with_noise": (
             round(proof.noise_ms / noisy, 2) if proof and noisy else None

@@ -46,9 +46,11 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
         *_beliefs(model),
         *_stale(model),
         *_static_analysis(model),
+        *_tool_tests(model),
         *_reviews(requirements),
         *_verdicts(model, report),
         *_targets(model, requirements),
+        *_driver_lines(model),
         *_times(model),
         *_proofs(model),
         *_campaign(model),
@@ -109,6 +111,22 @@ def _static_analysis(model: Model) -> Iterator[tuple[str, str]]:
         yield (
             "These steps of the static analysis (./wr lint) were not run in this build: "
             f"{', '.join(missing)}.",
+            "build_evidence",
+        )
+
+
+def _tool_tests(model: Model) -> Iterator[tuple[str, str]]:
+    if model.build and model.build.long_tests:
+        counts = model.build.long_tests.values()
+        yield (
+            "The long tests of the tools (./wr test --long) are not part of this build: "
+            f"{_count(sum(counts), 'test function')} in {_count(len(counts), 'file')}.",
+            "build_evidence",
+        )
+    if model.build and model.build.repeated:
+        yield (
+            f"{_count(len(model.build.repeated), 'test')} of the client failed at first. Only the "
+            "second result counts.",
             "build_evidence",
         )
 
@@ -175,6 +193,23 @@ def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[st
             f"{VIRTUAL_K64}.",
             "requirements",
             urlencode({"binding": ONLY.format(HOST)}),
+        )
+
+
+def driver_lines(model: Model) -> tuple[int, int]:
+    """Returns the number of lines of the drivers that no test executed, and the number of all their
+    lines. Both are 0 if the lines were not measured."""
+    hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
+    return hits.count(False), len(hits)
+
+
+def _driver_lines(model: Model) -> Iterator[tuple[str, str]]:
+    missed, total = driver_lines(model)
+    if missed:
+        yield (
+            f"No test executed {missed} of the {total} lines of the drivers of the K64. No reasons "
+            "are stated for these lines.",
+            "virtual_k64",
         )
 
 

@@ -2,7 +2,9 @@
 the control cycle, and the time from an input to its effect.
 
 Each bound includes the time of the interrupts that can occur before the response. The computation
-assumes that each interrupt occurs as often as it can.
+assumes that each interrupt occurs as often as it can. Each bound also includes the longest time for
+which code of a lower priority blocks the interrupts. Such code runs at most once before the
+response, because each code of a lower priority then waits.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ from typing import Any
 
 from traceability.model.design_model import Model
 from traceability.model.image_code import ImageCode
+from traceability.model.interrupt_locks import longest_locks
 from traceability.model.stack import Prover, read_declared
 from traceability.model.time_bounds import DeclaredFacts, Limit, Spread, Times
 from traceability.reading.call_record import BYTE_RECEIVED, read_recordings
@@ -61,21 +64,32 @@ def prove_times(
         for entry in declared["arrival"]
     }
     activations = {entry["context"]: entry["without"] for entry in declared["activations"]}
+    locks = longest_locks(image.program.codes)
+    locked = int(max((cycles for _, cycles in locks.values() if cycles != math.inf), default=0))
     contexts = with_responses(
-        bound
-        for context in model.contexts.values()
-        if context.kind != "start"
-        and (bound := _of_context(context, times, arrivals, activations.get(context.id, [[]])))
+        (
+            bound
+            for context in model.contexts.values()
+            if context.kind != "start"
+            and (bound := _of_context(context, times, arrivals, activations.get(context.id, [[]])))
+        ),
+        locked,
     )
-    cycle_ms = cycle_response(contexts, noise=False) / CLOCK
+    cycle_ms = cycle_response(contexts, locked, noise=False) / CLOCK
     return TimeProof(
         contexts=contexts,
         cycle_ms=cycle_ms,
-        noise_ms=cycle_response(contexts, noise=True) / CLOCK,
+        noise_ms=cycle_response(contexts, locked, noise=True) / CLOCK,
         seen_ms=_seen(root, model),
         paths=_paths(root, declared["path"], contexts, cycle_ms, times.bounds),
         unbound=in_order(times.unbound),
         unresolved=in_order(times.unresolved),
+        locked=locked,
+        unbound_locks=in_order(
+            (symbol, image.program.places[address][0])
+            for address, (symbol, cycles) in locks.items()
+            if cycles == math.inf
+        ),
     )
 
 
@@ -172,41 +186,43 @@ def _of_context(
     )
 
 
-def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
+def with_responses(contexts: Iterable[TimeBound], locked: int = 0) -> list[TimeBound]:
     """Computes the response time of each interrupt. Returns all contexts. Each interrupt in the
     result contains its response time.
 
     A response time lasts from the request of the interrupt to the end of its handler. It includes
-    all work of the same and of higher priorities that the processor does in this time.
+    all work of the same and of higher priorities that the processor does in this time. It also
+    includes ``locked``, the longest time [cycle] for which other code blocks the interrupts.
     """
     all_bounds = list(contexts)
-    waits = _waits(all_bounds, noise=False)
+    waits = _waits(all_bounds, locked, noise=False)
     return [
-        replace(bound, response_ms=_response(bound, all_bounds, waits, noise=False) / CLOCK)
+        replace(bound, response_ms=_response(bound, all_bounds, waits, locked, noise=False) / CLOCK)
         if bound.entries is not None
         else bound
         for bound in all_bounds
     ]
 
 
-def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
+def cycle_response(contexts: Iterable[TimeBound], locked: int = 0, *, noise: bool) -> float:
     """Returns the number of processor cycles from the clock pulse until the main thread has
-    finished its work. The cycles of the interrupts in this time are included.
+    finished its work. The cycles of the interrupts in this time are included, and the cycles
+    ``locked``, for which the idle program can block the interrupts before.
     """
     all_bounds = list(contexts)
-    own = sum(bound.cycles for bound in all_bounds if bound.entries is None)
+    own = locked + sum(bound.cycles for bound in all_bounds if bound.entries is None)
     interrupts = [bound for bound in all_bounds if bound.entries is not None]
-    return _busy(own, interrupts, _waits(all_bounds, noise=noise), noise=noise)
+    return _busy(own, interrupts, _waits(all_bounds, locked, noise=noise), noise=noise)
 
 
-def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, float]:
+def _waits(contexts: Sequence[TimeBound], locked: int, *, noise: bool) -> dict[str, float]:
     """Returns for each interrupt the longest time [cycle] from a request to the end of its
     handler."""
     waits: dict[str, float] = {bound.context: 0 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):
         now = {
             bound.context: min(
-                _response(bound, contexts, waits, noise=noise), float(MOST_ROUNDS * CLOCK)
+                _response(bound, contexts, waits, locked, noise=noise), float(MOST_ROUNDS * CLOCK)
             )
             for bound in contexts
             if bound.entries is not None
@@ -218,7 +234,12 @@ def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, float]:
 
 
 def _response(
-    bound: TimeBound, contexts: Iterable[TimeBound], waits: Mapping[str, float], *, noise: bool
+    bound: TimeBound,
+    contexts: Iterable[TimeBound],
+    waits: Mapping[str, float],
+    locked: int,
+    *,
+    noise: bool,
 ) -> float:
     above = [
         other
@@ -227,7 +248,8 @@ def _response(
         and bound.priority is not None
         and other.priority <= bound.priority
     ]
-    own = bound.cycles + sum(other.cycles for other in above if other.entries is None)
+    own = locked + bound.cycles
+    own += sum(other.cycles for other in above if other.entries is None)
     interrupts = [other for other in above if other.entries is not None]
     if noise and bound.context == TICK_TIMER:
         # Before the handler of the tick runs, each noisy input causes at most ``noise`` interrupts.

@@ -10,10 +10,10 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from traceability.reading.image_record import read_image
-from traceability.reading.lint_record import read_lint
+from traceability.reading.lint_record import read_exemptions, read_lint
 from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.results import RESULTS, RUNS, read_json
-from traceability.reading.tool_tests import read_tool_tests
+from traceability.reading.tool_tests import long_tests, read_tool_tests, repeated_tests
 from traceability.schema import BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
@@ -41,6 +41,7 @@ NUMBER = re.compile(r"\d+\.\d+[\w.+-]*")
 
 
 def read_build(root: Path) -> BuildEvidence:
+    tool_tests = read_tool_tests(root)
     return BuildEvidence(
         commit=git(root, "rev-parse", "HEAD").strip(),
         changed=[line[3:] for line in git(root, "status", "--porcelain").splitlines()],
@@ -50,7 +51,10 @@ def read_build(root: Path) -> BuildEvidence:
         runs={target: run for target, name in RUNS.items() if (run := read_run(root, name))},
         hashes=_hashes(root),
         lint=read_lint(root),
-        tool_tests=read_tool_tests(root),
+        tool_tests=tool_tests,
+        repeated=repeated_tests(root, [name for name, counts in tool_tests.items() if counts]),
+        long_tests=long_tests(root),
+        exemptions=read_exemptions(root),
     )
 
 

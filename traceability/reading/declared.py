@@ -299,7 +299,7 @@ def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
 
 def _execution(path: Path, entries: Entries, declared: Declared) -> None:
     declared.ends = entries.value(path, "ends", [])
-    may, keys = ["body", "intended"], {"intended": "priority"}
+    may, keys = ["body", "idle", "intended"], {"intended": "priority"}
     contexts = entries.records(path, "context", ExecutionContext, "id", may=may, keys=keys)
     declared.contexts = {each.id: each for each in contexts}
     pipes = entries.records(path, "pipe", PipeText, "object")

@@ -4,12 +4,13 @@ read."""
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from pathlib import Path
 
 from traceability.reading import prose_record
 from traceability.reading.results import RESULTS, read_json
-from traceability.schema import LintRun
+from traceability.schema import Exemption, LintRun, Place
 from traceability.sources import files_below, hash_of
 from traceability.whole_file import write_whole
 
@@ -18,6 +19,10 @@ SETTINGS = (
     *("pyproject.toml", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"),
     *("site/search_words.txt", "site/synonyms.txt", "site/conf.py"),
 )
+TIDIED = ("src", "extensions", "ports", "sim")  # folders that clang-tidy reads
+# Their files that clang-tidy does not read. It does not find the library of WebAssembly.
+NOT_TIDIED = re.compile(r"sim/web/module/|ports/\w+/tests/")
+EXEMPTION = re.compile(r"NOLINT(?:NEXTLINE|BEGIN)?\((?P<rules>[^)]+)\): (?P<why>.+)")
 NOT_RUN, PASSED, FAILED = "not run", "passed", "failed"
 
 
@@ -48,3 +53,20 @@ def read_lint(root: Path) -> LintRun | None:
     if not isinstance(record, dict) or record.get("files") != files_hash(root):
         return None
     return LintRun(record["commit"], record["steps"])
+
+
+def tidied(root: Path, suffixes: tuple[str, ...]) -> list[Path]:
+    """Returns the files that clang-tidy reads."""
+    files = files_below(root, TIDIED, suffixes)
+    return [path for path in files if not NOT_TIDIED.match(str(path.relative_to(root)))]
+
+
+def read_exemptions(root: Path) -> list[Exemption]:
+    """Returns the comments that exempt a source line from rules of clang-tidy, in the files that
+    clang-tidy reads."""
+    return [
+        Exemption(Place(str(path.relative_to(root)), number), match["rules"], match["why"])
+        for path in tidied(root, (".hpp", ".cpp"))
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if (match := EXEMPTION.search(line))
+    ]

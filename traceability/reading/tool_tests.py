@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import xml.etree.ElementTree as ET
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from traceability.reading.results import RESULTS
@@ -11,7 +13,10 @@ from traceability.schema import Counts
 from traceability.sources import TESTS_OF_TOOLS
 
 AFTER_PAGES = "site"  # tests of the built pages; the pages cannot contain their own results
-LONG = "worked_examples"  # tests that run only with ./wr test --long
+LONG = "worked_examples"  # folder in which each test is long
+LONG_MARK = "pytest.mark.long"  # mark of the tests that run only with ./wr test --long
+# Attribute of the tests in a result file that failed at first, and then ran once more.
+REPEATED = "repeated"
 
 
 def python_task(folder: str) -> str:
@@ -35,6 +40,47 @@ def junit_counts(results: Path) -> Counts:
         else:
             passed += 1
     return Counts(passed, failed, skipped)
+
+
+def failed_tests(results: Path) -> list[str]:
+    """Returns the names of the failed tests, in the form that pytest and ./wr debug use."""
+    return [
+        name_of(case)
+        for case in ET.parse(results).iter("testcase")
+        if case.find("failure") is not None or case.find("error") is not None
+    ]
+
+
+def name_of(case: ET.Element) -> str:
+    return f"{case.get('classname', '').replace('.', '/')}.py::{case.get('name')}"
+
+
+def repeated_tests(root: Path, folders: Iterable[str]) -> list[str]:
+    """Returns the names of the tests that failed at first, and whose second result counts."""
+    return [
+        name_of(case)
+        for folder in folders
+        for case in ET.parse(root / results_of(folder)).iter("testcase")
+        if case.get(REPEATED)
+    ]
+
+
+def long_tests(root: Path) -> dict[str, int]:
+    """Returns for each file with long tests the number of its test functions that contain a long
+    test."""
+    files = sorted((root / TESTS_OF_TOOLS).glob("*/test_*.py"))
+    counts = {str(file.relative_to(root)): sum(_long(file)) for file in files}
+    return {file: count for file, count in counts.items() if count}
+
+
+def _long(file: Path) -> Iterator[bool]:
+    """Returns for each test function of a file whether it contains a long test."""
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    assigned = [ast.unparse(node) for node in tree.body if isinstance(node, ast.Assign)]
+    whole = any(text.startswith("pytestmark = ") and LONG_MARK in text for text in assigned)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
+            yield whole or any(LONG_MARK in ast.unparse(each) for each in node.decorator_list)
 
 
 def read_tool_tests(root: Path) -> dict[str, Counts | None]:

@@ -33,6 +33,21 @@ def test_a_static_analysis_that_was_not_run_is_listed(tmp_path: Path) -> None:
     assert not [text for text in complete if "static analysis" in text]
 
 
+def test_long_and_repeated_tests_are_listed(tmp_path: Path) -> None:
+    ran = replace(build(None), long_tests={"a": 2, "b": 1}, repeated=["test_it.py::test_it"])
+    found = texts(tmp_path, build=ran)
+    assert [text for text in found if "part of this build: 3 test functions in 2 files." in text]
+    assert "1 test of the client failed at first. Only the second result counts." in found
+
+
+def test_lines_of_the_drivers_that_no_test_executed_are_listed(tmp_path: Path) -> None:
+    lines = {"src/k64/a.cpp": {1: True, 2: False}, "src/k64/b.cpp": {1: True}}
+    missing = "No test executed 1 of the 3 lines of the drivers of the K64."
+    assert [text for text in texts(tmp_path, board_lines=lines) if missing in text]
+    executed = texts(tmp_path, board_lines={"src/k64/a.cpp": {1: True}})
+    assert not [text for text in executed if "drivers of the K64" in text]
+
+
 def test_silent_faults_of_the_last_campaign_are_listed(tmp_path: Path) -> None:
     record = Published("", "aab5f7d322", "2026", {"cases": 100, "outcomes": {"silent": 3}})
     found = texts(tmp_path, campaigns={"faults": record})

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import subprocess
+from math import inf
 from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
 
 from traceability.model.image_code import Program
+from traceability.model.interrupt_locks import longest_locks
 from traceability.model.longest_path import FlowFact, Problem
 from traceability.model.response_times import (
     CLOCK,
@@ -105,6 +107,10 @@ halt:
     bne 1b
     bx lr
 """
+# The begin and the end of a lock, and a jump that skips a division.
+LOCK = "msr basepri_max, r3\n"
+UNLOCK = "msr basepri, r2\n"
+SKIP = "cmp r0, #0\n beq 1f\n sdiv r1, r1, r2\n 1:"
 NAMES = {"run": "wr::Thread::run()", "halt": "wr::Halt::execute()"}
 
 
@@ -290,6 +296,30 @@ def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
     high, low = with_responses(contexts)
     assert (high.response_ms or 0) * CLOCK == 50 + 50 + RETRY
     assert (low.response_ms or 0) * CLOCK == 9_000 + 9_000 + RETRY + 50 + RETRY
+
+
+def test_a_lock_of_other_code_delays_each_interrupt_and_the_cycle_once() -> None:
+    contexts = [context("thread", 1_000, 12), context("edge", 50, 1, entries=1)]
+    before, after = with_responses(contexts), with_responses(contexts, 94)
+    assert ((after[1].response_ms or 0) - (before[1].response_ms or 0)) * CLOCK == 94
+    without = cycle_response(contexts, noise=False)
+    assert cycle_response(contexts, 94, noise=False) - without == 94
+
+
+@pytest.mark.parametrize(
+    ("text", "cycles"),
+    [
+        ("cpsid i\n nop\n wfi\n cpsie i\n bx lr", 2 + 1 + 1 + 2),
+        (f"{LOCK} {SKIP} {UNLOCK} bx lr", 2 + 1 + 1 + 12 + 2),
+        (f"{LOCK} {LOCK} {UNLOCK} nop\n {UNLOCK} bx lr", 2 + 2 + 2 + 1 + 2),
+        (f"{LOCK} 1: subs r0, r0, #1\n bne 1b\n {UNLOCK} bx lr", inf),
+        (f"{LOCK} bl run\n {UNLOCK} bx lr", inf),
+        (f"{LOCK} bx lr", inf),
+    ],
+)
+def test_a_lock_lasts_until_the_last_lock_ends(tmp_path: Path, text: str, cycles: float) -> None:
+    code = code_of(tmp_path, text)
+    assert next(iter(longest_locks({"run": code}).values())) == ("run", cycles)
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:

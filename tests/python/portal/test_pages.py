@@ -306,6 +306,11 @@ def test_the_evidence_shows_the_tests_of_the_tools_that_ran(tmp_path: Path) -> N
     build = BuildEvidence("c0ffee", [], "Linux", 4, {}, {}, [], tool_tests=results)
     text = shown(tmp_path, replace(make_project(tmp_path), build=build))["evidence"].text
     assert "model: 7 passed, 1 failed not run on these sources: reading, tools" in text
+    assert "No test was repeated." in text
+    build = replace(build, repeated=["test_a.py::test_b"], long_tests={"test_c.py": 2})
+    text = shown(tmp_path, replace(make_project(tmp_path), build=build))["evidence"].text
+    assert "only its second result counts: test_a.py::test_b." in text
+    assert "They are 2 test functions in these files: test_c.py." in text
 
 
 def test_an_image_for_recordings_is_explained_where_it_is_shown(tmp_path: Path) -> None:

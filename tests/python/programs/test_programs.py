@@ -19,7 +19,6 @@ ROOT = Path(__file__).parents[3]
 PROGRAMS = ROOT / "build" / "host" / "sim"
 IMAGE = ROOT / "build" / "k64" / "weeding_robot_paper.bin"
 ELF = IMAGE.with_suffix(".elf")
-LONG = pytest.mark.long
 EXAMPLES = sorted((ROOT / "sim" / "scenario" / "examples").glob("*.scenario"))
 CYCLE_TIMER_VECTOR = 4 * (16 + 48)
 
@@ -97,7 +96,10 @@ def difference(first: Row, second: Row) -> float:
 
 @pytest.mark.parametrize(
     "example",
-    [pytest.param(one, marks=LONG if one.stem == "ten_minutes" else ()) for one in EXAMPLES],
+    [
+        pytest.param(one, marks=pytest.mark.long if one.stem == "ten_minutes" else ())
+        for one in EXAMPLES
+    ],
     ids=lambda path: path.stem,
 )
 def test_the_image_does_what_the_firmware_on_this_machine_does(

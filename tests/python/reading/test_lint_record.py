@@ -9,10 +9,11 @@ from traceability.reading.lint_record import (
     NOT_RUN,
     PASSED,
     files_hash,
+    read_exemptions,
     read_lint,
     write_lint,
 )
-from traceability.schema import LintRun
+from traceability.schema import Exemption, LintRun, Place
 
 
 def test_the_record_of_other_files_is_not_read(tmp_path: Path) -> None:
@@ -41,3 +42,13 @@ def test_files_that_change_while_the_steps_run_leave_no_record(tmp_path: Path) -
     assert read_lint(tmp_path) is None
     (tmp_path / "wr").unlink()
     assert read_lint(tmp_path) is None
+
+
+def test_exemptions_are_listed_from_the_files_that_clang_tidy_reads(tmp_path: Path) -> None:
+    for name in ("src/a.cpp", "ports/can/a.hpp", "ports/can/tests/a.cpp", "tests/a.cpp"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("int a;\n  int b;  // NOLINT(misc-x,misc-y): a register\n")
+    assert read_exemptions(tmp_path) == [
+        Exemption(Place(name, 2), "misc-x,misc-y", "a register")
+        for name in ("ports/can/a.hpp", "src/a.cpp")
+    ]

@@ -5,7 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from tests.python.reading.task_records import record_task
-from traceability.reading.tool_tests import python_task, read_tool_tests, results_of
+from traceability.reading.tool_tests import (
+    long_tests,
+    python_task,
+    read_tool_tests,
+    results_of,
+)
 from traceability.schema import Counts
 
 CASES = "<testsuites><testsuite><testcase/><testcase><failure/></testcase></testsuite></testsuites>"
@@ -27,3 +32,13 @@ def test_results_are_valid_only_for_the_present_files(tmp_path: Path) -> None:
     assert read_tool_tests(tmp_path) == {"model": Counts(1, 1, 0), "reading": None}
     write(tmp_path / "tests/python/model/test_it.py", "changed")
     assert read_tool_tests(tmp_path) == {"model": None, "reading": None}
+
+
+def test_long_tests_are_counted_by_their_marks(tmp_path: Path) -> None:
+    marked = "@pytest.mark.long\ndef test_a(): ...\ndef test_b(): ...\n"
+    part = "@pytest.mark.parametrize('n', [pytest.param(1, marks=pytest.mark.long)])\n"
+    whole = "pytestmark = [pytest.mark.runs_tools, pytest.mark.long]\n"
+    for name, text in {"a": marked, "b": part + marked, "c": whole + marked, "d": ""}.items():
+        write(tmp_path / f"tests/python/tools/test_{name}.py", text)
+    names = ["tests/python/tools/test_a.py", "tests/python/tools/test_b.py"]
+    assert long_tests(tmp_path) == {**dict.fromkeys(names, 1), "tests/python/tools/test_c.py": 2}

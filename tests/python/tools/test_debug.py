@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tools import cli, debug
-from tools.python_tests import failed_tests
+from traceability.reading.tool_tests import failed_tests
 from weeding_robot_client.exit_codes import USAGE
 
 pytestmark = pytest.mark.reads("tests", ".vscode", "CMakePresets.json", "wr")

@@ -70,6 +70,11 @@ def test_a_path_that_takes_longer_than_its_bound_is_a_finding() -> None:
     )
 
 
+def test_a_lock_of_the_interrupts_without_a_bound_is_a_finding() -> None:
+    (text,) = findings(1.0, replace(PROOF, unbound_locks=[("now", None)]))
+    assert text == "a lock of the interrupts in now contains a loop or a call, and has no bound"
+
+
 def test_without_a_bound_nothing_exceeds_it() -> None:
     assert not [
         text for text in findings(9.0, replace(PROOF, unbound=[("f", None)])) if "took" in text

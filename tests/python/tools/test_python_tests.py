@@ -19,7 +19,7 @@ from tools.python_tests import (
 )
 from tools.tasks import PYTHON_TESTS, graph
 from traceability.reading.results import RESULTS
-from traceability.reading.tool_tests import python_task
+from traceability.reading.tool_tests import python_task, repeated_tests
 
 pytestmark = pytest.mark.reads("ports")  # graph() reads the list of the ports
 
@@ -172,7 +172,9 @@ def test_only_the_failed_tests_of_the_client_run_again(
     def run(_log: TextIO, words: Sequence[str | Path]) -> None:
         runs.append([str(word) for word in words])
         cases = [("test_one", "a", True), ("test_two", "b[c d]", len(runs) == 2)]
-        write_results(tmp_path, *cases).rename(tmp_path / RESULTS / "pytest_client.xml")
+        write_results(tmp_path, *cases[len(runs) - 1 :]).rename(
+            tmp_path / RESULTS / "pytest_client.xml"
+        )
 
     monkeypatch.setattr(python_tests, "run", run)
     with (tmp_path / "log").open("w") as log:
@@ -183,3 +185,4 @@ def test_only_the_failed_tests_of_the_client_run_again(
         [f"{tmp_path}/tests/python/tools/test_two.py::b[c d]"],
     ]
     assert not outcome.failed
+    assert repeated_tests(tmp_path, ["client"]) == ["tests/python/tools/test_two.py::b[c d]"]
