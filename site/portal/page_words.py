@@ -10,7 +10,7 @@ from lxml.html import HtmlElement, fromstring
 HEADS = {"h1", "h2", "h3"}
 APART = {"nav", "svg", "script", "select", "summary"}  # HTML elements whose text is not read
 INLINE = {"a", "b", "code", "em", "strong", "sub", "wbr"}  # these elements do not separate words
-INLINE_SPANS = (None, "dc")  # class of a number, and of the colons in the name of a method
+INLINE_SPANS = (None, "mm", "dc")  # classes of a number, of the name of a method, of its colons
 
 
 @dataclass
@@ -76,11 +76,12 @@ def is_apart(element: HtmlElement) -> bool:
 
 
 def is_inline(element: HtmlElement) -> bool:
-    """Returns whether an element does not separate words: a part of a name or of a link, or a
-    number.
+    """Returns whether an element does not separate words: a part of a name, of a link or of a
+    listing, or a number.
     """
     if element.tag == "span":
-        return element.get("class") in INLINE_SPANS or element.getparent().tag in INLINE
+        above = element.getparent().tag
+        return element.get("class") in INLINE_SPANS or above in INLINE or above == "pre"
     return element.tag in INLINE
 
 
