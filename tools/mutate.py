@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from traceability.model.design_model import Model
 
 STEPS = 4
-LONGEST = 240.0  # minutes
-USUAL = 45.0
+LONGEST = 240.0  # [minutes]
+USUAL = 45.0  # [minutes]
 SHOWN_EVERY = 10.0  # seconds
 
 

@@ -18,7 +18,7 @@ SIZE = 26  # size of a pin
 LABEL = 205  # space for a vertical label of a pin of the robot
 SHORT = 112  # space for a short vertical label
 MARGIN = 8
-PLACE = re.compile(r"(J\d+)-(\d+)")
+PLACE = re.compile(r"(J\d)-(\d+)")  # the header J199 of the Bluetooth module is not drawn
 # Supply pins. The firmware does not use them, but the reader needs them for the measurements in
 # step 7 of the page that contains this drawing.
 SUPPLY = {"J3-8": "3.3 V", "J3-12": "ground", "J3-14": "ground"}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -36,7 +35,6 @@ LIVE_FRAMES = """\
   <p data-detail></p>
 </div>
 """
-INCLUDED = re.compile(r"^\.\. include:: /_generated/(\S+)$", re.MULTILINE)
 
 
 def frame_tables(root: Path) -> dict[str, str]:
@@ -52,14 +50,6 @@ def frame_tables(root: Path) -> dict[str, str]:
         files[name] = values_table(enumeration)
     files["counters.inc"] = counters_table(frames)
     return files
-
-
-def expanded(source: str, root: Path) -> str:
-    """Returns the text of a page for the search. In this text, the included table replaces each
-    include directive.
-    """
-    tables = frame_tables(root) if INCLUDED.search(source) else {}
-    return INCLUDED.sub(lambda match: tables.get(match[1], ""), source)
 
 
 def types_table(frames: FrameTable) -> str:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from html import escape
 from pathlib import Path
 
+from portal.glossary_terms import Term, terms_of
 from portal.links import ROOT
 from portal.navigation import Entry
-from portal.sections import Section, terms_of
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
@@ -33,12 +33,14 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 
 class GlossaryLinks:
-    """The glossary terms in lower case. The plural of a term is also linked to the term."""
+    """The glossary terms in lower case. The plural of a term is also linked to the term. The link
+    shows the first sentence of the term. ``constants`` contains the numbers of this sentence.
+    """
 
-    def __init__(self, root: Path) -> None:
+    def __init__(self, root: Path, constants: Mapping[str, str]) -> None:
         path = root / f"{GLOSSARY.id}.rst"
         source = path.read_text(encoding="utf-8") if path.exists() else ""
-        terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source)}
+        terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source, constants)}
         self.terms = {words: term for words, term in terms.items() if words not in OTHER_SENSES}
         self.longer = {
             words: [
@@ -97,6 +99,6 @@ def is_text(text: str, at: int) -> bool:
     return text.rfind("<", 0, at) <= text.rfind(">", 0, at)
 
 
-def anchor(term: Section, words: str, prefix: str) -> str:
+def anchor(term: Term, words: str, prefix: str) -> str:
     gist = escape(term.text.split(". ")[0].rstrip("."))
     return f'<a class="term" href="{prefix}{term.address}" title="{gist}">{words}</a>'

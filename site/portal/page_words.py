@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 from lxml.html import HtmlElement, fromstring
 
-HEADS = {"h1", "h2"}
+HEADS = {"h1", "h2", "h3"}
 APART = {"nav", "svg", "script", "select", "summary"}  # HTML elements whose text is not read
-MOST = 4000  # greatest number of letters of a section in the index
+INLINE = {"a", "b", "code", "em", "strong", "sub", "wbr"}  # these elements do not separate words
+INLINE_SPANS = (None, "mm", "dc")  # classes of a number, of the name of a method, of its colons
 
 
 @dataclass
@@ -17,37 +18,72 @@ class Part:
     """A section of a page. The text before the first section is a part with an empty anchor."""
 
     anchor: str
-    title: str = ""
+    heading: list[str] = field(default_factory=list)
     words: list[str] = field(default_factory=list)
 
     @property
+    def title(self) -> str:
+        return joined(self.heading)
+
+    @property
     def text(self) -> str:
-        return " ".join(" ".join(self.words).split())[:MOST]
-
-    def add(self, text: str | None, *, heading: bool) -> None:
-        if not text or text.isspace():
-            return
-        if heading and not self.title:
-            self.title = text.strip()
-        else:
-            self.words.append(text)
+        return joined(self.words)
 
 
-def parts_of(body: str) -> Iterator[Part]:
-    """Returns the sections of a page that have a heading."""
+def parts_of(page: str) -> Iterator[Part]:
+    """Returns the sections of a page that have a heading. The page is a body without the layout, or
+    a finished page, of which only the element ``main`` is read.
+    """
+    root = fromstring(page if "<main" in page else f"<main>{page}</main>")
     parts = [Part("")]
-    _read(fromstring(f"<main>{body}</main>"), parts, parts[0], heading=False)
+    for main in root.iter("main"):
+        _read(main, parts, parts[0], parts[0].words)
     return (part for part in parts if part.title)
 
 
-def _read(element: HtmlElement, parts: list[Part], part: Part, *, heading: bool) -> None:
-    if element.tag in APART or not isinstance(element.tag, str):  # a comment has no tag
+def _read(element: HtmlElement, parts: list[Part], part: Part, texts: list[str]) -> None:
+    """Adds the text of an element to ``texts``, and its sections to ``parts``. ``texts`` is the
+    heading or the words of ``part``.
+    """
+    if is_apart(element):
         return
     if element.tag == "section" and (anchor := element.get("id")):
         part = Part(anchor)
         parts.append(part)
-    heading = heading or element.tag in HEADS
-    part.add(element.text, heading=heading)
+        texts = part.words
+    if element.tag in HEADS and not part.heading:
+        texts = part.heading
+    elif element.tag == "span" and not is_inline(element):
+        texts = part.words  # a note in a heading is no part of the title
+    space = "" if is_inline(element) else " "
+    texts += [space, element.text or ""]
     for child in element:
-        _read(child, parts, part, heading=heading)
-        part.add(child.tail, heading=heading)
+        _read(child, parts, part, texts)
+        texts.append(child.tail or "")
+    texts.append(space)
+
+
+def is_apart(element: HtmlElement) -> bool:
+    """Returns whether the text of an element is not read: a comment, a picture, a decoration, or
+    the link of a heading to itself.
+    """
+    return (
+        not isinstance(element.tag, str)
+        or element.tag in APART
+        or element.get("aria-hidden") == "true"
+        or element.get("class") == "headerlink"
+    )
+
+
+def is_inline(element: HtmlElement) -> bool:
+    """Returns whether an element does not separate words: a part of a name, of a link or of a
+    listing, or a number.
+    """
+    if element.tag == "span":
+        above = element.getparent().tag
+        return element.get("class") in INLINE_SPANS or above in INLINE or above == "pre"
+    return element.tag in INLINE
+
+
+def joined(texts: list[str]) -> str:
+    return " ".join("".join(texts).split())

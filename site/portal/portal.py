@@ -16,6 +16,7 @@ from markupsafe import Markup
 from portal import diagrams, names
 from portal.answers import questions_of, with_metrics
 from portal.calls import CallGraph
+from portal.constant_texts import constant_links
 from portal.glossary_links import GlossaryLinks
 from portal.highlight import Highlighter
 from portal.links import Links, paper_anchor, slug
@@ -113,7 +114,8 @@ class Portal:
         self.calls = CallGraph(model, self.links)
         self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
         self.impacts = Impacts(model)
-        self.glossary = GlossaryLinks(root)
+        self.constants = constant_links(model, self.links, root)
+        self.glossary = GlossaryLinks(root, self.constants)
         self.docs = hand_written(root / "docs")
         self.metrics = metrics(model, report)
         self.questions = [with_metrics(one, self.metrics) for one in questions_of(root)]

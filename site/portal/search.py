@@ -8,15 +8,13 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
 
-from portal.constant_texts import constant_links
-from portal.frame_tables import expanded
+from portal.glossary_terms import terms_of
 from portal.links import ROOT, paper_anchor
 from portal.messages import codes_by_name, messages
 from portal.module_page import ancestors
 from portal.names import views_of
 from portal.page_words import parts_of
 from portal.portal import SITE, Portal
-from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
 # Group, key, title, text and address of an entry, and then more search words. The search words of
@@ -24,6 +22,7 @@ from traceability.schema import Module
 # text.
 Entry = tuple[str, ...]
 ANSWERS = "Answers"
+MOST = 4000  # greatest number of letters of a section of a generated page
 # Group of entries -> the kind in Sphinx's inventory.
 NAMED = {
     "Modules": "module",
@@ -55,9 +54,9 @@ def script(portal: Portal) -> str:
     return assigned("PORTAL", data)
 
 
-def index_script(portal: Portal, bodies: Path) -> str:
+def index_script(portal: Portal, bodies: Path, site: Path) -> str:
     """Returns the search index. A page loads the index when the reader first searches."""
-    parts = list(section_entries(portal, bodies))
+    parts = [*written_entries(portal, site), *section_entries(portal, bodies)]
     pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
     found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
     words = dict(listed("search_words.txt", " = "))
@@ -161,7 +160,7 @@ def entries(portal: Portal) -> list[Entry]:
         change_entries,
         safety_entries,
         paper_entries,
-        written_entries,
+        glossary_entries,
     )
     return [*found, *(entry for make in others for entry in make(portal))]
 
@@ -227,18 +226,23 @@ def paper_entries(portal: Portal) -> Iterator[Entry]:
             yield "Paper", "", element.name, text, f"{page}#{paper_anchor(element.kind)}"
 
 
-def written_entries(portal: Portal) -> Iterator[Entry]:
-    """Yields the sections of the hand-written pages with all their words, and the terms of the
-    glossary.
-    """
+def glossary_entries(portal: Portal) -> Iterator[Entry]:
     for doc in portal.docs:
         source = (portal.root / f"{doc.id}.rst").read_text(encoding="utf-8")
-        name = doc.id.removeprefix("docs/").replace("_", " ")
-        for section in sections_of(doc, expanded(source, portal.root)):
-            text = f"{section.text} {name}" if section.title == doc.title else section.text
-            yield "Explanations", "", section.title, doc.title, section.address, text
-        for term in terms_of(doc, source):
+        for term in terms_of(doc, source, portal.constants):
             yield "Glossary", "", term.title, term.text, term.address
+
+
+def written_entries(portal: Portal, site: Path) -> Iterator[Entry]:
+    """Yields the sections of the hand-written pages with all their words."""
+    for doc in portal.docs:
+        first, *others = parts_of((site / doc.address).read_text(encoding="utf-8"))
+        name = doc.id.removeprefix("docs/").replace("_", " ")
+        text = f"{first.text} {name}"
+        yield "Explanations", "", first.title, doc.title, doc.address, text
+        for part in others:
+            address = f"{doc.address}#{part.anchor}"
+            yield "Explanations", "", part.title, doc.title, address, part.text
 
 
 def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
@@ -250,9 +254,10 @@ def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
         for part in parts_of(body.read_text(encoding="utf-8")):
             if part.anchor:
                 address = f"{entry.address}#{part.anchor}"
-                yield "Sections", "", part.title, entry.title, address, part.text
+                yield "Sections", "", part.title, entry.title, address, part.text[:MOST]
             else:
-                yield "Pages", entry.key, entry.title, part.title, entry.address, part.text
+                text = part.text[:MOST]
+                yield "Pages", entry.key, entry.title, part.title, entry.address, text
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:
@@ -282,7 +287,7 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
             for name in items
         },
         "pattern": {name: str(names.pat(name)) for name in model.patterns},
-        "constant": constant_links(model, links, portal.root),
+        "constant": portal.constants,
         "exit": {name: str(code) for name, code in codes_by_name().items()},
         "check": {name: str(names.check(name)) for name in portal.checks},
         "test": {name: str(names.test(name)) for name in model.tests},

@@ -62,9 +62,15 @@ class DesignDomain(Domain):
         """Does nothing, because the domain stores no data in the environment of Sphinx."""
 
 
+def link_targets(app: Sphinx) -> dict[str, dict[str, str]]:
+    """Returns for each role the HTML of each name."""
+    text = (Path(app.srcdir) / "links.json").read_text(encoding="utf-8")
+    targets: dict[str, dict[str, str]] = json.loads(text)
+    return targets
+
+
 def load(app: Sphinx) -> None:
-    links = Path(app.srcdir) / "links.json"
-    for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
+    for kind, targets in link_targets(app).items():
         app.add_role(kind, NameRole(targets), override=True)
     # The portal has its own search. Only HTML builders have this attribute; Sphinx uses no other
     # builder here.
@@ -92,7 +98,7 @@ def link_terms(
     have these links.
     """
     if doctree is not None and name.startswith("docs/") and name != GLOSSARY.id:
-        glossary = GlossaryLinks(Path(app.srcdir))
+        glossary = GlossaryLinks(Path(app.srcdir), link_targets(app)["constant"])
         context["body"] = glossary.link(context["body"], depth_prefix(name))
 
 

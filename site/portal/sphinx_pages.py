@@ -47,6 +47,7 @@ from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
 
 EXAMPLE_TEST = Path("tests/wheel_control/algorithms/PiRegulatorTest.cpp")
+EXAMPLE_FIXTURE = Path("tests/sensing/position/DirSensorTest.cpp")
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
 CHANGES = Path("CHANGELOG.md")
 CONTRIBUTING = Path("CONTRIBUTING.md")
@@ -70,6 +71,13 @@ def first_test(root: Path) -> str:
     return f"{head}\n/// @brief {first}\n{end}"
 
 
+def fixture(root: Path) -> str:
+    """Returns the example of a fixture."""
+    begin, end = "class DirSensorTest", "\n};\n"
+    text = (root / EXAMPLE_FIXTURE).read_text("utf-8")
+    return f"{begin}{text.partition(begin)[2].partition(end)[0]}{end}"
+
+
 def compiler_options(root: Path) -> str:
     """Returns the parts of the CMake files that set the compiler options of a firmware image."""
     parts = (
@@ -91,6 +99,7 @@ INCLUDED = (
     (PINS, "board.html", board_figure),
     (TABLE, "live_frames.html", live_frames),
     (EXAMPLE_TEST, "example_test.cpp", first_test),
+    (EXAMPLE_FIXTURE, "example_fixture.cpp", fixture),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
     (CHANGES, "changes.md", lambda root: sections(root, CHANGES)),
     (CONTRIBUTING, "contributing.md", lambda root: sections(root, CONTRIBUTING)),
@@ -259,7 +268,7 @@ def run_sphinx(
         app.connect("html-collect-pages", generated.others)
         app.connect("html-page-context", generated.fill)
         app.build()
-    write_changed(site / "_static" / INDEX, search.index_script(portal, pages / BODIES))
+    write_changed(site / "_static" / INDEX, search.index_script(portal, pages / BODIES, site))
     findings = collector.findings()
     write_changed(sound, "" if findings else docs)
     return findings

@@ -156,7 +156,8 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Velocity velocityLimit() const { return Velocity(3000); }
 
-  /// @brief Returns the greatest voltage that can be ordered, forwards and backwards.
+  /// @brief Returns the greatest voltage that can be ordered, forwards and backwards. It is also
+  /// the greatest output of each algorithm of a wheel.
   /// @return greatest voltage [mV]
   /// @satisfies FR-46
   /// @isr{yes}

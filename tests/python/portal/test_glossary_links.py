@@ -36,7 +36,7 @@ TERMS = """\
 def glossary(tmp_path: Path) -> GlossaryLinks:
     (tmp_path / "docs").mkdir()
     (tmp_path / "docs/glossary.rst").write_text(TERMS)
-    return GlossaryLinks(tmp_path)
+    return GlossaryLinks(tmp_path, {})
 
 
 def linked(glossary: GlossaryLinks, html: str) -> list[tuple[str, str]]:
@@ -101,4 +101,4 @@ def test_links_code_headings_and_pictures_stay_as_they_are(
 
 
 def test_a_project_without_a_glossary_has_no_links(tmp_path: Path) -> None:
-    assert GlossaryLinks(tmp_path).link("a cycle") == "a cycle"
+    assert GlossaryLinks(tmp_path, {}).link("a cycle") == "a cycle"
