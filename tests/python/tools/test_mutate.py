@@ -25,7 +25,7 @@ from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.task_record import TESTS_TRACE
 from traceability.schema import HOST, Equivalent, Place
 
-pytestmark = pytest.mark.reads("tools", "client")
+pytestmark = pytest.mark.reads("tools", "client", "design/clauses.toml")
 
 MUTANTS = [
     Mutant("src/a.cpp", 4, "A::f", "constant", "1 + 1"),
