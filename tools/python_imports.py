@@ -20,6 +20,7 @@ COMMANDS = "tools/cli.py"
 RUNS_TOOLS = "pytest.mark.runs_tools"
 # The model and the drawings need these files. A test needs no mark for them.
 READ_BY_ALL = ("traceability/doxygen/Doxyfile", "site/theme/static/fonts")
+PROJECT = "."  # in a mark "reads": all files that the checks and the pages read
 READS = "reads"  # mark of a test file, with the files and folders that its tests read
 
 
@@ -72,7 +73,7 @@ def inputs_of(root: Path, folder: str) -> set[str]:
 
 def covers(named: Iterable[str], path: str) -> bool:
     """Returns whether a path is one of the named files, or is in a named folder."""
-    return any(path == one or path.startswith(f"{one}/") for one in named)
+    return any(one in (PROJECT, path) or path.startswith(f"{one}/") for one in named)
 
 
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:

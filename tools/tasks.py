@@ -38,7 +38,7 @@ from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
-from tools.python_imports import READ_BY_ALL, inputs_of
+from tools.python_imports import PROJECT, READ_BY_ALL, inputs_of
 from tools.python_tests import (
     NOT_LONG,
     reported_numbers,
@@ -339,7 +339,9 @@ def checks_of_tools(root: Path) -> list[Task]:
 
     def tests(folder: str) -> Task:
         others = (*TOOLS, *PROGRAM_TESTS[folder]) if folder in PROGRAM_TESTS else PYTHON_SETTINGS
-        inputs = {*others, *inputs_of(root, folder), f"tests/python/{folder}"}
+        read = inputs_of(root, folder)
+        whole = SHOWN if PROJECT in read else ()
+        inputs = {*others, *whole, *(read - {PROJECT}), f"tests/python/{folder}"}
         return Task(
             python_task(folder),
             lambda log: run_pytest(root, folder, log),

@@ -15,13 +15,13 @@ namespace wr {
 /// selects the source of orders.
 ///
 /// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
-/// position "stop", or when its pulses are missing. Releases the stop when the switch is in another
-/// position and the velocity stick is not deflected. If the switch was in the position "stop" only
-/// between two cycles, a stop is latched in the second cycle. In the position "PC" the orders of
-/// the remote control are not read. When an operator moves the switch from stop through PC to
-/// drive, the next three orders, if they are read within 1 s, acknowledge latched faults. If
-/// neither the deflections nor the pulse of the switch change for more than 2 s while the remote
-/// control moves the robot, a stop is latched.
+/// position "stop", or when its pulses are missing. Releases the stop when the switch is in
+/// another position and the velocity stick is not deflected. If the switch was in the position
+/// "stop" only between two cycles, for two successive pulses or more, a stop is latched in the
+/// second cycle. In the position "PC" the orders of the remote control are not read. When an
+/// operator moves the switch from stop through PC to drive, the next three orders, if they are
+/// read within 1 s, acknowledge latched faults. If neither the deflections nor the pulse of the
+/// switch change for more than 2 s while the remote control moves the robot, a stop is latched.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.

@@ -43,6 +43,7 @@ python_programs: list[str] = []  # the Python programs that the running test has
 opened: set[str] = set()  # the files of the project that the running test has opened
 # A test needs no mark for its own outputs, and for files that pytest and its plugins open.
 OWN_FILES = ("build", ".venv", ".hypothesis", ".git")
+SHOWN = 10  # number of names in a message
 # Tests in these folders start programs that read other files. Therefore, their task in
 # tools/tasks.py names the files that they read.
 START_PROGRAMS = ("client", "commands", "firmware", "programs", "site", "worked_examples")
@@ -81,7 +82,9 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, o
     if python_programs and not pyfuncitem.get_closest_marker("runs_tools"):
         pytest.fail(f"mark this test with pytest.mark.runs_tools: it started {python_programs}")
     if unknown := undeclared(pyfuncitem.path):
-        pytest.fail(f"name these files in a mark pytest.mark.reads of this test: {unknown}")
+        names = ", ".join(unknown[:SHOWN])
+        more = f" and {len(unknown) - SHOWN} more" if len(unknown) > SHOWN else ""
+        pytest.fail(f"name these files in a mark pytest.mark.reads of this test: {names}{more}")
     return result
 
 

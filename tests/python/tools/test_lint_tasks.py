@@ -11,7 +11,7 @@ from tools.lint import LINT_RECORD, lint_tasks
 from tools.task_graph import Graph
 from traceability.reading.prose_record import RECORD, read_prose
 
-pytestmark = pytest.mark.runs_tools
+pytestmark = [pytest.mark.runs_tools, pytest.mark.reads(".")]
 
 ROOT = Path(__file__).parents[3]
 GLOSSARY = "Glossary\n========\n\n.. glossary::\n\n   voltage\n      Not: tension.\n"

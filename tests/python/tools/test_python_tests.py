@@ -107,6 +107,12 @@ def test_a_change_of_a_file_that_tests_read_affects_these_tests(tmp_path: Path, 
     assert affected(tmp_path, file, "tests/python/tools/test_one.py") == {"test_reader", "test_one"}
 
 
+def test_a_test_that_reads_the_whole_project_has_the_inputs_of_the_pages() -> None:
+    tasks = {task.name: task for task in graph(ROOT).tasks}
+    assert {"src", "docs", "site", "setup"} <= set(tasks[python_task("tools")].inputs)
+    assert "." not in tasks[python_task("tools")].inputs
+
+
 @pytest.mark.parametrize("other", ["design/uses.toml", "pyproject.toml", "a.toml.txt"])
 def test_each_other_file_affects_all_tests(tmp_path: Path, other: str) -> None:
     small_project(tmp_path)

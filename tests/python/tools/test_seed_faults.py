@@ -14,25 +14,7 @@ from traceability.checks.registry import KNOWN
 from traceability.reading.seeded_fault_record import SOURCES
 from traceability.reading.seeded_faults import COMPILER, STAGES, Edit, Fault, read_faults
 
-pytestmark = pytest.mark.reads(
-    "src",
-    "extensions",
-    "changes",
-    "ports",
-    "sim",
-    "tests",
-    "requirements",
-    "design",
-    "docs",
-    "README.md",
-    "CONTRIBUTING.md",
-    "CMakeLists.txt",
-    "CMakePresets.json",
-    "setup",
-    "client",
-    "tools",
-    "traceability",
-)
+pytestmark = pytest.mark.reads(".")
 
 ROOT = Path(__file__).parents[3]
 FAULTS = read_faults(ROOT)
