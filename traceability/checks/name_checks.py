@@ -1,8 +1,8 @@
 """doc-name: each name of the code in a text exists in the code or in the paper.
 
-A text is a comment of the code, a literal of a page of docs/, or a text of design/. Each test that
-a page or a text of design/ names exists, too. The attributes of a report in the pages are those of
-the client.
+A text is a comment of the code, a page, or a text of design/. In a page, a name is a literal, or a
+name such as Class::method. Each test that a page or a text of design/ names exists, too. The
+attributes of a report in the pages are those of the client.
 """
 
 from __future__ import annotations
@@ -27,7 +27,9 @@ IN_COMMENT = re.compile(
     r"`([A-Za-z_]\w*(?:::\w+)*)`|\b([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+"
     r"|k[A-Z][a-z]{2,}\w*|[a-z]\w*(?=\(\)))"
 )
-IN_PAGE = re.compile(r"``([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``")
+IN_PAGE = re.compile(
+    r"(?<![\w:])(?:wr::)?([A-Z]\w*(?:::\w+)+)|``([A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``"
+)
 IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
 PAGES = (".md", ".rst", ".toml")
 IN_PAGES = ("README.md", "CONTRIBUTING.md", "docs", "design", "changes", "ports")
@@ -183,6 +185,7 @@ def _words(model: Model, facts: Facts) -> Words:
         if path.suffix in (".hpp", ".cpp", ".py"):
             code.update(IDENTIFIER.findall(code_of(path.read_text(encoding="utf-8"))))
     code |= _fields(facts.root) | {constant.name for constant in facts.syntax.values}
+    code |= {name.partition(".")[0] for name in model.constants}
     paper = {word for entry in model.paper for word in re.findall(r"[\w:]+", entry.name)}
     return Words(code, paper, facts)
 
@@ -208,9 +211,9 @@ def _comments(facts: Facts) -> Iterator[tuple[Place, str]]:
 
 
 def _pages(root: Path) -> Iterator[tuple[Place, str]]:
-    for place, line in lines_below(root, ("docs",), (".rst",)):
-        for match in IN_PAGE.finditer(line):
-            yield place, match[1]
+    for place, line in lines_below(root, IN_PAGES, (".md", ".rst")):
+        for match in IN_PAGE.finditer("" if line.lstrip().startswith("+") else line):
+            yield place, match[1] or match[2]
 
 
 def _design(root: Path) -> Iterator[tuple[Place, str]]:

@@ -132,10 +132,10 @@ _FIXED = [
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
-        "in the paper. The texts are comments of the code, literals in the pages of docs/, and "
-        "texts of design/. Each test that a page or a text of design/ names exists. If a page "
-        "states that a class derives from another class, this is true. Each attribute of a report "
-        "that a page names is an attribute of the client's classes, and the table of these "
+        "in the paper. The texts are comments of the code, literals and each Class::method in "
+        "pages, and texts of design/. Each test that a page or a text of design/ names exists. If "
+        "a page states that a class derives from another class, this is true. Each attribute of a "
+        "report that a page names is an attribute of the client's classes, and the table of these "
         "attributes in docs/client.rst is complete. `paper-stale` checks the names in "
         "design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
