@@ -428,8 +428,9 @@ _FIXED = [
         "Every module that design/architecture.toml names in an element, a group or a connection "
         "exists. Every connector that a connection names exists as an element. A module of a "
         "controller, process, sensor or event is in a connection or a group, and is a module of "
-        "only one of them. Each physical connection begins at a module of a process, and ends at a "
-        "module of a sensor. Each process has a physical connection.",
+        "only one of them. Each command goes from a module of a controller to a module of a "
+        "process. Each physical connection begins at a module of a process, and ends at a module "
+        "of a sensor. Each process has a physical connection.",
         "The check cannot judge whether two connected modules belong to the same element.",
         "correct the name, or the connection.",
     ),
