@@ -16,6 +16,7 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.comments import code_of, comment_tokens
+from traceability.reading.constant_texts import ROLE, formula_text
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
@@ -30,7 +31,7 @@ IN_COMMENT = re.compile(
 IN_PAGE = re.compile(
     r"(?<![\w:])(?:wr::)?([A-Z]\w*(?:::\w+)+)|``([A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``"
 )
-IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
+IN_DESIGN = re.compile(r"(?<!:constant:)`([A-Za-z_]\w*(?:::\w+)*)`")
 PAGES = (".md", ".rst", ".toml")
 IN_PAGES = ("README.md", "CONTRIBUTING.md", "docs", "design", "changes", "ports")
 # A test is SUITE.TEST. A name in capitals, such as an enumerator of Python, is not a test.
@@ -102,9 +103,19 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
                 text,
                 "write the name that the code has now",
             )
+    yield from _constants(facts)
     yield from _tests(model, facts.root)
     yield from _derivations(facts)
     yield from wrong_attributes(facts.root)
+
+
+def _constants(facts: Facts) -> Iterator[Finding]:
+    """Finds constants and formulas that texts of design/ insert, and that have no value."""
+    for place, line in lines_below(facts.root, ("design",), (".toml",)):
+        for formula in ROLE.findall(line):
+            if formula_text(formula, facts.declared.entries.constants) is None:
+                text = f"the text inserts {formula}, which has no value"
+                yield Finding(place, "doc-name", text, "write the name that the code has now")
 
 
 def _tests(model: Model, root: Path) -> Iterator[Finding]:

@@ -134,10 +134,11 @@ _FIXED = [
         "Each class, method, function, constant or value that a text names exists in the code or "
         "in the paper. The texts are comments of the code, literals and each Class::method in "
         "pages, and texts of design/. Each test that a page or a text of design/ names exists. If "
-        "a page states that a class derives from another class, this is true. Each attribute of a "
-        "report that a page names is an attribute of the client's classes, and the table of these "
-        "attributes in docs/client.rst is complete. `paper-stale` checks the names in "
-        "design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
+        "a page states that a class derives from another class, this is true. Each constant and "
+        "formula that a text of design/ inserts has a value. Each attribute of a report that a "
+        "page names is an attribute of the client's classes, and the table of these attributes in "
+        "docs/client.rst is complete. `paper-stale` checks the names in design/concordance.toml, "
+        "and `pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed.",
         "write the name that the code has now.",
