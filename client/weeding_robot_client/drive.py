@@ -19,16 +19,25 @@ from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, Report, Welcome
 from weeding_robot_client.monitor import as_line, shown, status
 from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, wheel
-from weeding_robot_client.orders import ORDER_EVERY_S, Orders, arm, connect, not_connected
+from weeding_robot_client.orders import (
+    ORDER_EVERY_S,
+    ORDER_LIFETIME_S,
+    Orders,
+    arm,
+    connect,
+    not_connected,
+)
 from weeding_robot_client.reasons import NOT_MOVING, conditions, inhibited, latched
 from weeding_robot_client.recording import Recording
-from weeding_robot_client.script import HELP, Script, ScriptError, Wish, load
+from weeding_robot_client.script import HELP, NEUTRAL_S, Script, ScriptError, Wish, load
 
 DESCRIPTION = f"""\
-Sends orders to the robot every {1000 * ORDER_EVERY_S:.0f} ms, because an order is valid for 200 ms.
+Sends orders to the robot every {ORDER_EVERY_S} s.
+An order is valid for {ORDER_LIFETIME_S} s.
 Without --script the keyboard orders the motion. While no key is pressed, the orders are neutral,
-which arms the robot after 0.5 s. A stop that is already in force stays until it is released. When
-the terminal is lost or the program is suspended, the program orders the robot to stop.
+which arms the robot after {NEUTRAL_S} s.
+A stop that is already in force stays until it is released. When the terminal is lost or the program
+is suspended, the program orders the robot to stop.
 
 {keyboard.HELP}
 

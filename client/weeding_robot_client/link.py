@@ -69,7 +69,8 @@ def clock_ms(seconds: float) -> int:
 
 
 class Link:
-    """A connection to the robot. Call service() at least every 100 ms, or iterate over reports().
+    """A connection to the robot. Call service() at least once in each control cycle, or iterate
+    over reports().
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
     second. Reports of a connection that another program began are ignored. A serial port that

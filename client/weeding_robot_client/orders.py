@@ -12,6 +12,7 @@ from weeding_robot_client.reasons import inhibited
 from weeding_robot_client.script import ACKNOWLEDGE_S, Wish
 
 ORDER_EVERY_S = 0.1  # one control cycle
+ORDER_LIFETIME_S = 0.2  # the robot drops an older order
 CONNECT_WITHIN_S = 5.0
 ARM_WITHIN_S = 5.0
 STOP_ORDERS = 3

@@ -10,13 +10,13 @@ from weeding_robot_client.exit_codes import DONE, FAILED, MISSING
 from weeding_robot_client.monitor import status
 from weeding_robot_client.options import add_link, open_capture, open_link, open_recording
 from weeding_robot_client.orders import Orders, connect, not_connected
-from weeding_robot_client.script import Wish
+from weeding_robot_client.script import NEUTRAL_S, Wish
 
 ARM = f"""\
 Sends neutral orders (all wheels at 0) until the robot reports that it is armed. Shows the reason
 while the robot is not armed. Releases an earlier stop that the PC ordered. The robot needs
-neutral orders for 0.5 s. A program that drives must then send orders, because the robot does not
-stay armed without orders.
+neutral orders for {NEUTRAL_S} s.
+A program that drives must then send orders, because the robot does not stay armed without orders.
 
 Exit code {FAILED}: not armed, or no connection."""
 ACKNOWLEDGE = f"""\

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from weeding_robot_client.layout import FRAMES
 from weeding_robot_client.messages import WHEELS, Report
+from weeding_robot_client.script import NEUTRAL_S
 
 CAUSES = {
     "emergency stop": "the emergency stop is pressed, or its contact is not connected",
@@ -28,9 +29,9 @@ CHECKS = {
 ACTIONS = {
     "no order": "Send orders with ./wr drive or with the remote control. If your own program sends "
     "orders, look at the counters that ./wr monitor shows in a terminal.",
-    "not armed": "Send neutral orders for 0.5 s, then drive at once: ./wr drive does both. With "
-    "the remote control: set its enable switch to 'drive', and leave the velocity stick centred "
-    "for 0.5 s.",
+    "not armed": f"Send neutral orders for {NEUTRAL_S} s, then drive at once: ./wr drive does "
+    "both. With the remote control: set its enable switch to 'drive', and leave the velocity stick "
+    f"centred for {NEUTRAL_S} s.",
     "protective stop": "Remove the cause, then acknowledge: ./wr acknowledge, or key a in "
     "./wr drive.",
 }

@@ -16,7 +16,9 @@ from weeding_robot_client.messages import (
     all_wheels,
 )
 
-HELP = """\
+ACKNOWLEDGE_S = 0.3  # three control cycles, so that the robot reads the order at least once
+NEUTRAL_S = 0.5  # time with neutral orders that arms the robot
+HELP = f"""\
 A script has one line for each change. The times of the lines must not decrease:
 
   # comment
@@ -36,13 +38,12 @@ wheels. After 'wheel N', they apply only to wheel N: 0 front left, 1 front right
 Steering is positive to the left. A line changes only the values that it contains. 'stop' orders a
 stop until 'release', also after the end of the script. 'acknowledge' releases a protective stop.
 'release' and 'acknowledge' set all wheels to 0. To arm the robot again, keep all wheels at 0 for
-0.5 s. The last line is 'end'."""
+{NEUTRAL_S} s. The last line is 'end'."""
 
 WORDS = re.compile(
     r"\s*(?:(stop|release|acknowledge|end)\b|(?:wheel\s+(\S+)\s+)?(\w+)\s+(\S+)\s+(\w+))\s*"
 )
 UNITS = {"velocity": "rpm", "tension": "V", "current": "A", "steering": "deg"}
-ACKNOWLEDGE_S = 0.3  # three control cycles, so that the robot reads the order at least once
 
 Points = tuple[WheelSetPoint, WheelSetPoint, WheelSetPoint, WheelSetPoint]
 STILL: Points = all_wheels(Quantity.VELOCITY, 0.0)

@@ -6,8 +6,7 @@ namespace wr::plant {
 class SteeringGear {
  public:
   static constexpr double kStep = 0.05;  ///< [degree]
-  static constexpr int kLastStep =
-      680;  ///< number of steps from the middle to a mechanical limit, which is at 34 degrees
+  static constexpr int kLastStep = 680;  ///< number of steps from the middle to a mechanical limit
   static constexpr double kSwitch =
       33.5;  ///< angle at which the switch of an end stop opens [degree]
 

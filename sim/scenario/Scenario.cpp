@@ -16,8 +16,9 @@ using Time = Scenario::Time;
 constexpr Time kCycle{100};
 constexpr Time kToFirstOrder{
     200};  // time from Hello to the first order: Welcome and Confirm take two cycles
-constexpr int kNeutralOrders = 13;  // seven cycles until an order is read, five cycles (0.5 s)
-                                    // until the robot is armed, and one more cycle
+// Sufficient number of orders: the robot reads only the later ones, and needs several of them to be
+// armed. One order more is sent.
+constexpr int kNeutralOrders = 13;
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {
   if (word == "velocity") {

@@ -26,6 +26,8 @@ COMMAND = re.compile(r"^  ([a-z-]+) +(.+)$", re.MULTILINE)
 # A folder of the simulator: the comment above it, its name, and the libraries that it links.
 ROOM = re.compile(r"((?:^ *#.*\n)+) *add_room\((\w+) (?:STATIC|OBJECT) ?([^)]*)\)", re.MULTILINE)
 EACH_ROOM = re.compile(r"^ *add_room\(", re.MULTILINE)
+VIRTUAL_BOARD = Path("sim/emulator/VirtualBoard.cpp")
+BLOCK = re.compile(r'\{"(\w+)", &\w+_')  # name of a peripheral block, and the address of its model
 ROOM_LIBRARY = "sim_"  # begin of the name of the library of a folder
 CONNECTION = Path("design/fsm/pc_connection.toml")
 KEYBOARD = Path("client/weeding_robot_client/keyboard.py")
@@ -103,6 +105,12 @@ def room_table(root: Path) -> str:
         (f"``{name}``", first_sentence(comment), linked(links)) for comment, name, links in rooms
     )
     return list_table((18, 52, 30), ("folder", "content", "linked libraries"), rows)
+
+
+def modelled_blocks(root: Path) -> str:
+    """Returns the names of the peripheral blocks that the virtual K64 models, as one sentence."""
+    names = BLOCK.findall((root / VIRTUAL_BOARD).read_text(encoding="utf-8"))
+    return f"{', '.join(sorted(names))}.\n"
 
 
 def key_table(_root: Path) -> str:

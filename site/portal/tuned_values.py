@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from portal.constant_texts import constant_text
 from traceability.model.design_model import Model
+from traceability.reading.constant_texts import constant_text
 from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_lines import place_of
 from traceability.schema import Constant, Place, Tuned

@@ -197,9 +197,7 @@ TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Products, Product,
-                         testing::Values("weeding_robot", "weeding_robot_paper", "weeding_robot_pc",
-                                         "weeding_robot_pc_bluetooth", "weeding_robot_warning"),
+INSTANTIATE_TEST_SUITE_P(Products, Product, testing::Values(WR_PRODUCTS),
                          [](const auto& product) { return std::string(product.param); });
 
 /// @brief A product that receives orders only from the PC never reads from another source,

@@ -13,8 +13,13 @@ from traceability.schema import ArchitectureElement, Finding, Place
 # kinds of the elements that act: their modules have connections
 ACTING = ("controller", "process", "sensor", "event")
 PHYSICAL = "physical"
-# kind of an element -> its end of the physical connections
-PHYSICAL_ENDS = {"process": "source", "sensor": "target"}
+# kind of a connection, end of the connection, kind of the element at this end
+ENDS = (
+    ("command", "source", "controller"),
+    ("command", "target", "process"),
+    (PHYSICAL, "source", "process"),
+    (PHYSICAL, "target", "sensor"),
+)
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -70,26 +75,25 @@ def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
             elif owner != element.name:
                 text = f"{name} is a module of {owner} and of {element.name}"
                 yield _wrong(element, name, text, facts)
-    for kind, end in PHYSICAL_ENDS.items():
-        yield from _physical(model, kind, end, facts)
+    for kind, end, owner in ENDS:
+        yield from _ends(model, kind, end, owner, facts)
+    sources = {each.source for each in model.connections if each.kind == PHYSICAL}
+    for element in acting:
+        if element.kind == "process" and element.modules and not sources & set(element.modules):
+            text = f"no physical connection begins at a module of {element.name}"
+            yield Finding(element.place, "arch-module", text)
 
 
-def _physical(model: Model, kind: str, end: str, facts: Facts) -> Iterator[Finding]:
-    """Finds physical connections that do not begin at a process or do not end at a sensor, and
-    processes without a physical connection."""
-    elements = [element for element in model.architecture if element.kind == kind]
+def _ends(model: Model, kind: str, end: str, owner: str, facts: Facts) -> Iterator[Finding]:
+    """Finds connections of a kind whose end is not a module of an element of the kind ``owner``."""
+    elements = [element for element in model.architecture if element.kind == owner]
     modules = {name for element in elements for name in element.modules}
-    ends = {getattr(each, end): each for each in model.connections if each.kind == PHYSICAL}
+    ends = {getattr(each, end): each for each in model.connections if each.kind == kind}
     for name, connection in ends.items():
         if elements and name in model.modules and name not in modules:
             place = facts.declared.entries.line_in(connection.place, name)
-            text = f"{name} has a physical connection, but is not a module of a {kind}"
+            text = f"{name} has a {kind} connection, but is not a module of a {owner}"
             yield Finding(place, "arch-module", text)
-    if kind == "process":
-        for element in elements:
-            if element.modules and not ends.keys() & set(element.modules):
-                text = f"no physical connection begins at a module of {element.name}"
-                yield Finding(element.place, "arch-module", text)
 
 
 def _wrong(element: ArchitectureElement, name: str, text: str, facts: Facts) -> Finding:

@@ -27,10 +27,14 @@ from traceability.whole_file import write_whole
 PAGES = ("README.md", "CONTRIBUTING.md", "changes", "docs", "ports")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in a style sheet
 PRODUCT = re.compile(r"--product[ =](\w+)")
-PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
+# A program or a firmware image of the build, without the folder of the preset.
+PROGRAM = re.compile(r"(?<![\w/])build/\w+/((?:\w+/)+\w+|\w+(?=\.elf\b))(?![\w/]|\.(?!elf\b)\w)")
+ADDED = re.compile(r"\badd_(executable|(?:\w+_)?image)\(\s*(?:\$\{)?(\w+)")
+SET = re.compile(r"^set\((\w+) (\w+)\)", re.MULTILINE)
 # A folder of the build. A file directly in the folder build is left out.
 BUILT = re.compile(r"(?<![\w/.-])build/(\w+)\b(?![.]\w)")
 PRESETS = "CMakePresets.json"
+BUILDING = ("src", "extensions", "sim", "tests", "changes", "ports")
 FUNCTIONS = "sim/emulator/PinFunctions.hpp"
 FUNCTION = re.compile(r"\bk(\w+)Pins\{\{(.*?)\}\};", re.DOTALL)
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
@@ -288,12 +292,18 @@ def _built(root: Path) -> set[str]:
 
 
 def _targets(root: Path) -> set[str]:
-    """Returns the programs that CMake builds."""
-    files = [root / "CMakeLists.txt"]
-    files += files_below(root, ("tests", "sim", "src", "changes", "ports"), (".txt",))
-    lists = [path for path in files if path.name == "CMakeLists.txt" and path.exists()]
-    text = "".join(path.read_text(encoding="utf-8") for path in lists)
-    return set(re.findall(r"add_executable\(\s*(\w+)", text))
+    """Returns the programs and firmware images that CMake builds, with their folders below the
+    folder of the preset. The functions of CMake whose names end with "image" add an image without a
+    folder."""
+    found = set()
+    for path in files_below(root, BUILDING, (".txt",)):
+        text = path.read_text(encoding="utf-8")
+        values = dict(SET.findall(text))
+        for kind, name in ADDED.findall(text):
+            target = values.get(name, name)
+            folder = path.parent.relative_to(root)
+            found.add(str(folder / target) if kind == "executable" else target)
+    return found
 
 
 def _sources(model: Model) -> dict[str, Place]:

@@ -1,8 +1,8 @@
 """doc-name: each name of the code in a text exists in the code or in the paper.
 
-A text is a comment of the code, a literal of a page of docs/, or a text of design/. Each test that
-a page or a text of design/ names exists, too. The attributes of a report in the pages are those of
-the client.
+A text is a comment of the code, a page, or a text of design/. In a page, a name is a literal, or a
+name such as Class::method. Each test that a page or a text of design/ names exists, too. The
+attributes of a report in the pages are those of the client.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.comments import code_of, comment_tokens
+from traceability.reading.constant_texts import ROLE, formula_text
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
@@ -27,8 +28,10 @@ IN_COMMENT = re.compile(
     r"`([A-Za-z_]\w*(?:::\w+)*)`|\b([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+"
     r"|k[A-Z][a-z]{2,}\w*|[a-z]\w*(?=\(\)))"
 )
-IN_PAGE = re.compile(r"``([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``")
-IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
+IN_PAGE = re.compile(
+    r"(?<![\w:])(?:wr::)?([A-Z]\w*(?:::\w+)+)|``([A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``"
+)
+IN_DESIGN = re.compile(r"(?<!:constant:)`([A-Za-z_]\w*(?:::\w+)*)`")
 PAGES = (".md", ".rst", ".toml")
 IN_PAGES = ("README.md", "CONTRIBUTING.md", "docs", "design", "changes", "ports")
 # A test is SUITE.TEST. A name in capitals, such as an enumerator of Python, is not a test.
@@ -100,9 +103,19 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
                 text,
                 "write the name that the code has now",
             )
+    yield from _constants(facts)
     yield from _tests(model, facts.root)
     yield from _derivations(facts)
     yield from wrong_attributes(facts.root)
+
+
+def _constants(facts: Facts) -> Iterator[Finding]:
+    """Finds constants and formulas that texts of design/ insert, and that have no value."""
+    for place, line in lines_below(facts.root, ("design",), (".toml",)):
+        for formula in ROLE.findall(line):
+            if formula_text(formula, facts.declared.entries.constants) is None:
+                text = f"the text inserts {formula}, which has no value"
+                yield Finding(place, "doc-name", text, "write the name that the code has now")
 
 
 def _tests(model: Model, root: Path) -> Iterator[Finding]:
@@ -183,6 +196,7 @@ def _words(model: Model, facts: Facts) -> Words:
         if path.suffix in (".hpp", ".cpp", ".py"):
             code.update(IDENTIFIER.findall(code_of(path.read_text(encoding="utf-8"))))
     code |= _fields(facts.root) | {constant.name for constant in facts.syntax.values}
+    code |= {name.partition(".")[0] for name in model.constants}
     paper = {word for entry in model.paper for word in re.findall(r"[\w:]+", entry.name)}
     return Words(code, paper, facts)
 
@@ -208,9 +222,9 @@ def _comments(facts: Facts) -> Iterator[tuple[Place, str]]:
 
 
 def _pages(root: Path) -> Iterator[tuple[Place, str]]:
-    for place, line in lines_below(root, ("docs",), (".rst",)):
-        for match in IN_PAGE.finditer(line):
-            yield place, match[1]
+    for place, line in lines_below(root, IN_PAGES, (".md", ".rst")):
+        for match in IN_PAGE.finditer("" if line.lstrip().startswith("+") else line):
+            yield place, match[1] or match[2]
 
 
 def _design(root: Path) -> Iterator[tuple[Place, str]]:

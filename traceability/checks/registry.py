@@ -132,12 +132,13 @@ _FIXED = [
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
-        "in the paper. The texts are comments of the code, literals in the pages of docs/, and "
-        "texts of design/. Each test that a page or a text of design/ names exists. If a page "
-        "states that a class derives from another class, this is true. Each attribute of a report "
-        "that a page names is an attribute of the client's classes, and the table of these "
-        "attributes in docs/client.rst is complete. `paper-stale` checks the names in "
-        "design/concordance.toml, and `pattern-change` the names in design/changes.toml.",
+        "in the paper. The texts are comments of the code, literals and each Class::method in "
+        "pages, and texts of design/. Each test that a page or a text of design/ names exists. If "
+        "a page states that a class derives from another class, this is true. Each constant and "
+        "formula that a text of design/ inserts has a value. Each attribute of a report that a "
+        "page names is an attribute of the client's classes, and the table of these attributes in "
+        "docs/client.rst is complete. `paper-stale` checks the names in design/concordance.toml, "
+        "and `pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed.",
         "write the name that the code has now.",
@@ -428,8 +429,9 @@ _FIXED = [
         "Every module that design/architecture.toml names in an element, a group or a connection "
         "exists. Every connector that a connection names exists as an element. A module of a "
         "controller, process, sensor or event is in a connection or a group, and is a module of "
-        "only one of them. Each physical connection begins at a module of a process, and ends at a "
-        "module of a sensor. Each process has a physical connection.",
+        "only one of them. Each command goes from a module of a controller to a module of a "
+        "process. Each physical connection begins at a module of a process, and ends at a module "
+        "of a sensor. Each process has a physical connection.",
         "The check cannot judge whether two connected modules belong to the same element.",
         "correct the name, or the connection.",
     ),
@@ -1152,10 +1154,10 @@ _FIXED = [
         "project exists, in a page, a requirement, a comment, a text of design/ or another text. "
         "Each command of ./wr that a page names exists with its options. An option without a "
         "command is an option of a command or a program that the page names. If an option has a "
-        "list of values, a value behind the option is in this list. The products, test programs, "
-        "folders of the build, used pins and keys that a page names exist too. If a page or an "
-        "answer names a signal or a connector directly next to a pin, src/k64/pins.hpp lists them "
-        "for this pin. Pages and help texts insert the exit codes.",
+        "list of values, a value behind the option is in this list. The products, programs and "
+        "firmware images of the build, folders of the build, used pins and keys that a page names "
+        "exist too. If a page or an answer names a signal or a connector directly next to a pin, "
+        "src/k64/pins.hpp lists them for this pin. Pages and help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "

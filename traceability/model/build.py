@@ -27,7 +27,7 @@ from traceability.model.state_machines import machines_of
 from traceability.model.tests import with_board_findings, with_executed_modules, with_tests
 from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
-from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
+from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact, Syntax
 from traceability.reading.bench_record import PAPER_BENCH, read_bench
 from traceability.reading.build_evidence import git, read_build
 from traceability.reading.change_kits import read_record as read_kit_record
@@ -40,6 +40,7 @@ from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
 from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
+from traceability.reading.plain_constants import plain_constants
 from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
 from traceability.reading.published import last_score
@@ -84,7 +85,7 @@ def build(root: Path) -> Built:
     build_folder = root / "build" / "model"
     with doxygen_beside(root, build_folder) as doxygen:
         syntax = read_syntax(root, build_folder / "cache")
-        declared = read_declared(root)
+        declared = read_declared(root, {**plain_constants(root), **_constants(syntax)})
         traces = read_traces(root, build_folder)
         coverage = read_coverage(root, build_folder)
         facts = gather_facts(root, syntax, declared)
@@ -107,7 +108,7 @@ def _assemble(
     model = replace(
         model,
         modules=_modules(facts),
-        constants=_constants(facts),
+        constants=_constants(facts.syntax),
         tuned=declared.tuned,
         designed_modules=[name for names in declared.names.values() for name in names],
         designed_applications={item.id: item.pattern for item in declared.applications.values()},
@@ -405,12 +406,12 @@ def _with_calls(model: Model, facts: Facts) -> Model:
     return replace(model, modules=modules, functions=functions)
 
 
-def _constants(facts: Facts) -> dict[str, Constant]:
+def _constants(syntax: Syntax) -> dict[str, Constant]:
     """Returns the constants by their names. A name is left out if the code defines constants of
     this name with different numbers or units.
     """
     by_name: dict[str, list[Constant]] = {}
-    for fact in facts.syntax.values:
+    for fact in syntax.values:
         if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
             constant = Constant(fact.number, fact.unit, fact.place)
             by_name.setdefault(fact.name, []).append(constant)

@@ -27,7 +27,7 @@ from traceability.reading.call_graph import (
     symbol_value,
     uses_floats,
 )
-from traceability.reading.source_facts import Facts
+from traceability.reading.source_facts import Facts, References
 from traceability.schema import Place, StackCall, StackContext, StackProof
 
 DECLARED = Path("design/stack.toml")
@@ -50,7 +50,7 @@ class Declared:
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 
-def read_declared(root: Path) -> Declared:
+def read_declared(root: Path, robot: References) -> Declared:
     file = root / DECLARED
     if not file.exists():
         return Declared()
@@ -62,12 +62,24 @@ def read_declared(root: Path) -> Declared:
             name: entry["objects"] for entry in data.get("chain", []) for name in entry["classes"]
         },
         inner={
-            name: frozenset(entry["classes"][number + 1 :])
+            name: later
             for entry in data.get("chain", [])
             if entry.get("ordered")
-            for number, name in enumerate(entry["classes"])
+            for name, later in inner_classes(robot, entry["classes"]).items()
         },
     )
+
+
+def inner_classes(robot: References, classes: Sequence[str]) -> dict[str, frozenset[str]]:
+    """Returns for each class of a chain the classes of all later objects in the chain: the
+    constructor of each object gets the next object. Leaves out a class whose object can get itself
+    in this way."""
+    inner = {name: robot.arguments(name).intersection(classes) for name in classes}
+    for _ in classes:
+        inner = {
+            name: later.union(*(inner[each] for each in later)) for name, later in inner.items()
+        }
+    return {name: frozenset(later) for name, later in inner.items() if name not in later}
 
 
 def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> StackProof | None:
@@ -76,7 +88,7 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
     if image is None or not model.contexts:
         return None
     frame = FRAME_WITH_FLOATS if uses_floats(image.elf) else FRAME
-    proof = Prover(image.graph, facts, model, read_declared(root)).prove(frame)
+    proof = Prover(image.graph, facts, model, read_declared(root, facts.robot)).prove(frame)
     runs = [run for scenario in model.closed_loop or [] for run in scenario.runs.values()]
     seen = max((run.stack for run in runs if run.stack is not None), default=None)
     return replace(proof, limit=symbol_value(image.elf, "stackSize"), seen=seen)

@@ -9,6 +9,7 @@ from pathlib import Path
 from traceability.reading.change_kits import Kit, read_kits
 from traceability.reading.change_texts import ChangeTexts, read_change_texts
 from traceability.reading.concordance import Concordance, read_concordance
+from traceability.reading.constant_texts import Constants
 from traceability.reading.declared_safety import read_safety_case
 from traceability.reading.proof_record import ProofEvent, read_events, read_properties
 from traceability.reading.toml_reader import Entries, Problem
@@ -166,8 +167,8 @@ FILES = (
 )
 
 
-def read_declared(root: Path) -> Declared:
-    entries = Entries(root)
+def read_declared(root: Path, constants: Constants | None = None) -> Declared:
+    entries = Entries(root, constants or {})
     declared = Declared(entries=entries)
     design = root / "design"
     _machines(root, entries, declared)

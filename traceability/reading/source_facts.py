@@ -341,6 +341,12 @@ class References:
         methods = [self.facts.method(kind, name) for kind in sorted(kinds)]
         return list(dict.fromkeys(method.id for method in methods if method))
 
+    def arguments(self, kind: str) -> set[str]:
+        """Returns the classes of the objects that are passed to the constructors of a class."""
+        begin = f"param {kind}::{kind.rpartition('::')[2]} "
+        places = [place for place in self.known if place.startswith(begin)]
+        return {item.kind for item in self.objects(places)}
+
     # ---- calls in a method of an object whose class is known -------------------
 
     @functools.cached_property

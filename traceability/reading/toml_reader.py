@@ -13,6 +13,7 @@ from numbers import Real
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, TypeVar, get_args, get_origin, get_type_hints
 
+from traceability.reading.constant_texts import Constants, inserted
 from traceability.schema import Place
 from traceability.sources import text_of
 
@@ -37,7 +38,11 @@ class Problem:
 
 @dataclass
 class Entries:
+    """The entries of the files. A text can insert a constant or a formula of ``constants``, with
+    the role ``:constant:``."""
+
     root: Path
+    constants: Constants = field(default_factory=dict)
     problems: list[Problem] = field(default_factory=list)
     unreadable: list[str] = field(default_factory=list)  # paths of files that are not TOML
     _read: dict[Path, dict[str, Any]] = field(default_factory=dict)
@@ -47,7 +52,7 @@ class Entries:
         """Returns the content of a TOML file. Returns an empty content if the file does not exist
         or is not valid TOML."""
         if path not in self._read:
-            text = text_of(path)
+            text = inserted(text_of(path), self.constants)
             try:
                 self._read[path] = tomllib.loads(text)
             except tomllib.TOMLDecodeError as error:

@@ -49,6 +49,7 @@ PHYSICAL = connection("physical", "Motor", "Sensor")
             [CONTROLLER, element("process", "Brake"), SENSOR],
             [COMMAND, PHYSICAL, connection("call", "Brake", "Motor")],
             [
+                "Motor has a command connection, but is not a module of a process",
                 "Motor has a physical connection, but is not a module of a process",
                 "no physical connection begins at a module of Process",
             ],

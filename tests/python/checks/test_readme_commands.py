@@ -112,6 +112,8 @@ def test_products_programs_folders_pins_and_keys_that_are_missing_are_found(tmp_
     files = {
         "src/k64/pins.hpp": "// PTA0 belongs to the debugger.\n{{Port::B, 2, Mux::Alt0}}",
         "tests/CMakeLists.txt": "add_executable(board_tests test.cpp)",
+        "ports/a/CMakeLists.txt": "set(name port_a)\nadd_executable(${name} a.cpp)",
+        "src/k64/CMakeLists.txt": "add_image(robot main.cpp)",
         "client/keyboard.py": 'STOP = b"r"',
         "CMakePresets.json": '{"configurePresets": [{"name": "host"}]}',
         "tools/steps.py": 'LOGS = root / "build" / "logs"',
@@ -119,15 +121,19 @@ def test_products_programs_folders_pins_and_keys_that_are_missing_are_found(tmp_
         "docs/page.rst": "PTA0 PTB2 PTB3, ``--level PTC6=0``\n"
         "build/host/tests/board_tests build/host/tests/boards\n"
         "key ``r``, key ``x``\n./wr sim --product none\n"
-        "build/logs build/log build/metrics.json\n",
+        "build/logs build/log build/metrics.json\n"
+        "build/host/robot.elf, build/host/rover.elf, build/host/robot.map,\n"
+        "build/host/ports/a/port_a.elf, build/host/a/port_a.elf, build/logs/A.log\n",
     }
     for name, text in files.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
     assert [(one.place.line, one.text) for one in missing_parts(tmp_path)] == [
         (1, "there is no pin PTB3 in use"),
-        (2, "there is no program 'boards'"),
+        (2, "there is no program 'tests/boards'"),
         (3, "there is no key 'x'"),
         (4, "there is no product 'none'"),
         (5, "there is no build/log"),
+        (6, "there is no program 'rover'"),
+        (7, "there is no program 'a/port_a'"),
     ]

@@ -4,7 +4,7 @@ the table of the frames. The client and the oracle do not read the firmware."""
 import re
 from pathlib import Path
 
-from weeding_robot_client import bring_up, capture, drive, orders, script
+from weeding_robot_client import bring_up, capture, orders, script
 from weeding_robot_client.frames import VERSION
 from weeding_robot_client.layout import FRAMES, LAYOUTS
 
@@ -12,10 +12,10 @@ ROOT = Path(__file__).parents[3]
 LINKTYPE_USER0 = 147  # first of the 16 link types for private use in a capture file
 
 
-def milliseconds(name: str) -> int:
+def milliseconds(name: str, file: str = "src/services/SystemConstants.hpp") -> int:
     """Returns a time of the firmware."""
-    text = (ROOT / "src/services/SystemConstants.hpp").read_text(encoding="utf-8")
-    (value,) = re.findall(rf"\b{name}\(\) const {{ return milliseconds\((\d+)\);", text)
+    text = (ROOT / file).read_text(encoding="utf-8")
+    (value,) = re.findall(rf"\b{name}(?: =|\(\) const {{ return) milliseconds\((\d+)\);", text)
     return int(value)
 
 
@@ -34,8 +34,12 @@ def test_the_client_sends_one_order_in_each_cycle() -> None:
     assert round(1000 * orders.ORDER_EVERY_S) == cycle < milliseconds("orderLifetime")
     assert round(1000 * bring_up.CYCLE_S) == cycle
     assert round(1000 * script.ACKNOWLEDGE_S) == 3 * cycle
-    numbers = re.findall(r"(\d+) ms", drive.DESCRIPTION)
-    assert [int(number) for number in numbers] == [cycle, milliseconds("orderLifetime")]
+
+
+def test_the_times_in_the_texts_of_the_client_are_those_of_the_firmware() -> None:
+    assert round(1000 * orders.ORDER_LIFETIME_S) == milliseconds("orderLifetime")
+    neutral = milliseconds("kNeutral", "extensions/safety/Arming.cpp")
+    assert round(1000 * script.NEUTRAL_S) == neutral
 
 
 def test_the_oracle_has_the_numbers_of_the_table_of_the_frames() -> None:

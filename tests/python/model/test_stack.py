@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import cast
 
 import pytest
 
 from traceability.model.design_model import Model
-from traceability.model.stack import Declared, Prover
+from traceability.model.stack import Declared, Prover, inner_classes
 from traceability.reading.ast_facts import BodyFact, CallFact, Syntax
 from traceability.reading.call_graph import Function, _read_listing, _read_unit
-from traceability.reading.source_facts import Facts
+from traceability.reading.source_facts import Facts, References
 from traceability.schema import ExecutionContext, Place
 
 HERE = Place("src/robot.cpp", 1)
@@ -94,6 +95,21 @@ def test_an_object_of_an_ordered_chain_calls_no_object_before_it() -> None:
     assert [call.name for call in deepest.chain] == [
         *("Loop::run", "Outer::follow", "Inner::follow", "Inner::stand")
     ]
+
+
+def test_the_constructors_show_the_order_of_a_chain() -> None:
+    passed = {
+        "Outer": {"Middle", "Memory"},
+        "Middle": {"Inner"},
+        "Inner": set[str](),
+        "Loop": {"Loop"},
+    }
+    robot = cast(References, SimpleNamespace(arguments=passed.__getitem__))
+    assert inner_classes(robot, ["Inner", "Outer", "Middle", "Loop"]) == {
+        "Inner": frozenset(),
+        "Outer": {"Inner", "Middle"},
+        "Middle": {"Inner"},
+    }
 
 
 def test_of_each_priority_the_greatest_counts_with_a_frame_of_the_hardware() -> None:

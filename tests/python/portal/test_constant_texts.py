@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from portal.constant_texts import constant_text, formulas
+from portal.constant_texts import formulas
+from traceability.reading.constant_texts import constant_text, inserted
 from traceability.schema import Constant, Place
 
 
@@ -80,6 +81,11 @@ def test_a_formula_with_an_unknown_name_or_operation_has_no_text(
     tmp_path: Path, formula: str
 ) -> None:
     assert formulas_of(tmp_path, formula) == {}
+
+
+def test_a_text_of_the_design_inserts_constants() -> None:
+    text = "It takes :constant:`kMost * Times::kCycle [ms]`, not :constant:`kOther`."
+    assert inserted(text, CONSTANTS) == "It takes 400 ms, not :constant:`kOther`."
 
 
 def formulas_of(root: Path, formula: str) -> dict[str, str]:

@@ -11,10 +11,12 @@ from portal.tables import (
     CONNECTION,
     DEBIAN,
     ROOMS,
+    VIRTUAL_BOARD,
     command_table,
     connection_table,
     key_table,
     measures_table,
+    modelled_blocks,
     package_table,
     review_questions,
     room_table,
@@ -97,6 +99,13 @@ def test_a_folder_of_the_simulator_needs_a_comment(tmp_path: Path) -> None:
     (tmp_path / ROOMS).write_text("# Physics.\nadd_room(plant STATIC)\n\nadd_room(web STATIC)\n")
     with pytest.raises(ValueError, match="no comment"):
         room_table(tmp_path)
+
+
+def test_the_modelled_blocks_are_those_of_the_virtual_board(tmp_path: Path) -> None:
+    (tmp_path / VIRTUAL_BOARD).parent.mkdir(parents=True)
+    code = 'osc_(*this, "OSC", 1),\nbyName_{{"SIM", &sim_},  {"FTM0", &ftms_[0]}},\n'
+    (tmp_path / VIRTUAL_BOARD).write_text(code)
+    assert modelled_blocks(tmp_path) == "FTM0, SIM.\n"
 
 
 def test_each_key_is_a_row_with_linked_constants(tmp_path: Path) -> None:

@@ -229,7 +229,7 @@ TEST(ScenarioTest, SafetyActionsOfTheWorld) {
   EXPECT_TRUE(worldOf<scenario::world::SetCoincident>(steps[12]).on);
 }
 
-/// @brief The action `arm` connects the PC, and then sends neutral orders for thirteen cycles.
+/// @brief The action `arm` connects the PC, and then sends one neutral order in each cycle.
 TEST(ScenarioTest, ArmConnectsAndOrdersNeutral) {
   const scenario::Scenario scenario = scenarioOf("at 50 arm\nat 2000 end\n");
   const auto& steps = scenario.steps();
