@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from portal.constant_texts import ROLE
 from portal.navigation import Entry
+from traceability.reading.constant_texts import ROLE
 
 NAMED = re.compile(r"(?::[\w-]+:)?`([^`<]*?)\s*(?:<[^`]*>)?`_{0,2}")
 TAG = re.compile(r"<[^>]+>")
