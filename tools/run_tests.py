@@ -26,6 +26,7 @@ from traceability.reading.lint_record import files_hash
 from traceability.reading.task_record import (
     CHANGES,
     COVERAGE,
+    IMAGES,
     PORTS,
     RECORD,
     SEEDED_FAULTS,
@@ -47,7 +48,7 @@ PARTS = {
 }
 
 # The tasks of ./wr test.
-QUICK = (TESTS_TRACE, COVERAGE, TESTS_BOARD, *map(python_task, QUICK_TESTS))
+QUICK = (IMAGES, TESTS_TRACE, COVERAGE, TESTS_BOARD, *map(python_task, QUICK_TESTS))
 # The tasks of ./wr test --all, except the pages.
 WHOLE = (*RESULT_TASKS, *map(python_task, PYTHON_TESTS), TESTS_SANITIZE)
 
