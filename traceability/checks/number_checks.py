@@ -5,6 +5,7 @@ or a number of a requirement."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from fractions import Fraction
@@ -12,21 +13,25 @@ from fractions import Fraction
 from traceability.model.design_model import Model
 from traceability.model.requirement_numbers import (
     Quantity,
+    bare_numbers,
     constants_named,
     is_same,
     limits_of_range,
+    number_in,
     quantity_of,
     stated_numbers,
     states,
 )
 from traceability.reading.ast_facts import ConstantFact
 from traceability.reading.closed_loop_record import DECLARED, declared
+from traceability.reading.formulas import value_of
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Module, Place, Requirement, RequirementNumbers
 
 LINKS = "design/requirement_numbers.toml"
 SHARED = "SystemConstants"  # module with the constants that all modules use
 COUNTS = ("cycle", "sample", "tick", "edge", "byte", "repetition")
+ROUNDED = 0.005  # greatest share by which a number of a text may differ from a formula
 WHOLE = Quantity("share", Fraction(10_000))  # 100 %
 _UNIT_IN_BRACKETS = re.compile(r"\[[^\]]*\]")
 _ASSUMPTION = re.compile(r"Assumption:[^.]*(?:\.\d[^.]*)*\.?")
@@ -103,14 +108,18 @@ def _requirements(model: Model, facts: Facts) -> Iterator[Finding]:
         for number in entry.numbers
     }
     for requirement in model.requirements.values() if links or without else []:
-        stated = stated_numbers(requirement.text)
+        stated = _stated(requirement)
         yield from _unlinked(requirement, stated, links.get(requirement.id), without)
     for entry in links.values():
         stated_in = model.requirements.get(entry.requirement)
-        yield from _linked(entry, stated_numbers(stated_in.text if stated_in else ""), facts)
+        yield from _linked(entry, _stated(stated_in) if stated_in else {}, facts)
     yield from _unneeded(model, without)
     yield from wrong_bounds(model)
     yield from wrong_limits(model, facts)
+
+
+def _stated(requirement: Requirement) -> dict[str, Quantity]:
+    return bare_numbers(requirement.text) | stated_numbers(requirement.text)
 
 
 def _unlinked(
@@ -131,7 +140,8 @@ def _linked(
     entry: RequirementNumbers, stated: dict[str, Quantity], facts: Facts
 ) -> Iterator[Finding]:
     """Finds links with a number that the requirement does not contain, with a constant that does
-    not exist, or with a constant that has another value."""
+    not exist, or with a constant or a formula that has another value."""
+    known = {constant.name: constant for constant in facts.syntax.values}
     for number, name in entry.constants.items():
         place = facts.declared.entries.line_in(entry.place, number)
         constants = constants_named(name, facts.syntax.values)
@@ -139,11 +149,16 @@ def _linked(
             text = f"{entry.requirement} does not state {number}"
             yield Finding(place, "req-number", text)
         elif not constants:
-            text = f"{name} is not a constant, but is linked with {number} of {entry.requirement}"
-            yield Finding(place, "req-number", text)
+            value = value_of(name, known)
+            if value is None:
+                text = f"{name} is no constant, but is linked with {number} of {entry.requirement}"
+                yield Finding(place, "req-number", text)
+            elif not math.isclose(value, number_in(number), rel_tol=ROUNDED):
+                text = f"{name} is {value:.6g}, but {entry.requirement} states {number}"
+                yield Finding(place, "req-number", text)
         elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
-            value = f"{constants[0].number} {constants[0].unit}".strip()
-            text = f"{name} is {value}, but {entry.requirement} states {number}"
+            shown = f"{constants[0].number} {constants[0].unit}".strip()
+            text = f"{name} is {shown}, but {entry.requirement} states {number}"
             yield Finding(constants[0].place, "req-number", text)
 
 
@@ -151,7 +166,7 @@ def _unneeded(model: Model, without: dict[str, Place]) -> Iterator[Finding]:
     needed = {
         f"{requirement.id} {number}"
         for requirement in model.requirements.values()
-        for number in stated_numbers(requirement.text)
+        for number in _stated(requirement)
     }
     for number, place in without.items():
         if number not in needed:

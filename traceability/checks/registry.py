@@ -789,15 +789,16 @@ _FIXED = [
     Check(
         "req-number",
         "Numbers of requirements agree with the code",
-        "Each number with a unit in a requirement is linked with a constant in "
-        "design/requirement_numbers.toml. The number is in digits or written as a word. The "
-        "constant has this value. design/requirement_numbers.toml also lists the numbers for which "
-        "the code has no constant, with the reason. If the @evidence of a requirement has a bound "
-        "other than 0, the requirement states this number. If a metric in design/closed_loop.toml "
-        "names a requirement, its limit is a number of this requirement, or the percentage of the "
-        "target that the requirement states.",
-        "The check does not find numbers whose unit is not in its list of units. It cannot judge "
-        "whether the linked constant causes the property that the sentence demands.",
+        "Each number in a requirement is linked with a constant, or with a formula of constants, "
+        "in design/requirement_numbers.toml. The number is in digits or written as a word. The "
+        "constant or the formula has this value. design/requirement_numbers.toml also lists the "
+        "numbers for which the code has no constant, with the reason. If the @evidence of a "
+        "requirement has a bound other than 0, the requirement states this number. If a metric in "
+        "design/closed_loop.toml names a requirement, its limit is a number of this requirement, "
+        "or the percentage of the target that the requirement states.",
+        "The check leaves out 0, 1 and two without a unit. A formula may differ by 0.5 % from the "
+        "number in the text, because the text is rounded. The check cannot judge whether the "
+        "linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
         "design/requirement_numbers.toml.",
     ),

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from traceability.model.design_model import Model
 from traceability.model.requirement_numbers import WORDS, stated_numbers
+from traceability.reading.formulas import NAME
 from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import place_of
@@ -122,4 +123,5 @@ def _counted_in_cycles(model: Model, facts: Facts) -> Iterator[tuple[str, Place]
         if requirement and COUNTED.search(requirement.rationale):
             for number, name in entry.constants.items():
                 if any(found.kind in DEPENDENT for found in stated_numbers(number).values()):
-                    yield name, facts.declared.entries.line_in(entry.place, number)
+                    place = facts.declared.entries.line_in(entry.place, number)
+                    yield from ((constant, place) for constant in NAME.findall(name))

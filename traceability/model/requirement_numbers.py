@@ -60,6 +60,13 @@ _STATED = re.compile(
     rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(_IN_WORDS)})"
     rf"(?:(?: successive)? ?(?P<unit>{_UNIT})(?![\w/])|{_LIST})"
 )
+# A number that may have no unit. Left out are parts of names, exponents, 0, 1 and two: such numbers
+# are in many sentences that state no property of the firmware.
+_BARE = re.compile(
+    rf"(?<![\w.^/-])(?P<number>\d+(?:\.\d+)?|{'|'.join(_IN_WORDS)})(?![\w.]*\w|-\w|:)"
+)
+_TRIVIAL = {"0", "1", "2", "two"}
+_IDENTIFIER = re.compile(r"\b(?:N?FR|SG|AU|HZ)-\d+(?: to (?:N?FR|SG)-\d+)?")
 _RANGE = re.compile(r"\[([^\]]+)\][^.;]*?-?(\d+(?:\.\d+)?) to -?(\d+(?:\.\d+)?)")
 
 
@@ -76,11 +83,24 @@ def stated_numbers(text: str) -> dict[str, Quantity]:
     for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
         unit = match["unit"] or match["later"]
         kind, scale = UNITS[_singular(unit)]
-        amount = Fraction(_IN_WORDS.get(match["number"]) or match["number"])
+        amount = number_in(match["number"])
         quantities[f"{match['number']} {unit}"] = Quantity(kind, amount * scale)
     for number in _NAMED.findall(text):
         quantities[f"N = {number}"] = Quantity("cycle", Fraction(number))
     return quantities
+
+
+def bare_numbers(text: str) -> dict[str, Quantity]:
+    """Returns the numbers without a unit in a text, in digits or in words."""
+    rest = _NAMED.sub("", _STATED.sub("", _IDENTIFIER.sub("", re.sub(r"\s+", " ", text))))
+    found = {match["number"] for match in _BARE.finditer(rest)} - _TRIVIAL
+    return {number: Quantity("", number_in(number)) for number in sorted(found)}
+
+
+def number_in(text: str) -> Fraction:
+    """Returns the number at the beginning of a text, which is in digits or a word."""
+    first = text.removeprefix("N = ").partition(" ")[0]
+    return Fraction(_IN_WORDS.get(first) or first)
 
 
 def limits_of_range(text: str) -> dict[str, Quantity]:
@@ -103,7 +123,10 @@ def quantity_of(constant: ConstantFact) -> Quantity:
 
 def is_same(stated: Quantity, constant: Quantity) -> bool:
     """Returns whether a quantity in a text equals a constant. If the constant has no unit, all
-    units for this kind of quantity are tried, and one equal value is enough."""
+    units for this kind of quantity are tried, and one equal value is enough. A number without a
+    unit equals a constant with the same number."""
+    if not stated.kind:
+        return stated.amount == constant.amount
     if constant.kind:
         return stated == constant
     scales = {scale for kind, scale in UNITS.values() if kind == stated.kind}

@@ -4,6 +4,7 @@ from fractions import Fraction
 
 from traceability.model.requirement_numbers import (
     Quantity,
+    bare_numbers,
     is_same,
     quantity_of,
     stated_numbers,
@@ -21,6 +22,16 @@ def test_digits_and_words_with_a_unit_are_read() -> None:
     text = "shall end after 200 ms, in five cycles, between 21 and 29 V, as in FR-12 at 3 places"
     assert list(stated_numbers(text)) == ["200 ms", "five cycles", "21 V", "29 V"]
     assert list(stated_numbers("seven times in a row")) == ["seven times"]
+
+
+def test_numbers_without_a_unit_are_read() -> None:
+    text = "shall end at 25 or nine of FR-12, after 200 ms, at bit 0, and 2 or e^12 or the fifth"
+    assert list(bare_numbers(text).items()) == [
+        (number, Quantity("", Fraction(value)))
+        for number, value in sorted([("25", 25), ("nine", 9), ("fifth", 5)])
+    ]
+    assert is_same(bare_numbers("25")["25"], constant(25, "edges"))
+    assert not is_same(bare_numbers("25")["25"], constant(20))
 
 
 def test_a_number_is_compared_in_the_unit_of_the_constant() -> None:
