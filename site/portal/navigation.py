@@ -4,6 +4,7 @@ number of requirements, come from the model.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from itertools import chain, pairwise
 from pathlib import Path
@@ -72,15 +73,14 @@ def hand_written(folder: Path) -> list[Entry]:
 
 def first_title(path: Path) -> str:
     """Returns the first heading of a page, or the file name if the page has no heading."""
-    lines = path.read_text(encoding="utf-8").splitlines()
-    for above, line in pairwise(lines):
-        if above.strip() and is_underline(line):
-            return above.strip()
-    return path.stem
+    return next(headings(path), path.stem)
 
 
-def is_underline(line: str) -> bool:
-    return len(line) > 2 and set(line) <= set("=-~#*^")
+def headings(path: Path) -> Iterator[str]:
+    """Yields the headings of a hand-written page."""
+    for above, line in pairwise(path.read_text(encoding="utf-8").splitlines()):
+        if above.strip() and len(line) > 2 and set(line) <= set("=-~#*^"):
+            yield above.strip()
 
 
 class Navigation:

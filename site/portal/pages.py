@@ -11,6 +11,7 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
+from docutils.nodes import make_id
 from markupsafe import Markup
 
 from portal.answers import by_topic
@@ -31,6 +32,7 @@ from portal.measured_pages import (
 )
 from portal.messages import codes_by_name, messages
 from portal.module_page import module_page
+from portal.navigation import headings
 from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
 from portal.recording_page import plotted
@@ -104,8 +106,14 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
 
 @functools.cache
 def page_titles(portal: Portal) -> dict[str, str]:
-    """Returns for each address the title of the page or of the element at this address."""
-    return {address: title for _, _, title, _, address, *_ in reversed(entries(portal))}
+    """Returns for each address the title of the page, section or element at this address."""
+    titles = {address: title for _, _, title, _, address, *_ in reversed(entries(portal))}
+    sections = {
+        f"docs/{path.stem}.html#{make_id(title)}": title
+        for path in sorted((portal.root / "docs").glob("*.rst"))
+        for title in headings(path)
+    }
+    return sections | titles
 
 
 def view_of(name: str) -> Callable[[Portal], dict[str, Any]]:

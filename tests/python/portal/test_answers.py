@@ -21,7 +21,7 @@ answer = "So."
 topic = "Verify"
 clicks = ["tests.html"]
 holds = ["words"]
-see = ["virtual_k64.html#faults", "docs/tour.html"]
+see = ["virtual_k64.html#faults", "docs/tour.html", "docs/tour.html#first-steps"]
 """
 
 
@@ -58,11 +58,14 @@ def test_an_answer_links_to_further_evidence(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     (tmp_path / QUESTIONS).parent.mkdir(exist_ok=True)
     (tmp_path / QUESTIONS).write_text(QUESTION, encoding="utf-8")
+    with (tmp_path / "docs/tour.rst").open("a", encoding="utf-8") as tour:
+        tour.write("\nFirst steps\n-----------\n\nWalk.\n")
     portal = Portal(tmp_path, model, REPORT, [])
     (page,) = (page for page in all_pages(portal) if page.name == "answers/how")
     links = read_page(page.body).links
     assert links["@/virtual_k64.html#faults"] == "Run-time checks of the virtual board"
     assert links["@/docs/tour.html"] == "Tour"
+    assert links["@/docs/tour.html#first-steps"] == "Tour: First steps"
 
 
 def test_an_answer_cannot_name_an_unknown_metric() -> None:
