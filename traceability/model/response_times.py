@@ -303,12 +303,13 @@ def _paths(
     of its parts, and the time that a recording shows for the path."""
     recordings = read_recordings(root) or {}
     chains = {chain.name: chain for chain in declared_chains(root)}
-    responses = {bound.context: bound.response_ms for bound in contexts}
+    responses = {bound.context: (bound.name, bound.response_ms or 0.0) for bound in contexts}
     paths = []
     for entry in declared:
         parts = [(part["what"], bounds.value(part["us"]) / 1000) for part in entry["parts"]]
         for context in entry["contexts"]:
-            parts.append((f"interrupt: {context}", responses[context] or 0.0))
+            name, response = responses[context]
+            parts.append((f"interrupt: {name}", response))
         if entry["cycle"]:
             parts.append(("control cycle", cycle_ms))
         chain = chains.get(entry.get("chain", ""))
