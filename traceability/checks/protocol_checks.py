@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
 from cobs import cobs
@@ -19,6 +20,7 @@ from weeding_robot_client.layout import BY_QUANTITY, Layout, LayoutError, read_f
 
 FRAMES = "design/frames.toml"
 EXAMPLES = "docs/protocol_examples.txt"
+REASONS = "client/weeding_robot_client/reasons.py"
 # A number in the text of an example, with the word before it and the unit and direction after it.
 NUMBER = re.compile(
     r"(?:\b([a-z]+) )?(?<![\w.-])(?:(-?\d+(?:\.\d+)?) (degree|rpm|V|A|ms)s?\b"
@@ -38,7 +40,11 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
     lines = text_of(path).splitlines()
     table = facts.declared.entries.whole(path)
     numbers = {constant.name: int(constant.number) for constant in facts.syntax.values}
-    for pattern, text in [*_wrong_types(table, numbers), *_wrong_values(table, numbers)]:
+    for pattern, text in [
+        *_wrong_types(table, numbers),
+        *_wrong_values(table, numbers),
+        *_unnamed_causes(table, facts.root),
+    ]:
         at = next((n for n, line in enumerate(lines, 1) if re.search(pattern, line)), 1)
         yield Finding(Place(FRAMES, at), "doc-frame", text)
 
@@ -66,6 +72,18 @@ def _wrong_values(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tu
             if right != number:
                 pattern = rf'\b{number}, *name *= *"{re.escape(str(name))}"'
                 yield pattern, f"{name} of {firmware} is {right}, not {number}"
+
+
+def _unnamed_causes(table: dict[str, Any], root: Path) -> Iterator[tuple[str, str]]:
+    """Yields for each cause of a stop without a text in the client: a pattern that matches its
+    line, and the text of the finding."""
+    named = re.search(r"^CAUSES = \{(.*?)^\}", text_of(root / REASONS), re.DOTALL | re.MULTILINE)
+    keys = set(re.findall(r'^    "([^"]+)":', named[1], re.MULTILINE)) if named else set()
+    for enumeration in table.get("enumeration", []) if named else ():
+        causes = enumeration["values"] if enumeration.get("firmware") == "StopCause" else ()
+        for cause in [value["shown"] for value in causes if value["number"]]:
+            if cause not in keys:
+                yield rf'shown *= *"{re.escape(cause)}"', f"{REASONS} has no text for {cause}"
 
 
 def _examples(facts: Facts) -> Iterator[Finding]:

@@ -1119,7 +1119,7 @@ _FIXED = [
         "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
         "firmware, or names a constant of the firmware, both have the same number. If a frame has "
         "the name of an enumerator of FrameType, the type of the frame is the number of this "
-        "enumerator.",
+        "enumerator. The client has a text for each cause of a protective stop.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",
