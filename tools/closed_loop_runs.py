@@ -10,9 +10,16 @@ import subprocess
 from pathlib import Path
 from typing import TextIO
 
-from tools.cmake_build import BOARD_PROGRAM, IMAGE
+from tools.cmake_build import BOARD_PROGRAM
 from tools.task_graph import Outcome
-from traceability.reading.closed_loop_record import EXAMPLES, OUTCOMES, csv_of, declared
+from traceability.reading.closed_loop_record import (
+    EXAMPLES,
+    OUTCOMES,
+    PRODUCT,
+    csv_of,
+    declared,
+)
+from traceability.reading.products import image_of
 from traceability.schema import HOST, VIRTUAL_K64
 
 HOST_PROGRAM = "weeding_robot_host"
@@ -40,8 +47,8 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
     folder = root / "build" / "host" / "sim"
     words: list[str | Path] = [folder / HOST_PROGRAM, "--paper"]
     if binding == VIRTUAL_K64:
-        elf = (root / IMAGE).with_suffix(".elf")
-        words = [folder / BOARD_PROGRAM, "--image", root / IMAGE, "--elf", elf, "--stack"]
+        image, elf = (root / image_of(PRODUCT, suffix) for suffix in (".bin", ".elf"))
+        words = [folder / BOARD_PROGRAM, "--image", image, "--elf", elf, "--stack"]
     words += ["--scenario", root / EXAMPLES / f"{name}.scenario", "--reports", reports]
     log.write(f"$ {' '.join(str(word) for word in words)}\n")
     try:

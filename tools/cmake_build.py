@@ -30,7 +30,6 @@ _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
 # The folders and files that are copied, when a copy of the project is built and tested.
 COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
-IMAGE = str(image_of(PAPER, ".bin"))
 TESTS = "firmware_tests"
 # The tests on the virtual K64 are a separate run. Their program is built with the preset for this
 # computer.

@@ -18,6 +18,7 @@ from cyclonedx.output.json import JsonV1Dot6
 from packageurl import PackageURL
 
 from tools.steps import FailureError
+from traceability.reading.build_evidence import LINKED
 
 NAME = "weeding_robot.cdx.json"
 PROJECT = "weeding_robot"
@@ -26,8 +27,6 @@ LOCK = Path("setup/python.lock")
 VENDORED = Path("setup/vendored.txt")
 PINNED = re.compile(r"^([A-Za-z0-9._-]+)==([^ ;\\]+)", re.MULTILINE)
 FILE = re.compile(r"^([0-9a-f]{64})  (\S+)$", re.MULTILINE)
-# Debian packages whose code is in the firmware images.
-LINKED = ("libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++-arm-none-eabi-dev")
 
 
 def sbom_text(root: Path, version: str, commit: str, when: int, images: Mapping[str, str]) -> str:

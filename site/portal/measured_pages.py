@@ -12,16 +12,18 @@ from typing import Any
 
 from portal import plots
 from portal.portal import Portal
+from portal.safety_pages import SAFE_MODULE, images_of
 from traceability.model.made_changes import proven, unproven
-from traceability.reading import baseline_record
+from traceability.reading import baseline_record, closed_loop_record
 from traceability.reading.change_kits import touched_lines
 from traceability.reading.fault_kinds import fault_kinds, sensor_faults
 from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.reading.plain_constants import plain_constants
-from traceability.reading.products import CALLS_SUFFIX, DEFAULT, PAPER
+from traceability.reading.products import CALLS_SUFFIX, DEFAULT, HAS, PAPER, PRODUCTS
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
+PLAYS_EXAMPLES = "ClosedLoopOfRobot."  # tests that play the scenarios of the closed loop
 # The source files of the extensions that are compiled only for the K64. The firmware image in which
 # executed lines are recorded contains none of them.
 UNMEASURED = re.compile(r"extensions/\w+/k64/\w+\.cpp")
@@ -86,7 +88,12 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
 
+    tests = [t for name, t in portal.model.tests.items() if name.startswith(PLAYS_EXAMPLES)]
+    product = closed_loop_record.PRODUCT
     return {
+        "product": product,
+        "safe": SAFE_MODULE in HAS[product],
+        "also": [name for name in images_of(tests) if name in PRODUCTS and name != product],
         "scenarios": scenarios,
         "drawings": {
             scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]

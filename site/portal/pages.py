@@ -47,6 +47,7 @@ from traceability.exports.tool_files import available
 from traceability.model.made_changes import proven
 from traceability.model.not_shown import by_method, driver_lines, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
+from traceability.reading import closed_loop_record
 from traceability.reading.bench_record import SCENARIOS
 from traceability.reading.products import DEFAULT, FUNCTIONS, PRODUCTS
 from traceability.schema import (
@@ -244,6 +245,7 @@ def execution(portal: Portal) -> dict[str, Any]:
         "lane_data": Markup(json.dumps(lanes)),
         "state_modules": sorted({name for one in machines for name in one.states.values()}),
         "image": DEFAULT,
+        "measured_product": closed_loop_record.PRODUCT,
         "wide": True,
     }
 

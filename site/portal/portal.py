@@ -315,7 +315,10 @@ class Portal:
 
     def last_change_of(self, module: Module) -> str:
         """Returns the date and the hash of the last commit that changed a file of a module."""
-        files = [file for file in (module.header, module.source) if file]
+        return self.last_change([file for file in (module.header, module.source) if file])
+
+    def last_change(self, files: Iterable[str]) -> str:
+        """Returns the date and the hash of the last commit that changed one of these files."""
         return max((self._last_changes.get(file, "") for file in files), default="")
 
     def changed_since(self, commit: str) -> int | None:

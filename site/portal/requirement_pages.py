@@ -13,7 +13,7 @@ from portal import verification_views
 from portal.module_page import line_kind
 from portal.names import counted_states
 from portal.portal import Page, Portal
-from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
+from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS, QUESTIONS
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
 
 MOST_BETWEEN = 4  # greatest number of calls that are shown one by one between two nodes of a tree
@@ -30,6 +30,8 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "sections": sections(portal),
         "facets": numbers,
         "states": counted_states(states),
+        "baseline": BASELINE,
+        "baseline_changed": portal.last_change([str(BASELINE)]),
         "methods": Counter(requirement.method for requirement in every),
         "without_test": [item.id for item in every if not item.verified_by],
         "without_method": [item.id for item in every if not item.satisfied_by],

@@ -8,11 +8,29 @@ from typing import Any
 
 from portal.portal import Page, Portal
 from traceability.model.safety_case import scenarios_of
-from traceability.reading.products import DEFAULT, HAS, PAPER, PRODUCTS
+from traceability.reading import bench_record, call_record, closed_loop_record
+from traceability.reading.products import CALLS_SUFFIX, DEFAULT, HAS, PAPER, PRODUCTS
 from traceability.schema import BenchScenario, FaultScenario, SafetyGoal, Test
 
 TIMING = "no-wait-states"
 SAFE_MODULE = "SafeSystem"  # Only the products with safety functions contain this module.
+MEASURED = f"{bench_record.IMAGE.stem}; without the slow flash also {PAPER}"
+ON_HOST = "the code on the host, without the code for the K64"
+# Kind of evidence, page that shows it, and firmware image or code from which it is.
+EVIDENCE = (
+    ("longest control cycle, calculated", "bench.html#bound", DEFAULT),
+    ("control cycle, measured", "bench.html", MEASURED),
+    ("stack, calculated", "execution.html#stack", DEFAULT),
+    ("stack, measured", "execution.html#stack", closed_loop_record.PRODUCT),
+    ("distances, settling times and other values", "closed_loop.html", closed_loop_record.PRODUCT),
+    ("recorded calls and chains", "cycle.html", f"{call_record.IMAGE.stem}{CALLS_SUFFIX}"),
+    ("random faults", "robustness.html", DEFAULT),
+    ("random inputs", "robustness.html#fuzz", ON_HOST),
+    ("model checking", "proofs.html#scope", f"a model of {DEFAULT}"),
+    ("coverage of the part for the K64", "virtual_k64.html#drivers", PAPER + CALLS_SUFFIX),
+    ("coverage of the other code", "requirements/index.html#module-coverage", ON_HOST),
+    ("mutation test", "mutation.html", ON_HOST),
+)
 
 
 def safety(portal: Portal) -> dict[str, Any]:
@@ -23,6 +41,7 @@ def safety(portal: Portal) -> dict[str, Any]:
         "by_level": [(level, count(portal, level)) for level in reversed(case.levels)],
         "open_points": list(open_points(portal)),
         "tested": product_runs(portal),
+        "evidence": EVIDENCE,
         "played_on": played_on(portal, case.scenarios.values()),
     }
 

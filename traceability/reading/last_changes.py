@@ -8,7 +8,8 @@ from pathlib import Path
 from traceability.reading.build_evidence import git
 from traceability.sources import DESIGN
 
-COMMENT_LINE = "^ *//"
+FIRMWARE = re.compile(r"\.(cpp|hpp|ld)$")
+NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\s+", re.DOTALL)  # comments and white space
 
 
 def last_changes(root: Path) -> dict[str, str]:
@@ -24,11 +25,22 @@ def last_changes(root: Path) -> dict[str, str]:
 
 
 def changed_since(root: Path, commit: str) -> int | None:
-    """Returns the number of files of the firmware in which lines other than comment lines have
-    changed since a commit. Returns ``None`` if the commit is unknown, for example because the
-    history was not cloned.
+    """Returns the number of files of the firmware whose code has changed since a commit. A change
+    of comments or of the layout does not count. Returns ``None`` if the commit is unknown, for
+    example because the history was not cloned.
     """
     if not commit or not git(root, "rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}"):
         return None
-    changed = git(root, "diff", "--numstat", "-w", "-I", COMMENT_LINE, commit, "--", *DESIGN)
-    return len([line for line in changed.splitlines() if re.search(r"\.(cpp|hpp|ld)$", line)])
+    names = git(root, "diff", "--name-only", "--no-renames", commit, "--", *DESIGN).splitlines()
+    return sum(
+        _code(git(root, "show", f"{commit}:{name}")) != _code(_text(root / name))
+        for name in filter(FIRMWARE.search, names)
+    )
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8") if path.exists() else ""
+
+
+def _code(text: str) -> str:
+    return NO_CODE.sub("", text)

@@ -40,6 +40,13 @@ def test_long_and_repeated_tests_are_listed(tmp_path: Path) -> None:
     assert "1 test of the client failed at first. Only the second result counts." in found
 
 
+def test_failed_python_tests_are_listed_by_name(tmp_path: Path) -> None:
+    failed = replace(build(None), failed=["tests/python/model/test_it.py::test_it"])
+    (text,) = (one for one in texts(tmp_path, build=failed) if "Python test" in one)
+    assert "1 Python test of the tools" in text
+    assert "failed: tests/python/model/test_it.py::test_it." in text
+
+
 def test_lines_of_the_drivers_that_no_test_executed_are_listed(tmp_path: Path) -> None:
     lines = {"src/k64/a.cpp": {1: True, 2: False}, "src/k64/b.cpp": {1: True}}
     missing = "No test executed 1 of the 3 lines of the drivers of the K64."

@@ -517,7 +517,7 @@ def test_each_module_leads_to_its_neighbours(portal: Portal, pages: dict[str, Sh
     ("inputs", "text"),
     [
         ({"link": 20, "robot": 3}, "20 long random inputs for the PC link and 3"),
-        ({"frames": 100, "link": 20, "robot": 3}, "100 short random inputs for the PC link"),
+        ({"frames": 100, "link": 20, "robot": 3}, "100 short random inputs, each for the PC link"),
     ],
 )
 def test_the_page_of_robustness_shows_the_inputs_of_each_fuzzer_of_a_record(

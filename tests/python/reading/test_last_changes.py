@@ -33,14 +33,15 @@ def test_a_folder_without_git_has_no_changes(tmp_path: Path) -> None:
     assert last_changes(tmp_path) == {}
 
 
-def test_a_changed_comment_line_is_no_change_of_the_firmware(tmp_path: Path) -> None:
+def test_a_changed_comment_is_no_change_of_the_firmware(tmp_path: Path) -> None:
     subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
     for folder in ("src", "extensions", "sim"):
         (tmp_path / folder).mkdir()
-    files = {"src/a.cpp": "// old\nint a;\n", "extensions/b.hpp": "int b;\n", "sim/c.cpp": "c"}
+    code = "// old\nint a;  // old\n"
+    files = {"src/a.cpp": code, "extensions/b.hpp": "int b;\n", "sim/c.cpp": "c"}
     commit(tmp_path, "2026-01-02T00:00:00Z", **files)
     first = last_changes(tmp_path)["src/a.cpp"].split()[1]
-    (tmp_path / "src/a.cpp").write_text("// new\nint a;\n", encoding="utf-8")
+    (tmp_path / "src/a.cpp").write_text("// new\nint a;  ///< new\n", encoding="utf-8")
     (tmp_path / "sim/c.cpp").write_text("d", encoding="utf-8")
     assert changed_since(tmp_path, first) == 0
     (tmp_path / "extensions/b.hpp").write_text("int d;\n", encoding="utf-8")
