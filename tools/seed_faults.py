@@ -194,7 +194,7 @@ class Copy:
         """Returns the cached files of the copy. The messages of Doxygen are not among them, because
         they belong to its XML."""
         files = sorted((self.tree / "build" / "model").rglob("*.*"))
-        kinds = (".json", ".facts")
+        kinds = (".json", ".facts", ".pickle")
         return [path for path in files if path.suffix in kinds and path.name != "doxygen.json"]
 
     def _stamps(self) -> dict[Path, int]:
