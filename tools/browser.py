@@ -1,11 +1,22 @@
-"""The browser of this computer, for the tests of the pages."""
+"""The browser of this computer, and pages that report what they find to their caller."""
 
 from __future__ import annotations
 
+import functools
+import json
 import shutil
 import subprocess
+import tempfile
+import threading
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+from tools.steps import FailureError
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+PAGE = "/probe.html"  # address of the page that reports
+SECONDS = 600  # time limit for the result of a page
 
 
 def find_browser() -> str | None:
@@ -27,3 +38,58 @@ def works(browser: str | None) -> bool:
         )
     except (OSError, subprocess.TimeoutExpired):
         return False
+
+
+def result_of(browser: str, folder: Path, page: str) -> tuple[dict[str, Any], list[str]]:
+    """Opens a page in the browser. Returns the result that the page posts to ``result``, and the
+    lines that it wrote to the console before.
+
+    ``page`` is the text of the page. It is served beside the files of the folder. The browser runs
+    in real time and ends as soon as the result has come.
+    """
+    came = threading.Event()
+    posted: dict[str, Any] = {}
+
+    class Handler(SimpleHTTPRequestHandler):
+        def do_GET(self) -> None:
+            if self.path == PAGE:
+                self._answer(200, page.encode())
+            else:
+                super().do_GET()
+
+        def do_POST(self) -> None:
+            posted.update(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
+            self._answer(204, b"")
+            came.set()
+
+        def log_message(self, *_arguments: Any) -> None:
+            """Prints nothing. The log does not contain the requests."""
+
+        def _answer(self, status: int, content: bytes) -> None:
+            self.send_response(status)
+            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.send_header("Content-Length", str(len(content)))
+            self.end_headers()
+            self.wfile.write(content)
+
+    handler = functools.partial(Handler, directory=str(folder))
+    with (
+        ThreadingHTTPServer(("127.0.0.1", 0), handler) as http,
+        tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
+        tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as log,
+    ):
+        threading.Thread(target=http.serve_forever, daemon=True).start()
+        words = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run"]
+        words += ["--enable-logging=stderr", "--remote-debugging-port=0"]
+        words += [f"--user-data-dir={profile}", f"http://127.0.0.1:{http.server_port}{PAGE}"]
+        with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=log) as program:
+            try:
+                if not came.wait(SECONDS):
+                    raise FailureError(f"the page sent no result within {SECONDS} s")
+            finally:
+                program.terminate()
+                program.wait()
+                http.shutdown()
+        log.seek(0)
+        console = [line.rstrip() for line in log if "CONSOLE" in line]
+    return posted, console

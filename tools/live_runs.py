@@ -6,20 +6,17 @@ Two runs are equal if their reports are equal, and the hashes of all events of t
 
 from __future__ import annotations
 
-import functools
 import json
 import re
 import shutil
 import subprocess
 import tempfile
-import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any, TextIO
 
-from tools.browser import find_browser, works
+from tools.browser import find_browser, result_of, works
 from tools.cmake_build import BOARD_PROGRAM, build
 from tools.steps import FailureError
 from tools.task_graph import Outcome
@@ -122,50 +119,10 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
         for scenario in scenarios:
             shutil.copyfile(scenario, folder / scenario.name)
         names = json.dumps([scenario.name for scenario in scenarios])
-        page = PAGE.replace("%NAMES%", names)
-        (folder / "index.html").write_text(page, encoding="utf-8")
-        result = result_of(browser, folder, "index.html")
+        result, _ = result_of(browser, folder, PAGE.replace("%NAMES%", names))
     if "error" in result:
         raise FailureError(f"the browser: {result['error']}")
     return result
-
-
-def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
-    """Opens a page of a folder in the browser. Returns the result that the page posts."""
-    came = threading.Event()
-    posted: dict[str, Any] = {}
-
-    class Handler(SimpleHTTPRequestHandler):
-        def do_POST(self) -> None:
-            posted.update(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
-            self.send_response(204)
-            self.end_headers()
-            came.set()
-
-        def log_message(self, *_arguments: Any) -> None:
-            """Prints nothing. The log does not contain the requests."""
-
-    handler = functools.partial(Handler, directory=str(folder))
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
-        threading.Thread(target=http.serve_forever, daemon=True).start()
-        words = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run"]
-        words += ["--remote-debugging-port=0", f"http://127.0.0.1:{http.server_port}/{page}"]
-        with (
-            tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
-            subprocess.Popen(
-                [*words, f"--user-data-dir={profile}"],
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-            ) as program,
-        ):
-            try:
-                if not came.wait(SECONDS):
-                    raise FailureError(f"the page sent no result within {SECONDS} s")
-            finally:
-                program.terminate()
-                program.wait()
-                http.shutdown()
-    return posted
 
 
 def differences(native: Run, run: dict[str, Any]) -> list[str]:

@@ -11,8 +11,7 @@ import pytest
 
 from portal import site_build
 from tests.python.portal.fixture import REPORT, make_project
-from tools.browser import find_browser, works
-from tools.live_runs import result_of
+from tools.browser import find_browser, result_of, works
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.live_record import MODULE
 from traceability.reading.products import PAPER, image_of, recorded_image_of
@@ -78,8 +77,7 @@ def look(
     if browser is None or not works(browser):
         pytest.skip("there is no browser on this computer")
     text = PAGE.replace("%PROBE%", probe).replace("%ADDRESS%", page + query)
-    (site / "probe.html").write_text(text.replace("%WIDTH%", str(width)), encoding="utf-8")
-    result = result_of(browser, site, "probe.html")
+    result, _ = result_of(browser, site, text.replace("%WIDTH%", str(width)))
     assert "error" not in result, result
     return result
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -11,7 +10,7 @@ import pytest
 from portal import site_build
 from portal.portal import CheckText
 from tests.python.portal.fixture import MODES, REPORT, make_project
-from tests.python.site.browser import BROWSER, look, served
+from tests.python.site.browser import BROWSER, look
 
 PAGES = [
     "index", "structure", "guide", "interfaces", "datatypes", "machines", "uses", "trees", "tests",
@@ -29,7 +28,7 @@ pytestmark = [
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     root = tmp_path_factory.mktemp("project")
     checks = [
         CheckText(
@@ -39,12 +38,11 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(site_build, "check_texts", lambda: checks)
         site_build.build_site(root, make_project(root), REPORT)
-    with served(root / "build" / "site") as site:
-        yield site
+    return root / "build" / "site"
 
 
-def test_pages_open_without_an_error(server: tuple[str, Path]) -> None:
-    seen, errors = look(server, PAGES, "return [doc.title, doc.querySelectorAll('h1').length];")
+def test_pages_open_without_an_error(site: Path) -> None:
+    seen, errors = look(site, PAGES, "return [doc.title, doc.querySelectorAll('h1').length];")
     assert errors == []
     assert seen.keys() == set(PAGES)
     assert {name: heads for name, (_, heads) in seen.items() if heads != 1} == {}
@@ -66,13 +64,13 @@ SEARCHES = {
 
 
 def test_the_search_takes_words_in_any_order_and_with_typing_errors(
-    server: tuple[str, Path],
+    site: Path,
 ) -> None:
     probe = "return doc.querySelector('.hits a').getAttribute('href');"
-    assert look(server, list(SEARCHES), probe) == (SEARCHES, [])
+    assert look(site, list(SEARCHES), probe) == (SEARCHES, [])
 
 
-def test_the_search_is_used_from_the_keyboard(server: tuple[str, Path]) -> None:
+def test_the_search_is_used_from_the_keyboard(site: Path) -> None:
     probe = (
         "const field = doc.querySelector('#q'), hits = doc.querySelector('#hits'), found = [];"
         "const press = (target, key, more) => target.dispatchEvent(new view.KeyboardEvent("
@@ -87,11 +85,11 @@ def test_the_search_is_used_from_the_keyboard(server: tuple[str, Path]) -> None:
         "field.dispatchEvent(new view.Event('input')); hits.hidden = false; field.blur();"
         "found.push(hits.hidden); return found;"
     )
-    seen, _ = look(server, ["modules/RC?q=read"], probe)
+    seen, _ = look(site, ["modules/RC?q=read"], probe)
     assert seen["modules/RC?q=read"] == [True, True, "hit0", "hit1", True, True, True, True]
 
 
-def test_the_theme_button_changes_the_colours(server: tuple[str, Path]) -> None:
+def test_the_theme_button_changes_the_colours(site: Path) -> None:
     probe = (
         "const ground = () => view.getComputedStyle(doc.body).backgroundColor, found = [];"
         "const button = doc.querySelector('.theme');"
@@ -99,56 +97,49 @@ def test_the_theme_button_changes_the_colours(server: tuple[str, Path]) -> None:
         " found.push([doc.documentElement.dataset.theme || 'auto', ground()]); }"
         "return found;"
     )
-    seen, _ = look(server, ["index"], probe)
+    seen, _ = look(site, ["index"], probe)
     grounds = dict(seen["index"])
     assert grounds.keys() == {"auto", "light", "dark"}
     assert grounds["light"] != grounds["dark"]
 
 
-def test_a_letter_on_a_name_opens_that_view(server: tuple[str, Path]) -> None:
+def test_a_letter_on_a_name_opens_that_view(site: Path) -> None:
     probe = (
         "const name = doc.querySelector('a.mod[data-m=RC]'); name.focus();"
         "const key = (k) => name.dispatchEvent("
         "new view.KeyboardEvent('keydown', {key: k, bubbles: true, cancelable: true}));"
         "return [key('t'), key('x')];"
     )
-    seen, _ = look(server, ["patterns/reading-modes"], probe)
+    seen, _ = look(site, ["patterns/reading-modes"], probe)
     assert seen["patterns/reading-modes"] == [False, True]
 
 
-def test_a_card_shows_the_secret(server: tuple[str, Path]) -> None:
+def test_a_card_shows_the_secret(site: Path) -> None:
     probe = (
         "const name = doc.querySelector('a.mod[data-m=RC]');"
         "name.matches = () => true; name.focus();"
         "name.dispatchEvent(new view.FocusEvent('focusin', {bubbles: true}));"
         "const card = doc.querySelector('.card'); return card && card.textContent;"
     )
-    seen, _ = look(server, ["patterns/reading-modes"], probe)
+    seen, _ = look(site, ["patterns/reading-modes"], probe)
     assert "The secret of RC" in (seen["patterns/reading-modes"] or "")
 
 
-def test_pages_ask_no_other_server(server: tuple[str, Path]) -> None:
+def test_pages_ask_no_other_server(site: Path) -> None:
     outside = re.compile(r'(?:src|href)="(?:https?:)?//')
     found = [
         path.name
-        for path in server[1].rglob("*.html")
-        if path.name != "probe.html" and outside.search(path.read_text(encoding="utf-8"))
+        for path in site.rglob("*.html")
+        if outside.search(path.read_text(encoding="utf-8"))
     ]
     assert found == []
 
 
 def test_a_wide_diagram_fits_a_narrow_window_and_is_enlarged_in_a_window(
-    server: tuple[str, Path],
+    site: Path,
 ) -> None:
     probe = (
-        "let place = null;"
-        "for (let tries = 0; tries < 100 && !place; tries++) {"
-        "  await new Promise((done) => view.setTimeout(done, 20));"
-        # The virtual time of the browser stops during a request. Even a slow computer therefore
-        # draws the page in time.
-        "  await view.fetch('');"
-        "  place = doc.querySelector('.scroll.wide');"
-        "}"
+        "const place = await until(() => doc.querySelector('.scroll.wide'));"
         "const svg = place.querySelector('svg');"
         "const width = () => svg.getBoundingClientRect().width, found = [];"
         "found.push(width() <= place.clientWidth);"
@@ -163,12 +154,12 @@ def test_a_wide_diagram_fits_a_narrow_window_and_is_enlarged_in_a_window(
         "found.push(doc.activeElement === button);"
         "return found;"
     )
-    seen, errors = look(server, ["architecture"], probe, width=640)
+    seen, errors = look(site, ["architecture"], probe, width=640)
     assert (seen["architecture"], errors) == ([True] * 7, [])
 
 
 def test_the_architecture_is_drawn_from_top_to_bottom_on_a_phone(
-    server: tuple[str, Path],
+    site: Path,
 ) -> None:
     probe = (
         "const shown = [...doc.querySelectorAll('svg.arch-fig')].filter((svg) =>"
@@ -176,34 +167,34 @@ def test_the_architecture_is_drawn_from_top_to_bottom_on_a_phone(
         "return shown.map((svg) => [svg.viewBox.baseVal.width < svg.viewBox.baseVal.height,"
         " svg.querySelectorAll('a').length]);"
     )
-    narrow, _ = look(server, ["index"], probe, width=390)
-    wide, _ = look(server, ["index"], probe, width=1200)
+    narrow, _ = look(site, ["index"], probe, width=390)
+    wide, _ = look(site, ["index"], probe, width=1200)
     ((is_tall, links),), ((is_wide_tall, wide_links),) = narrow["index"], wide["index"]
     assert (is_tall, is_wide_tall, links) == (True, False, wide_links)
     assert links
 
 
 def test_a_box_of_a_diagram_has_a_card_and_is_highlighted_with_its_rows(
-    server: tuple[str, Path],
+    site: Path,
 ) -> None:
     probe = (
         "const box = doc.querySelector('svg a[data-m=RC]');"
         "const over = (node) => node.dispatchEvent(new view.PointerEvent('pointerover',"
         " {bubbles: true, pointerType: 'mouse'}));"
-        "over(box); await new Promise((done) => view.setTimeout(done, 400));"
+        "over(box); await until(() => doc.querySelector('.card') && doc.querySelector('.joint'));"
         "const marked = () => [...doc.querySelectorAll('.joint')].map((part) => part.localName);"
         "const found = [doc.querySelector('.card').dataset.m, marked()];"
         "over(doc.querySelector('h1')); found.push(marked());"
         "over(doc.querySelector('.where a.mod[data-m=RC]')); found.push(marked().includes('a'));"
         "return found;"
     )
-    seen, errors = look(server, ["patterns/reading-modes"], probe)
+    seen, errors = look(site, ["patterns/reading-modes"], probe)
     card, marked, after, back = seen["patterns/reading-modes"]
     assert (card, after, back, errors) == ("RC", [], True, [])
     assert {"a", "li", "tr"} <= set(marked)
 
 
-def test_a_label_of_a_diagram_has_the_width_that_was_measured(server: tuple[str, Path]) -> None:
+def test_a_label_of_a_diagram_has_the_width_that_was_measured(site: Path) -> None:
     probe = (
         "await doc.fonts.ready;"
         "return [...doc.querySelectorAll('svg.plant text[textLength]')].map((text) => {"
@@ -211,43 +202,42 @@ def test_a_label_of_a_diagram_has_the_width_that_was_measured(server: tuple[str,
         " text.removeAttribute('textLength');"
         " return [text.textContent, measured, text.getComputedTextLength()]; });"
     )
-    seen, _ = look(server, ["patterns/reading-modes"], probe)
+    seen, _ = look(site, ["patterns/reading-modes"], probe)
     labels = seen["patterns/reading-modes"]
     assert {"MainController", "read()"} <= {label for label, *_ in labels}
     # Java rounds the width of each letter. The difference is up to a tenth of the width of a label.
     assert [one for one in labels if abs(one[1] - one[2]) > 2 + 0.1 * one[2]] == []
 
 
-def test_columns_of_numbers_are_aligned_at_their_right_end(server: tuple[str, Path]) -> None:
+def test_columns_of_numbers_are_aligned_at_their_right_end(site: Path) -> None:
     probe = (
         "const cells = [...doc.querySelectorAll('main table:not(.umx) tbody td')].filter((cell) =>"
         " /^\\d+$/.test(cell.textContent.trim()));"
         "return cells.map((cell) => view.getComputedStyle(cell).textAlign);"
     )
-    seen, _ = look(server, ["uses", "modules/MainController"], probe)
+    seen, _ = look(site, ["uses", "modules/MainController"], probe)
     assert seen["uses"] and {*seen["uses"], *seen["modules/MainController"]} == {"right"}
 
 
-def test_an_address_of_a_folded_element_opens_its_list(server: tuple[str, Path]) -> None:
+def test_an_address_of_a_folded_element_opens_its_list(site: Path) -> None:
     probe = (
         "const section = doc.querySelector('main section[id]');"
         "const fold = doc.createElement('details'); section.before(fold); fold.append(section);"
         "const shown = () => section.checkVisibility();"
         "const found = [shown()]; view.location.hash = '#' + section.id;"
-        "await new Promise((done) => setTimeout(done, 50));"
-        "found.push(shown()); return found;"
+        "await until(shown); found.push(shown()); return found;"
     )
-    seen, _ = look(server, ["modules/MainController"], probe, name="probe-folded")
+    seen, _ = look(site, ["modules/MainController"], probe)
     assert seen["modules/MainController"] == [False, True]
 
 
 def test_a_fold_of_the_first_page_shows_its_links_only_when_it_is_open(
-    server: tuple[str, Path],
+    site: Path,
 ) -> None:
     probe = (
         "const fold = doc.querySelector('.others'), link = fold.querySelector('a');"
         "const found = [link.checkVisibility()]; fold.querySelector('summary').click();"
         "found.push(link.checkVisibility()); return found;"
     )
-    seen, _ = look(server, ["index"], probe, name="probe-fold")
+    seen, _ = look(site, ["index"], probe)
     assert seen["index"] == [False, True]

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from tests.python.site.browser import BROWSER, Site, look, served
+from tests.python.site.browser import BROWSER, look
 from tests.python.site.content import SITE
 from traceability.whole_file import write_whole
 
@@ -93,7 +93,7 @@ found.push(doc.activeElement === key);
 key.dispatchEvent(new view.KeyboardEvent("keydown", { key: "Escape", bubbles: true }));
 found.push(doc.activeElement === name, !doc.querySelector(".card"));
 doc.querySelector(".skip").click();
-await new Promise((done) => setTimeout(done, 50));
+await until(() => doc.activeElement.id);
 found.push(doc.activeElement.id);
 return found;
 """
@@ -104,21 +104,13 @@ pytestmark = [
 ]
 
 
-@pytest.fixture(scope="module")
-def site() -> Iterator[Site]:
-    with served(SITE) as found:
-        yield found
-    (SITE / "probe.html").unlink(missing_ok=True)
-
-
 class Looked:
     """The results of probes on pages, from this run and from the run before.
 
     A page is opened only if its file, the theme, the probe or the browser has changed.
     """
 
-    def __init__(self, site: Site) -> None:
-        self._site = site
+    def __init__(self) -> None:
         self._file = SITE.with_name("looked.json")
         self._before = json.loads(self._file.read_text()) if self._file.exists() else {}
         self._now: dict[str, Any] = {}
@@ -133,14 +125,12 @@ class Looked:
         changed = [page for page in pages if page not in known]
         with ThreadPoolExecutor(browsers) as pool:
             parts = [
-                pool.submit(look, self._site, share, probe, name=f"probe_{number}")
+                pool.submit(look, SITE, share, probe)
                 for number in range(browsers)
                 if (share := changed[number::browsers])
             ]
         found = known | {page: one for part in parts for page, one in part.result()[0].items()}
         self._now |= {keys[page]: one for page, one in found.items()}
-        for number in range(browsers):
-            (SITE / f"probe_{number}.html").unlink(missing_ok=True)
         return found
 
     def write(self) -> None:
@@ -156,8 +146,8 @@ def files_in(folder: Path) -> list[Path]:
 
 
 @pytest.fixture(scope="module")
-def looked(site: Site) -> Iterator[Looked]:
-    looked = Looked(site)
+def looked() -> Iterator[Looked]:
+    looked = Looked()
     yield looked
     looked.write()
 
@@ -215,28 +205,28 @@ def test_pages_are_accessible(
     assert {page: found for page, found in violations.items() if found} == {}
 
 
-def test_escape_gives_the_focus_back_and_every_stop_is_seen(site: Site) -> None:
+def test_escape_gives_the_focus_back_and_every_stop_is_seen() -> None:
     """The focus moves from the name of a module into its card, and back. The skip link leads into
     the content."""
-    seen, errors = look(site, ["patterns/reading-modes"], KEYBOARD)
+    seen, errors = look(SITE, ["patterns/reading-modes"], KEYBOARD)
     assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]
     assert errors == []
 
 
-def test_a_filter_is_kept_in_the_address_and_read_from_it(site: Site) -> None:
+def test_a_filter_is_kept_in_the_address_and_read_from_it() -> None:
     probe = (
         "const count = () => doc.querySelector('.tools .count').textContent;"
         "const field = doc.querySelector('[data-facet=level]'), first = count();"
         "field.value = 'system'; field.dispatchEvent(new view.Event('input'));"
         "return [first, count(), view.location.search];"
     )
-    seen, errors = look(site, ["tests?module=RC"], probe)
+    seen, errors = look(SITE, ["tests?module=RC"], probe)
     by_module, by_both, address = seen["tests?module=RC"]
     assert int(by_module.split()[0]) > int(by_both.split()[0]) > 0
     assert (address, errors) == ("?module=RC&level=system", [])
 
 
-def test_a_tour_is_kept_from_page_to_page(site: Site) -> None:
+def test_a_tour_is_kept_from_page_to_page() -> None:
     probe = (
         "const start = doc.querySelector('[data-tour]');"
         "if (start) { start.addEventListener('click', (event) => event.preventDefault());"
@@ -245,6 +235,6 @@ def test_a_tour_is_kept_from_page_to_page(site: Site) -> None:
         "doc.querySelector('.touring button').click();"
         "return [found.includes('1 of 7'), 'tour' in view.localStorage];"
     )
-    seen, errors = look(site, ["tours/understand", "architecture"], probe)
+    seen, errors = look(SITE, ["tours/understand", "architecture"], probe)
     assert seen["tours/understand"] == '{"id":"understand","at":0}'
     assert (seen["architecture"], errors) == ([True, False], [])

@@ -15,7 +15,7 @@ import pytest
 from portal.live_view import in_registers
 from tests.python.site.browser import BROWSER
 from tests.python.site.content import SITE
-from tools.live_runs import result_of
+from tools.browser import result_of
 from weeding_robot_client import frames
 from weeding_robot_client.layout import read_frames
 
@@ -257,12 +257,7 @@ def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
 @pytest.mark.browser
 @pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
 def test_the_diagram_marks_the_called_modules_and_stops_when_paused() -> None:
-    probe = SITE / "probe_live.html"
-    probe.write_text(PROBE, encoding="utf-8")
-    try:
-        found = result_of(BROWSER, SITE, probe.name)
-    finally:
-        probe.unlink()
+    found, _ = result_of(BROWSER, SITE, PROBE)
     assert (found["paused"], found["button"]) == (True, "Continue")
     assert "MainController" in found["active"]
     assert len(set(found["present"])) == 1
@@ -310,12 +305,7 @@ def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> Non
 @pytest.mark.browser
 @pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
 def test_the_lanes_of_the_page_execution_show_the_cycle_that_runs() -> None:
-    probe = SITE / "probe_lanes.html"
-    probe.write_text(LANES_OF_PAGE, encoding="utf-8")
-    try:
-        found = result_of(BROWSER, SITE, probe.name)
-    finally:
-        probe.unlink()
+    found, _ = result_of(BROWSER, SITE, LANES_OF_PAGE)
     assert {"cycle-timer", "tick-timer", "main-thread", "wheel-threads"} <= set(found["active"])
     # The clock pulse is the first activation of a cycle.
     assert found["instants"][0].startswith("0.001 ms: cycle timer")

@@ -16,7 +16,7 @@ from mcap.writer import CompressionType, Writer
 
 from portal.plots import Drawing, draw
 from portal.recording_page import changes, plots, read_recording
-from tests.python.site.browser import BROWSER, Site, look, served
+from tests.python.site.browser import BROWSER, look
 from tests.python.site.content import SITE
 from weeding_robot_client.layout import LAYOUTS
 from weeding_robot_client.mcap_file import TOPIC
@@ -52,7 +52,7 @@ if (%DROPPED%) {
   input.dispatchEvent(new view.Event("change"));
 }
 const status = doc.querySelector("[data-status]");
-while (!status.textContent) await new Promise((done) => view.setTimeout(done, 20));
+await until(() => status.textContent);
 const texts = (node, names) => [...node.querySelectorAll(names)].map((each) => each.textContent);
 const drawings = [...doc.querySelectorAll(".plot")].map((plot) => ({
   title: plot.querySelector("figcaption").textContent,
@@ -89,14 +89,12 @@ pytestmark = [
 ]
 
 
-@pytest.fixture(scope="module")
-def site() -> Iterator[Site]:
+@pytest.fixture(scope="module", autouse=True)
+def axe() -> Iterator[None]:
     script = SITE / "probe_plot_axe.js"
     shutil.copyfile(Path(__file__).with_name(AXE), script)
-    with served(SITE) as found:
-        yield found
+    yield
     script.unlink()
-    (SITE / "probe_plot.html").unlink(missing_ok=True)
 
 
 @pytest.fixture(scope="module")
@@ -127,7 +125,7 @@ def reports(count: int) -> Iterator[Report]:
         yield Report.from_payload(report.pack(**numbers))
 
 
-def shown(site: Site, content: bytes, name: str, *, dropped: bool = False) -> dict[str, Any]:
+def shown(content: bytes, name: str, *, dropped: bool = False) -> dict[str, Any]:
     values = {
         "%CONTENT%": b64encode(content).decode(),
         "%NAME%": name,
@@ -136,7 +134,7 @@ def shown(site: Site, content: bytes, name: str, *, dropped: bool = False) -> di
     probe = SHOW
     for place, value in values.items():
         probe = probe.replace(place, json.dumps(value))
-    seen, errors = look(site, ["plot"], probe, name="probe_plot")
+    seen, errors = look(SITE, ["plot"], probe)
     assert errors == []
     found: dict[str, Any] = seen["plot"]
     return found
@@ -144,10 +142,10 @@ def shown(site: Site, content: bytes, name: str, *, dropped: bool = False) -> di
 
 @pytest.mark.parametrize(("kind", "dropped"), [("csv", False), ("csv", True), ("mcap", False)])
 def test_a_chosen_and_a_dropped_file_have_the_curves_of_wr_plot(
-    site: Site, recordings: dict[str, Path], kind: str, dropped: bool
+    recordings: dict[str, Path], kind: str, dropped: bool
 ) -> None:
     path = recordings[kind]
-    found = shown(site, path.read_bytes(), path.name, dropped=dropped)
+    found = shown(path.read_bytes(), path.name, dropped=dropped)
     read = read_recording(path)
     expected = [drawing for plot in plots(read) if (drawing := draw(plot))]
     assert found["status"] == f"{path.name}: 60 reports in 5.8 s."
@@ -178,22 +176,20 @@ def numbers_of(path: str) -> list[float]:
     return [float(number) for number in re.findall(r"-?[\d.]+", path)]
 
 
-def test_an_interrupted_mcap_file_is_drawn_up_to_its_last_complete_chunk(
-    site: Site, tmp_path: Path
-) -> None:
+def test_an_interrupted_mcap_file_is_drawn_up_to_its_last_complete_chunk(tmp_path: Path) -> None:
     path = tmp_path / "drive.mcap"
     with Recording(None, path) as files:
         for report in reports(2 * CHUNK_REPORTS):
             files.add(report)
     content = path.read_bytes()
-    found = shown(site, content[: len(content) // 2], path.name)
+    found = shown(content[: len(content) // 2], path.name)
     count = int(found["status"].split()[1])
     assert found["status"].startswith("drive.mcap: ")
     assert 0 < count < 2 * CHUNK_REPORTS
 
 
 def test_an_mcap_file_with_another_compression_is_refused_with_the_command_that_reads_it(
-    site: Site, tmp_path: Path
+    tmp_path: Path,
 ) -> None:
     path = tmp_path / "drive.mcap"
     writer = Writer(str(path), compression=CompressionType.LZ4)
@@ -202,7 +198,7 @@ def test_an_mcap_file_with_another_compression_is_refused_with_the_command_that_
     channel = writer.register_channel(TOPIC, "json", schema)
     writer.add_message(channel, log_time=0, publish_time=0, data=b"{}")
     writer.finish()
-    found = shown(site, path.read_bytes(), path.name)
+    found = shown(path.read_bytes(), path.name)
     assert found["hidden"]
     assert found["status"] == (
         "drive.mcap cannot be drawn: its compression is lz4, and this page reads only zstd. "
@@ -210,7 +206,7 @@ def test_an_mcap_file_with_another_compression_is_refused_with_the_command_that_
     )
 
 
-def test_another_table_is_refused(site: Site) -> None:
-    found = shown(site, b"a,b\n1,2\n", "drive.csv")
+def test_another_table_is_refused() -> None:
+    found = shown(b"a,b\n1,2\n", "drive.csv")
     assert found["hidden"]
     assert "drive.csv cannot be drawn: it has no reports" in found["status"]
