@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import tempfile
 import threading
+from collections.abc import Mapping
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -40,12 +41,15 @@ def works(browser: str | None) -> bool:
         return False
 
 
-def result_of(browser: str, folder: Path, page: str) -> tuple[dict[str, Any], list[str]]:
+def result_of(
+    browser: str, folder: Path, page: str, scripts: Mapping[str, Path] | None = None
+) -> tuple[dict[str, Any], list[str]]:
     """Opens a page in the browser. Returns the result that the page posts to ``result``, and the
     lines that it wrote to the console before.
 
-    ``page`` is the text of the page. It is served beside the files of the folder. The browser runs
-    in real time and ends as soon as the result has come.
+    ``page`` is the text of the page. It is served beside the files of the folder, as are the
+    ``scripts``, by their addresses. The browser runs in real time and ends as soon as the result
+    has come.
     """
     came = threading.Event()
     posted: dict[str, Any] = {}
@@ -53,21 +57,23 @@ def result_of(browser: str, folder: Path, page: str) -> tuple[dict[str, Any], li
     class Handler(SimpleHTTPRequestHandler):
         def do_GET(self) -> None:
             if self.path == PAGE:
-                self._answer(200, page.encode())
+                self._answer(200, "text/html", page.encode())
+            elif scripts and self.path in scripts:
+                self._answer(200, "text/javascript", scripts[self.path].read_bytes())
             else:
                 super().do_GET()
 
         def do_POST(self) -> None:
             posted.update(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
-            self._answer(204, b"")
+            self._answer(204, "text/html", b"")
             came.set()
 
         def log_message(self, *_arguments: Any) -> None:
             """Prints nothing. The log does not contain the requests."""
 
-        def _answer(self, status: int, content: bytes) -> None:
+        def _answer(self, status: int, kind: str, content: bytes) -> None:
             self.send_response(status)
-            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.send_header("Content-Type", f"{kind}; charset=utf-8")
             self.send_header("Content-Length", str(len(content)))
             self.end_headers()
             self.wfile.write(content)

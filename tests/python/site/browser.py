@@ -10,6 +10,7 @@ from typing import Any
 from tools.browser import find_browser, result_of
 
 BROWSER = find_browser() or ""
+AXE = Path(__file__).with_name("axe.min.js")
 # A page that opens other pages in a frame. It opens them one after the other, and posts the
 # results. ``until`` waits for something that the page does later, at the speed of the computer.
 HARNESS = """<!doctype html><title>probe</title><body><script>
@@ -54,6 +55,6 @@ def look(
     page = HARNESS
     for key, value in values.items():
         page = page.replace(f"%{key}%", value)
-    result, console = result_of(BROWSER, site, page)
+    result, console = result_of(BROWSER, site, page, {"/axe.js": AXE})
     assert "error" not in result, result["error"]
     return result["seen"], console

@@ -4,7 +4,6 @@ pixels, a page is at most twice as tall as in a window with a width of 1440 pixe
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -14,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from tests.python.site.browser import BROWSER, look
+from tests.python.site.browser import AXE, BROWSER, look
 from tests.python.site.content import SITE
 from traceability.whole_file import write_whole
 
@@ -47,7 +46,6 @@ TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
 # Some rules depend on the width, and some on the theme. The other rules are checked only once.
 BY_WIDTH = ["target-size", "scrollable-region-focusable"]
 BY_THEME = ["color-contrast", "link-in-text-block"]
-AXE = Path(__file__).with_name("axe.min.js")
 THEME = Path(__file__).parents[3] / "site" / "theme"
 
 MEASURE = """
@@ -60,7 +58,7 @@ return found;
 """
 RUN_AXE = """
 const script = doc.createElement("script");
-script.src = "/probe_axe.js";
+script.src = "/axe.js";
 await new Promise((done) => { script.onload = done; doc.head.append(script); });
 const found = [];
 // The rows of a table or list have the same kinds of elements. axe checks the first rows.
@@ -180,10 +178,8 @@ def test_no_page_is_twice_as_tall_in_a_narrower_window(
 
 
 @pytest.fixture(scope="module")
-def violations(looked: Looked) -> Iterator[dict[str, list[str]]]:
+def violations(looked: Looked) -> dict[str, list[str]]:
     """Returns the findings of axe for each page."""
-    script = SITE / "probe_axe.js"
-    shutil.copyfile(AXE, script)
     values = {
         "ROWS": ROWS,
         "WIDTHS": AXE_WIDTHS,
@@ -194,8 +190,7 @@ def violations(looked: Looked) -> Iterator[dict[str, list[str]]]:
     probe = RUN_AXE
     for name, value in values.items():
         probe = probe.replace(f"%{name}%", json.dumps(value))
-    yield looked.look(LOOKED_AT, probe, browsers=2)
-    script.unlink()
+    return looked.look(LOOKED_AT, probe, browsers=2)
 
 
 def test_pages_are_accessible(

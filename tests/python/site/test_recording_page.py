@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import random
 import re
-import shutil
 from base64 import b64encode
 from collections.abc import Iterator
 from pathlib import Path
@@ -23,7 +22,6 @@ from weeding_robot_client.mcap_file import TOPIC
 from weeding_robot_client.messages import Report
 from weeding_robot_client.recording import Recording
 
-AXE = "axe.min.js"
 RANGES = {
     "u8": (0, 4),
     "i8": (-1, 1),
@@ -64,7 +62,7 @@ const drawings = [...doc.querySelectorAll(".plot")].map((plot) => ({
 const violations = [];
 if (%DROPPED%) {
   const script = doc.createElement("script");
-  script.src = "/probe_plot_axe.js";
+  script.src = "/axe.js";
   await new Promise((done) => { script.onload = done; doc.head.append(script); });
 }
 for (const theme of %DROPPED% ? ["light", "dark"] : []) {
@@ -87,14 +85,6 @@ pytestmark = [
     pytest.mark.browser,
     pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer"),
 ]
-
-
-@pytest.fixture(scope="module", autouse=True)
-def axe() -> Iterator[None]:
-    script = SITE / "probe_plot_axe.js"
-    shutil.copyfile(Path(__file__).with_name(AXE), script)
-    yield
-    script.unlink()
 
 
 @pytest.fixture(scope="module")
