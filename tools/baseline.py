@@ -11,6 +11,7 @@ import re
 import subprocess
 from collections import Counter, defaultdict
 from collections.abc import Iterable
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -20,22 +21,28 @@ from tools.cmake_build import BOARD_PROGRAM, copy_sources, jobs
 from tools.includes import included
 from tools.sizes import Size, image_sizes, output, total
 from tools.steps import FailureError, run
+from traceability.model.image_code import read_program
 from traceability.reading.baseline_record import (
     DESIGNS,
     FOLDER,
     PATTERNS,
     RESULT,
     SCENARIO,
+    PartOfLine,
     changes_of,
     count_patch,
     patch_of,
+    read_parts,
 )
+from traceability.reading.call_graph import table_bytes
 from traceability.sources import SRC, files_below
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
 MAIN = "main"  # the part from main.cpp, which is different in each design
 STACK = "stack"
+OTHER = ""  # the instructions that belong to no part, for example those of the compiler's library
+SHORT, LONG = 2, 4  # bytes of an instruction
 SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)
 
 
@@ -62,6 +69,7 @@ def compare(root: Path, log: TextIO) -> None:
         "cycles": len(runs[PATTERNS]["instructions"]),
         "figures": figures,
         "functions": functions,
+        "parts": {design: costs_by_part(root, runs[design], design) for design in DESIGNS},
         "changes": {change: try_change(root, log, change) for change in changes_of(root)},
     }
     path = root / RESULT
@@ -121,6 +129,25 @@ def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str
         counts[starts[place][1] if place >= 0 else "?"] += sum(times)
     cycles = len(measured["instructions"])
     return {name: count / cycles for name, count in counts.most_common()}
+
+
+def costs_by_part(root: Path, measured: dict[str, Any], design: str) -> dict[str, list[float]]:
+    """Returns for each part of the robot the size of its instructions and of its virtual method
+    tables [bytes], and the average number of instructions that it executes in a cycle."""
+    part_of = PartOfLine(root, read_parts(root))
+    executed = {int(at): sum(times) for at, times in measured["profile"].items()}
+    cycles = len(measured["instructions"])
+    costs: dict[str, list[float]] = defaultdict(lambda: [0, 0.0])
+    lines = sorted(read_program(image_of(root, design, ".elf")).places.items())
+    for (address, places), (following, _) in pairwise([*lines, (lines[-1][0], [])]):
+        part = next(filter(None, (part_of(file, line) for file, line in places)), OTHER)
+        # An instruction has 2 or 4 bytes. Constants can follow the last instruction of a function.
+        costs[part][0] += LONG if following - address >= LONG else SHORT
+        costs[part][1] += executed.get(address, 0) / cycles
+    headers = {path.stem: str(path) for path in files_below(root, (SRC,), (".hpp",))}
+    for name, size in table_bytes(image_of(root, design, ".elf")).items():
+        costs[part_of(headers.get(name.split("::")[0], ""), 1) or OTHER][0] += size
+    return dict(costs)
 
 
 # ---- flash and RAM -----------------------------------------------------------

@@ -260,6 +260,7 @@ class PatternPrice:
     instructions: float
     flash: int  # bytes of the virtual method tables and of the call instructions
     virtual_calls: int  # number of virtual calls in the firmware image
+    choices: int  # number of these calls that can execute the methods of several classes
 
 
 @dataclass(frozen=True)

@@ -204,4 +204,29 @@ def usual_design(portal: Portal) -> dict[str, Any]:
         "patches": patches,
         "functions": functions,
         "least": LEAST_DIFFERENCE,
+        "parts": costs_of_parts(portal, comparison) if comparison else [],
     }
+
+
+def costs_of_parts(portal: Portal, comparison: dict[str, Any]) -> list[dict[str, Any]]:
+    """Returns the costs of each part of the robot in both designs: pairs of bytes of flash and
+    instructions in a cycle. Also returns the pattern applications of the part. The last part
+    contains the other code."""
+    parts = portal.model.baseline_parts
+    part_of = baseline_record.PartOfLine(portal.root, parts)
+    home = {
+        app.id: part_of(app.place.file, app.place.line) for app in portal.model.patterns.values()
+    }
+    rows = [(part.title, part.why) for part in parts] + [("", "")]
+    return [
+        {
+            "title": title,
+            "why": why,
+            "applications": [name for name, part in home.items() if part == title],
+            **{
+                design: comparison["parts"][design].get(title, [0, 0])
+                for design in baseline_record.DESIGNS
+            },
+        }
+        for title, why in rows
+    ]

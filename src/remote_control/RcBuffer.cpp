@@ -33,9 +33,12 @@ RcBuffer::RcBuffer(InstantCollector& instants, const Function& function)
 
 void RcBuffer::signal(bool rising, Instant at) {
   instants_.collect({at, rising, 0});
+  if (rising) {
+    return;
+  }
   Instants instants;
   instants_.fill(instants);
-  if (rising || !isPulse(instants)) {
+  if (!isPulse(instants)) {
     return;
   }
   const BaseArguments pulse(static_cast<std::int32_t>(instants.width->count()), *instants.period);

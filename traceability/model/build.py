@@ -28,6 +28,7 @@ from traceability.model.tests import with_board_findings, with_executed_modules,
 from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact, Syntax
+from traceability.reading.baseline_record import read_parts
 from traceability.reading.bench_record import PAPER_BENCH, read_bench
 from traceability.reading.build_evidence import git, read_build
 from traceability.reading.change_kits import read_record as read_kit_record
@@ -135,6 +136,7 @@ def _assemble(
         proofs=proofs_of(root, declared),
         ports=read_ports(root, declared.entries),
         comparison=read_comparison(root),
+        baseline_parts=read_parts(root, declared.entries),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
     model = _with_calls(model, facts)

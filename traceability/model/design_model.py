@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from traceability.reading.baseline_record import Part
 from traceability.reading.comparison_record import Comparison
 from traceability.reading.published import Published
 from traceability.reading.seeded_fault_record import Outcome
@@ -111,6 +112,8 @@ class Model:
     # folder below ports/ -> the port of the firmware to another device
     ports: Mapping[str, Port] = field(default_factory=dict)
     comparison: Comparison | None = None  # the last comparison of two commits
+    # the parts of the robot in the baseline design and in the pattern design
+    baseline_parts: Sequence[Part] = field(default_factory=list)
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
     beliefs: Sequence[BoardBelief] = field(default_factory=list)
     belief_sources: Mapping[str, BeliefSource] = field(default_factory=dict)

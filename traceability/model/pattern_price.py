@@ -40,11 +40,12 @@ def prices(
     result = {}
     for pattern in model.patterns.values():
         modules = {binding.module for binding in pattern.roles}
-        own = [at for at, classes in calls if classes and classes <= modules]
+        own = {at: classes for at, classes in calls if classes and classes <= modules}
         result[pattern.id] = PatternPrice(
             instructions=round(OF_A_CALL * sum(executed.get(at, 0) for at in own) / CYCLES, 1),
             flash=BYTES_OF_A_CALL * len(own) + sum(tables.get(name, 0) for name in modules),
             virtual_calls=len(own),
+            choices=sum(len(classes) > 1 for classes in own.values()),
         )
     return result
 

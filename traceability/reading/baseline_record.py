@@ -4,15 +4,24 @@ design."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from traceability.reading.results import RESULTS, read_fresh
 from traceability.reading.task_record import BASELINE
+from traceability.reading.toml_reader import Entries
+from traceability.schema import Place
+from traceability.sources import SRC
 
 FOLDER = Path("tests/usual_design")
+SOURCE = FOLDER / "usual/UsualDesign.cpp"
+PARTS = Path("design/baseline_parts.toml")
+SECTION = re.compile(r"// ---- (?P<title>.+?) -+$")
+METHOD = re.compile(r"\w.*UsualDesign::(?P<name>\w+)\(")
+FIRST = "construction"  # section of the methods before the first title
 RESULT = RESULTS / "usual_design.json"
 SCENARIO = FOLDER / "steps.scenario"
 CHANGES = FOLDER / "changes"
@@ -84,6 +93,54 @@ def count_patch(text: str) -> Touched:
             words = line[1:].strip()
             touched.code_added += bool(words) and not words.startswith("//")
     return touched
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the robot that both designs have. ``modules`` are logic modules of the pattern
+    design. ``usual`` are sections and methods of the source of the baseline design."""
+
+    title: str
+    modules: Sequence[str]
+    usual: Sequence[str]
+    why: str
+    place: Place
+
+
+def read_parts(root: Path, entries: Entries | None = None) -> list[Part]:
+    return (entries or Entries(root)).records(root / PARTS, "part", Part, "title")
+
+
+class PartOfLine:
+    """Returns the part of the robot to which a source line belongs."""
+
+    def __init__(self, root: Path, parts: Sequence[Part]) -> None:
+        self._usual = {name: part.title for part in parts for name in part.usual}
+        folders = ((module, part.title) for part in parts for module in part.modules)
+        self._folders = sorted(folders, key=lambda item: -len(item[0]))
+        self._lines = self._places((root / SOURCE).read_text(encoding="utf-8").splitlines())
+
+    def __call__(self, file: str, line: int) -> str | None:
+        """Returns the part of a line. Returns None if the line belongs to no part, for example if
+        it is in a header of the standard library."""
+        if file.endswith(str(SOURCE)):
+            return self._lines.get(line)
+        _, found, path = f"/{file}".partition(f"/{SRC}/")
+        inside = (title for module, title in self._folders if path.startswith(f"{module}/"))
+        return next(inside, None) if found else None
+
+    def _places(self, lines: Iterable[str]) -> dict[int, str]:
+        section, method = FIRST, ""
+        found = {}
+        for number, text in enumerate(lines, 1):
+            if title := SECTION.match(text):
+                section = title["title"]
+            elif start := METHOD.match(text):
+                method = start["name"]
+            part = self._usual.get(method) or self._usual.get(section)
+            if method and part:
+                found[number] = part
+        return found
 
 
 def patch_of(change: str, design: str) -> Path:

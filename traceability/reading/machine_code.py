@@ -25,7 +25,7 @@ JUMP = re.compile(rf"^(?:b(?P<condition>{CONDITION})?(?:\.[nw])?|(?P<compare>cbn
 TABLE = re.compile(r"tb[bh] |(?:ldr\S*|add\S*|mov\S*) pc, (?!.*\[pc, #)")
 MANY = re.compile(r"^(?:push|pop|ldm|stm|vpush|vpop|vldm|vstm)")
 MEMORY = re.compile(r"^(?:v?ldr|v?str)")
-PLACE = re.compile(r"((?:src|extensions)/[^:]+):(\d+)")  # place in a file of the project
+PLACE = re.compile(r"((?:src|extensions|tests)/[^:]+):(\d+)")  # place in a file of the project
 VENEER = re.compile(r"^_+(?P<name>\w+)_veneer$")
 
 

@@ -7,7 +7,7 @@ import pytest
 from traceability.reading import baseline_record
 from traceability.reading.baseline_record import PATTERNS, USUAL
 
-pytestmark = pytest.mark.reads("tests/usual_design", "extensions/warning")
+pytestmark = pytest.mark.reads("tests/usual_design", "extensions/warning", "src", "design")
 
 ROOT = Path(__file__).parents[3]
 PATCH = """\
@@ -79,3 +79,30 @@ def test_a_target_is_met_or_missed() -> None:
     assert baseline_record.verdict({**figures, PATTERNS: {"flash": 109.9}}, "flash") is True
     assert baseline_record.verdict({**figures, PATTERNS: {"flash": 111.0}}, "flash") is False
     assert baseline_record.verdict(figures, "lines") is None
+
+
+def test_each_line_of_both_designs_belongs_to_one_part() -> None:
+    parts = baseline_record.read_parts(ROOT)
+    part_of = baseline_record.PartOfLine(ROOT, parts)
+    modules = [module for part in parts for module in part.modules]
+    assert len(modules) == len(set(modules))
+    assert all((ROOT / "src" / module).is_dir() for module in modules)
+    files = [path.relative_to(ROOT) for path in (ROOT / "src").rglob("*.cpp")]
+    without = {str(file) for file in files if part_of(str(file), 1) is None}
+    # The designs with one wheel have no steering.
+    steering = ("src/steering_control/", "src/sensing/position/")
+    assert without == {str(file) for file in files if str(file).startswith(steering)}
+    lines = (ROOT / baseline_record.SOURCE).read_text().splitlines()
+    sections = {found["title"] for line in lines if (found := baseline_record.SECTION.match(line))}
+    assert sections < {name for part in parts for name in part.usual}
+
+
+def test_a_method_of_the_baseline_design_can_belong_to_the_part_of_another_section() -> None:
+    part_of = baseline_record.PartOfLine(ROOT, baseline_record.read_parts(ROOT))
+    lines = (ROOT / baseline_record.SOURCE).read_text().splitlines()
+    start = next(n for n, line in enumerate(lines, 1) if "UsualDesign::sendReport(" in line)
+    before = next(n for n, line in enumerate(lines, 1) if "UsualDesign::release(" in line)
+    source = str(baseline_record.SOURCE)
+    assert part_of(source, start) == part_of("src/communication/framing/Crc16.cpp", 1)
+    assert part_of(source, before) == part_of("src/main_control/MainController.cpp", 1)
+    assert part_of("include/c++/optional", 1) is None
