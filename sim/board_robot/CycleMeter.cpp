@@ -101,10 +101,10 @@ void CycleMeter::reported() {
 
 void CycleMeter::request(unsigned number) {
   if (measures()) {
-    Exception& exception = exceptions_[number];
-    ++exception.requests;
-    if (!exception.at) {
-      exception.at = robot_.board.cycles();
+    Exception& one = exception(number);
+    ++one.requests;
+    if (!one.at) {
+      one.at = robot_.board.cycles();
     }
   }
 }
@@ -121,13 +121,12 @@ void CycleMeter::enter(unsigned number) {
   if (!measures()) {
     return;
   }
-  Exception& exception = exceptions_[number];
-  exception.priority = robot_.board.priority(number);
-  ++exception.entries;
-  if (exception.at) {
-    exception.worstLatency =
-        std::max(exception.worstLatency, robot_.board.cycles() - *exception.at);
-    exception.at.reset();
+  Exception& one = exception(number);
+  one.priority = robot_.board.priority(number);
+  ++one.entries;
+  if (one.at) {
+    one.worstLatency = std::max(one.worstLatency, robot_.board.cycles() - *one.at);
+    one.at.reset();
   }
 }
 
@@ -144,13 +143,31 @@ void CycleMeter::charge() {
   if (measures()) {
     Cost cost = now.passed - chargedAt_.passed;
     cost.cycles -= now.slept - chargedAt_.slept;
-    Exception& exception = exceptions_[active_.empty() ? 0 : active_.back()];
-    exception.whole += cost;
+    Exception& one = exception(active_.empty() ? 0 : active_.back());
+    one.whole += cost;
     if (toReport_) {
-      exception.toReport += cost;
+      one.toReport += cost;
     }
   }
   chargedAt_ = now;
+}
+
+CycleMeter::Exception& CycleMeter::exception(unsigned number) {
+  if (number >= exceptions_.size()) {
+    exceptions_.resize(number + 1);
+  }
+  return exceptions_[number];
+}
+
+std::map<unsigned, CycleMeter::Exception> CycleMeter::exceptions() const {
+  std::map<unsigned, Exception> found;
+  for (unsigned number = 0; number < exceptions_.size(); ++number) {
+    const Exception& one = exceptions_[number];
+    if (one.requests + one.entries + one.whole.cycles != 0) {
+      found.emplace(number, one);
+    }
+  }
+  return found;
 }
 
 void CycleMeter::profileTo(bool toReport) {
@@ -189,7 +206,7 @@ void CycleMeter::write(std::ostream& output) const {
   writeColumn(output, "start_cycles", cycles_, [](const Cycle& one) { return one.startDelay; });
   output << "\"exceptions\": {";
   const char* comma = "\n";
-  for (const auto& [number, one] : exceptions_) {
+  for (const auto& [number, one] : exceptions()) {
     output << comma << '"' << number << R"(": {"priority": )" << one.priority
            << ", \"entries\": " << one.entries << ", \"requests\": " << one.requests
            << ", \"worst_latency\": " << one.worstLatency << ", \"cycles\": " << one.whole.cycles

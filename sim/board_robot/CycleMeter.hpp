@@ -67,8 +67,9 @@ class CycleMeter {
   /// @brief Returns the measurements of the control cycles, at most kCycles.
   [[nodiscard]] const std::vector<Cycle>& cycles() const { return cycles_; }
 
-  /// @brief Returns the measurements of the exceptions. The key is the number of the exception.
-  [[nodiscard]] const std::map<unsigned, Exception>& exceptions() const { return exceptions_; }
+  /// @brief Returns the measurements of the exceptions that occurred. The key is the number of the
+  /// exception.
+  [[nodiscard]] std::map<unsigned, Exception> exceptions() const;
 
   /// @brief Returns the number of executions of an instruction.
   /// @param address address of the instruction
@@ -99,6 +100,7 @@ class CycleMeter {
   void enter(unsigned number);
   void leave();
   void charge();
+  [[nodiscard]] Exception& exception(unsigned number);
   void profileTo(bool toReport);
   [[nodiscard]] Instant present() const;
   [[nodiscard]] bool measures() const { return begun_ && cycles_.size() < kCycles; }
@@ -114,7 +116,7 @@ class CycleMeter {
   std::vector<std::uint32_t> stack_;  ///< words of the stack before the firmware ran
   std::vector<unsigned> active_;
   std::vector<Cycle> cycles_;
-  std::map<unsigned, Exception> exceptions_;
+  std::vector<Exception> exceptions_;  ///< index: number of the exception
   std::array<emulator::ExecutedCode, 2>
       profile_;  ///< [0]: executions at other times; [1]: between a clock pulse and its report
   emulator::ExecutedCode rest_;  ///< executions after the measured control cycles
