@@ -1,4 +1,4 @@
-"""The browser of this computer, and pages that report what they find to their caller."""
+"""The browser of this computer, and pages that report their findings to the caller."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def result_of(
     """Opens a page in the browser. Returns the result that the page posts to ``result``, and the
     lines that it wrote to the console before.
 
-    ``page`` is the text of the page. It is served beside the files of the folder, as are the
+    ``page`` is the text of the page. It is served together with the files of the folder, as are the
     ``scripts``, by their addresses. The browser runs in real time and ends as soon as the result
     has come.
     """
