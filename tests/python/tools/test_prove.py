@@ -1,5 +1,5 @@
-"""The proofs. A defect in the design is found. Its counterexample can be read, and played as a
-scenario."""
+"""The proofs find a defect in the design. A person can read the counterexample, and the simulator
+can play it as a scenario."""
 
 from __future__ import annotations
 
