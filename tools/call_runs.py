@@ -57,7 +57,8 @@ def record_all(root: Path, log: TextIO) -> str:
 
 
 def play(root: Path, window: Window, output: Path, log: TextIO) -> Path:
-    """Plays the scenario of a time window. Returns the file with one recorded call in each line."""
+    """Plays a scenario, and records the events in a time window. Returns the file, which has one
+    event in each line."""
     output.unlink(missing_ok=True)
     words = [
         *(str(root / "build" / "host" / "sim" / BOARD_PROGRAM), "--image", str(root / IMAGE)),

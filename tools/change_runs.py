@@ -68,8 +68,8 @@ def size_of(elf: Path) -> dict[str, float]:
 
 
 def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
-    """Returns the flash and RAM of each firmware image [bytes]. Also returns the instructions of a
-    cycle, if they were counted."""
+    """Returns the flash and RAM of each firmware image [bytes]. Also returns the number of
+    instructions of a cycle, if they were counted."""
     tests = [test for suite in suites for test in suite["testsuite"]]
     counted = {test["image"]: float(test[COST]) for test in tests if COST in test}
     images: dict[str, dict[str, float]] = {}

@@ -18,7 +18,7 @@ from typing import TextIO
 from tools.steps import FailureError
 from tools.task_graph import Outcome
 from traceability.model.build import commit
-from traceability.model.promela import COMPOSITION, whole
+from traceability.model.promela import ROBOT, whole
 from traceability.reading.declared import Declared, read_declared
 from traceability.reading.proof_record import FOLDER, PROOFS, PROVE, SCENARIOS
 from traceability.reading.proof_record import scenario as scenario_of
@@ -125,8 +125,8 @@ def model_hash(root: Path, declared: Declared, proof: ProofProperty) -> str:
 
 
 def model_of(root: Path, declared: Declared, proof: ProofProperty) -> str:
-    composition = (root / COMPOSITION).read_text(encoding="utf-8")
-    return whole(declared.machines, composition, proof)
+    robot = (root / ROBOT).read_text(encoding="utf-8")
+    return whole(declared.machines, robot, proof)
 
 
 def prove_one(root: Path, declared: Declared, proof: ProofProperty) -> ProofResult:

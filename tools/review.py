@@ -119,7 +119,8 @@ def review_one(
 
     if not sys.stdin.isatty():
         raise UsageError(
-            "a person answers the questions of a review; run this command in a terminal"
+            "the input is not a terminal, but a person must answer the questions of a review; "
+            "run this command in a terminal"
         )
     reviewer = options.name or git_setting(root, "user.name", "--name")
     email = options.email or git_setting(root, "user.email", "--email")

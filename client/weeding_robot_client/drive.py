@@ -165,7 +165,7 @@ def ended_by_signals() -> Iterator[list[int]]:
 
 
 def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None) -> int:
-    """Drives with the keys. Orders the robot to stop if the program ends without the key q."""
+    """Drives the robot with the keys. Orders a stop if the program ends without the key q."""
     orders = Orders(link, recording.add)
     print(keyboard.HELP)
     quits = False

@@ -52,7 +52,9 @@ def decode(coded: bytes) -> Frame:
     except cobs.DecodeError as error:
         raise FrameError(f"bad byte stuffing: {error}") from error
     if not MIN_BODY <= len(body) <= MAX_BODY:
-        raise FrameError(f"the body has {len(body)} bytes, not {MIN_BODY} to {MAX_BODY}")
+        raise FrameError(
+            f"the body has {len(body)} bytes, but must have {MIN_BODY} to {MAX_BODY} bytes"
+        )
     if crc16(body[:-2]) != int.from_bytes(body[-2:], "little"):
         raise FrameError("wrong CRC")
     return Frame(body[1], body[2], body[3:-2], body[0])

@@ -579,7 +579,7 @@ inline choose_steering() {
 inline tick_steering() {
   choose_steering();
   d_step {
-    steering_controller_states_if_order_to_follow = follow && !abandoned;
+    steering_controller_states_if_order_to_follow_a_set_point = follow && !abandoned;
     steering_controller_states_if_order_older_than_300_ms = abandoned;
     steering_controller_states_if_order_to_acknowledge_given_after_the_fault = release;
     steering_controller_states_step(steering_controller_states_on_tick);
@@ -600,7 +600,7 @@ inline tick_steering() {
     steering_controller_states_if_stalled = false;
     steering_controller_states_if_the_algorithm_wants_a_turn = false;
     steering_controller_states_if_no_turn_wanted_and_at_rest = false;
-    steering_controller_states_if_order_to_follow = false;
+    steering_controller_states_if_order_to_follow_a_set_point = false;
     steering_controller_states_if_order_older_than_300_ms = false;
     steering_controller_states_if_order_to_acknowledge_given_after_the_fault = false
   }

@@ -17,7 +17,7 @@ namespace wr {
 /// and Bluetooth to the builder of the main controller, instead of the standard modes PC and RC.
 /// Starts the control systems and the main controller.
 ///
-/// @secret Which steps build a robot with a Bluetooth device and without a remote control.
+/// @secret The steps that build a robot with a Bluetooth device and without a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}

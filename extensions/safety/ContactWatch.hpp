@@ -48,7 +48,7 @@ class ContactWatch final {
   std::uint8_t openTicks_ = 0;  // number of successive ticks with an open contact, at most 3
   std::atomic<bool> latched_{false};
 
-  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait for a lock");
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt must not wait for a lock");
 };
 
 }  // namespace wr

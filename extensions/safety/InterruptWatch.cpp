@@ -11,8 +11,8 @@ namespace {
 constexpr Microseconds kLatestTick = milliseconds(20);
 
 // If Hall edges wait at this number of successive ticks, their interrupt counts as not served.
-// Edges that wait at one or two successive ticks are no fault, because new edges can arrive just
-// before a tick.
+// Edges that wait at fewer successive ticks are no fault, because new edges can arrive just before
+// a tick.
 constexpr std::uint8_t kWaitingTicks = 5;
 
 }  // namespace

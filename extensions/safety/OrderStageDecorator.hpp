@@ -11,7 +11,7 @@ namespace wr {
 /// @function Forwards the calls of completed() and collect() to the wrapped stage. Subclasses
 /// define how they change an order before they forward it.
 ///
-/// @secret Which calls are forwarded to the wrapped stage without a change.
+/// @secret The calls that are forwarded to the wrapped stage without a change.
 class OrderStageDecorator : public OrderStage {
  public:
   /// @brief Checks whether the wrapped stage has executed the orders of a cycle.

@@ -50,7 +50,7 @@ class ProgramCheck final {
   void step();
 
  private:
-  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait for a lock");
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt must not wait for a lock");
 
   std::span<const Part> parts_;
   std::atomic<bool> due_{false};

@@ -27,7 +27,7 @@ namespace wr {
 /// the safety functions around these control systems. Forwards each tick of the second timer to
 /// these control systems.
 ///
-/// @secret Which safety functions wrap the robot, and in which sequence.
+/// @secret The safety functions that wrap the robot, and their sequence.
 ///
 /// @role{wheel-system-construction, Concrete Builder}
 /// @role{steering-system-construction, Concrete Builder}

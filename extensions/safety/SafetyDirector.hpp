@@ -21,7 +21,7 @@ namespace wr {
 /// safety functions to the builder of the main controller, instead of the standard modes PC and RC.
 /// Starts the control systems and the main controller.
 ///
-/// @secret Which steps build a robot with safety functions and a remote control.
+/// @secret The steps that build a robot with safety functions and a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}

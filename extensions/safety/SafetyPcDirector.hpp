@@ -16,7 +16,7 @@ namespace wr {
 /// safety functions to the builder of the main controller, instead of the standard mode PC. Starts
 /// the control systems and the main controller.
 ///
-/// @secret Which steps build a robot that has safety functions and no remote control.
+/// @secret The steps that build a robot that has safety functions and no remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}

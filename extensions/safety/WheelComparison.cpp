@@ -14,14 +14,14 @@ constexpr std::int32_t kComparedWay = 20;  // [edges] distance of one comparison
 // between forwards and backwards in a curve, this wheel can move less in one comparison.
 constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 
-// While the robot drives straight on, no wheel needs this current for longer than 1 s. In a curve
-// the set-points of a source can make the wheels work against each other for some time. Therefore
-// the limit in a curve is 5 s.
+// While the steering angle does not exceed kStraight, no wheel needs this current for longer than
+// 1 s. At a larger angle the set-points of a source can make the wheels work against each other for
+// some time. Therefore the limit at a larger angle is 5 s.
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-// While the robot drives straight on, a cycle with a high current counts like this number of such
-// cycles in a curve.
+// A cycle with a high current at an angle of at most kStraight counts like this number of such
+// cycles at a larger angle.
 constexpr std::uint8_t kStraightCycle = 5;
 
 bool isGreat(std::optional<Current> current) {

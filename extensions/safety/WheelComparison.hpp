@@ -55,8 +55,8 @@ class WheelComparison final {
 
   std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the previous cycle
   std::array<std::int32_t, kWheelCount> ways_{};  // [edges] distances in this comparison
-  // For each wheel: count of successive cycles with a high current. A cycle in which the robot
-  // drives straight on counts more than a cycle in a curve.
+  // For each wheel: count of successive cycles with a high current. A cycle with a small steering
+  // angle counts more than a cycle with a large angle.
   std::array<std::uint8_t, kWheelCount> greatCycles_{};
   std::array<bool, kWheelCount> late_{};  // wheels that moved too little at the last comparison
 };

@@ -13,7 +13,7 @@ namespace wr {
 /// a warning to the builder of the main controller, instead of the standard states. Starts the
 /// control systems and the main controller.
 ///
-/// @secret Which steps build a robot that has a warning and a remote control.
+/// @secret The steps that build a robot that has a warning and a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}

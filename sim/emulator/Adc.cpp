@@ -265,7 +265,7 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   }
   if (doing_ == Doing::Calibrates || (doing_ == Doing::Converts && offset != kSc1a)) {
     misuse(name_ + " + " + hexText(offset) + " was written while it " +
-           (doing_ == Doing::Converts ? "converts" : "is calibrated"));
+           (doing_ == Doing::Converts ? "converted" : "was calibrated"));
   }
   switch (offset) {
     case kSc1a:

@@ -162,7 +162,7 @@ void FlexCan::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       if ((value & ~(kTimes | kByBus)) != 0 && offset == kCtrl1) {
         misuse("CAN0_CTRL1 selects a function that is not modelled");
       } else if (offset == kCtrl1 && ((value ^ timing_) & kByBus) != 0 && enabled()) {
-        misuse("CAN0_CTRL1[CLKSRC] was changed while the controller is enabled");
+        misuse("CAN0_CTRL1[CLKSRC] was changed while the controller was enabled");
       } else if (offset == kCtrl1 && ((value ^ timing_) & kTimes) != 0 && !frozen()) {
         misuse("the timing in CAN0_CTRL1 was changed outside of the freeze mode");
       } else if (offset == kRxmgmask && !frozen()) {
@@ -205,7 +205,7 @@ void FlexCan::setMode(std::uint32_t value) {
 void FlexCan::writeBuffer(std::uint32_t offset, std::uint32_t value) {
   const std::size_t number = (offset - kFirstBuffer) / kBuffer;
   if (!enabled()) {
-    misuse("a message buffer of CAN0 was written while the controller is disabled");
+    misuse("a message buffer of CAN0 was written while the controller was disabled");
     return;
   }
   if (number > (mcr_ & kLastBuffer)) {
@@ -220,7 +220,7 @@ void FlexCan::writeBuffer(std::uint32_t offset, std::uint32_t value) {
         return;
       }
       if (busy_ && sends_ && sender_ == number) {
-        misuse("the control word of a CAN0 frame was written while the frame is on the bus");
+        misuse("the control word of a CAN0 frame was written while the frame was on the bus");
         return;
       }
       if (locked_ == number) {

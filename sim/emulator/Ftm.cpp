@@ -114,12 +114,13 @@ void Ftm::show() {
   }
 }
 
-// Returns true if the write protection prevents a change of a field.
+// Returns true if the write protection prevents a change of a field. Also reports the prevented
+// change as a finding.
 bool Ftm::isProtected(std::uint32_t before, std::uint32_t after, const char* what) {
   if (protectionOff_ || before == after) {
     return false;
   }
-  misuse(name_ + "_" + what + " was written while MODE.WPDIS is 0");
+  misuse(name_ + "_" + what + " was written while MODE.WPDIS was 0");
   return true;
 }
 

@@ -225,7 +225,7 @@ void Mcg::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   }
   if (((c5_ ^ c5Before) & 0x1FU) != 0 || ((c6_ ^ c6Before) & 0x1FU) != 0) {
     if (source_.now == kFromPll) {
-      misuse("the divider of the PLL was changed while the PLL is the clock");
+      misuse("the divider of the PLL was changed while the PLL was the clock");
     }
     locked_ = {};
   }

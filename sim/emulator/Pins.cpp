@@ -188,7 +188,7 @@ void Port::setFilter(std::uint32_t offset, std::uint32_t value) {
     return;
   }
   if (offset != kDfer && pins_.filters != 0) {
-    misuse("the clock or the width of the digital filters was written while a filter is on");
+    misuse("the clock or the width of the digital filters was written while a filter was on");
     return;
   }
   filter_[(offset - kDfer) / 4] = value;

@@ -166,7 +166,7 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if ((control_ & kStopped) != 0) {
-    misuse("a channel of the PIT was set up while MCR.MDIS stops the timers");
+    misuse("a channel of the PIT was set up while MCR.MDIS stopped the timers");
   }
   const std::size_t index = (offset - kFirstChannel) / 0x10;
   Channel& channel = channels_[index];

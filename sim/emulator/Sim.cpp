@@ -20,7 +20,8 @@ constexpr std::uint32_t kClkdiv2 = 0x1048;
 constexpr std::uint32_t kUidh = 0x1054;
 constexpr std::uint32_t kUidl = 0x1060;
 
-// Registers SOPT1, SOPT2, SOPT4, SOPT5, SOPT7 and CLKDIV2, with their values after a reset.
+// The offsets of the registers SOPT1, SOPT2, SOPT4, SOPT5, SOPT7 and CLKDIV2, and their values
+// after a reset.
 constexpr std::array<std::uint32_t, 6> kOptionOffsets{kSopt1, kSopt2, kSopt4,
                                                       kSopt5, kSopt7, kClkdiv2};
 constexpr std::array<std::uint32_t, 6> kOptionsAtReset{0x80000000, 0x00001000, 0, 0, 0, 0};

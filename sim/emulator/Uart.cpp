@@ -162,12 +162,12 @@ void Uart::received(const Arriving& arriving) {
 
 void Uart::send(std::uint8_t byte) {
   if ((c2_ & kSends) == 0) {
-    misuse(name_ + "_D was written while the transmitter is off");
+    misuse(name_ + "_D was written while the transmitter was off");
     return;
   }
   if (toSend_.size() >= sendDepth()) {
     fifoFlags_ |= 2;  // TXOF
-    misuse(name_ + "_D was written while the transmit buffer is full");
+    misuse(name_ + "_D was written while the transmit buffer was full");
     return;
   }
   toSend_.push_back(byte);
@@ -285,7 +285,7 @@ void Uart::control2(std::uint32_t value) {
 
 void Uart::fifo(std::uint32_t value) {
   if ((c2_ & (kReceives | kSends)) != 0) {
-    misuse(name_ + "_PFIFO was written while the receiver or the transmitter is on");
+    misuse(name_ + "_PFIFO was written while the receiver or the transmitter was on");
   }
   fifo_ = kind_.fifo | (value & 0x88U);
 }

@@ -594,7 +594,7 @@ void VirtualBoard::Parts::gatesChanged() {
     if (ftms_[i].counts() && !sim_.gateIsOpen(kTimerGates[i].first, kTimerGates[i].second)) {
       report("register-misuse",
              "the clock gate of FTM" + std::to_string(i) +
-                 " was closed while its counter runs, so its pins keep their levels");
+                 " was closed while its counter ran; its pins keep their levels");
     }
   }
 }

@@ -18,7 +18,7 @@ from traceability.schema import LikelyChange, LogicModule, Method, Module, Paper
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
 ROLE_CHECKS = ("module-count", "pattern-subclass-unbound")  # for a change that adds a module
-MACHINE_CHECKS = ("fsm-declared", "fsm-code", "fsm-seen", "proof-composition")  # for a new state
+MACHINE_CHECKS = ("fsm-declared", "fsm-code", "fsm-seen", "proof-model")  # for a new state
 COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
 
 

@@ -27,7 +27,7 @@ EVIDENCE = (
     ("random faults", "robustness.html", DEFAULT),
     ("random inputs", "robustness.html#fuzz", ON_HOST),
     ("model checking", "proofs.html#scope", f"a model of {DEFAULT}"),
-    ("coverage of the part for the K64", "virtual_k64.html#drivers", PAPER + CALLS_SUFFIX),
+    ("coverage of the code for the K64", "virtual_k64.html#drivers", PAPER + CALLS_SUFFIX),
     ("coverage of the other code", "requirements/index.html#module-coverage", ON_HOST),
     ("mutation test", "mutation.html", ON_HOST),
 )

@@ -21,9 +21,9 @@ constexpr std::uint32_t kSlowestClock = K64Board::kSlowestClockAfterReset / kDiv
 constexpr std::uint32_t kFastest = K64Board::kFastestClockAfterReset / kDivider;       // [Hz]
 constexpr std::uint32_t kClock = K64Board::kBusClock / kDivider;                       // [Hz]
 static_assert(kSlowestClock >= kMinClock && kFastest <= kMaxCalibrationClock,
-              "the clock is within the limits for a calibration");
+              "the clock must be within the limits for a calibration");
 static_assert(kClock >= kMinClock && kClock <= kMaxClock,
-              "the clock is within the limits for a conversion with 12 bits");
+              "the clock must be within the limits for a conversion with 12 bits");
 
 // A sample takes 40 clock periods of the converter: 20 until the sampled voltage is equal to the
 // voltage of the pin, and 20 for the conversion. A result is the mean of four samples.
@@ -41,7 +41,7 @@ constexpr auto kConfiguration =
 // only if a calibration does not end.
 constexpr std::uint32_t kMaxPolls = 30'000;
 static_assert(kMaxPolls * 6 > 14'000 * kDivider,
-              "even the fastest kMaxPolls reads take longer than a calibration");
+              "kMaxPolls reads of 6 clock periods each must take longer than a calibration");
 
 }  // namespace
 

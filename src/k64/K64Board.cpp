@@ -20,9 +20,9 @@ constexpr std::uint32_t kPllReference = kExternalClock / kPllDivider;
 constexpr std::uint32_t kFlexBusClock = K64Board::kCoreClock / 3;
 constexpr std::uint32_t kFlashClock = K64Board::kCoreClock / 5;
 static_assert(kPllReference >= 2'000'000 && kPllReference <= 4'000'000,
-              "the reference clock of the PLL is within its limits");
+              "the reference clock of the PLL must be within its limits");
 static_assert(kPllReference * kPllFactor == K64Board::kCoreClock,
-              "the PLL generates the core clock");
+              "the PLL must generate the core clock");
 static_assert(K64Board::kCoreClock / K64Board::kBusClock == 2 && K64Board::kBusClock <= 60'000'000);
 static_assert(kFlexBusClock <= 50'000'000 && kFlashClock <= 25'000'000);
 
@@ -45,10 +45,10 @@ constexpr std::uint64_t kMinPeriods = 8;
 constexpr std::uint64_t kMaxPeriods = 20;
 static_assert(kExternalClock >= K64Board::kFastestClockAfterReset &&
                   kMaxClockPolls * kMinPeriods * 1000 >= std::uint64_t{20} * kExternalClock,
-              "even the fastest kMaxClockPolls reads take at least 20 ms");
+              "the fastest kMaxClockPolls reads must take at least 20 ms");
 static_assert(kMaxClockPolls * kMaxPeriods * 1000 <=
                   std::uint64_t{125} * K64Board::kSlowestClockAfterReset,
-              "even the slowest kMaxClockPolls reads take at most 125 ms");
+              "the slowest kMaxClockPolls reads must take at most 125 ms");
 
 using Status = decltype(mcg::S)::Bits;
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kPeriod = K64Board::kBusClock / K64Ftm::kFrequency;  // [bus clocks]
 static_assert(kPeriod == 3000 && kPeriod <= 0xFFFF,
-              "a pulse as wide as the period fits into the register too");
+              "a pulse as wide as the period must also fit into the register");
 
 constexpr DutyCycle kWholePeriod(10'000);  // [0.01 %]
 constexpr std::uint32_t kChannelCount = 4;

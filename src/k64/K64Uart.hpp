@@ -118,7 +118,7 @@ class K64Uart final : public SerialPort {
 
     static_assert(
         (kSize & (kSize - 1)) == 0,
-        "the size is a power of 2, so that the positions stay correct when a count overflows");
+        "the size must be a power of 2; then the positions stay correct when a count overflows");
 
     std::array<Element, kSize> elements_{};
     std::atomic<std::size_t> written_{0};

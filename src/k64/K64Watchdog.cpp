@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // clock periods of 1 ms
 static_assert(kTicks > 4 && kTicks <= 0xFFFF,
-              "the time-out fits into the lower of its two registers");
+              "the time-out must fit into the lower of its two registers");
 
 }  // namespace
 

@@ -187,10 +187,10 @@ consteval bool debuggerIsFree() {
   });
 }
 
-static_assert(allExist(), "a pin is used that the microcontroller does not have");
-static_assert(noneTwice(), "a pin or a signal is used twice");
-static_assert(allMuxed(), "a pin has a connection that it does not support");
-static_assert(debuggerIsFree(), "a pin of the debugger is used");
+static_assert(allExist(), "each used pin must exist on the microcontroller");
+static_assert(noneTwice(), "each pin and each signal must be used only once");
+static_assert(allMuxed(), "each pin must support its connection");
+static_assert(debuggerIsFree(), "the pins of the debugger must not be used");
 
 }  // namespace pin_rules
 

@@ -17,8 +17,8 @@ namespace wr {
 /// @function Stores the set-points in force, their source, and the measured and applied values of
 /// the present cycle. Returns the content of the report.
 ///
-/// @secret Which values stay stored from one cycle to the next, and which values are cleared when a
-/// cycle begins.
+/// @secret The values that stay stored from one cycle to the next, and the values that are cleared
+/// when a cycle begins.
 class ControlData {
  public:
   /// @brief Constructs the data before the first cycle. There are no set-points.

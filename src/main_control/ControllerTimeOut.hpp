@@ -11,7 +11,7 @@ class MainController;
 /// @function Forwards the interrupt of the cycle timer to the main controller. Therefore the timer
 /// names no module of Main Control.
 ///
-/// @secret Which module reacts to the clock pulse, and which of its operations is called.
+/// @secret The module that reacts to the clock pulse, and the operation that is called.
 ///
 /// @role{cycle-timer-interrupt, Concrete Command}
 ///

@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief Command that is executed at each edge on a pin of the remote control.
 /// @function Passes the level after an edge, and the time of the edge, to the buffer.
-/// @secret Which module reacts to an edge of the remote control, and the values that this module
-/// gets.
+/// @secret The module that reacts to an edge of the remote control, and the values that this module
+/// receives.
 /// @role{rc-pin-interrupt, Concrete Command}
 ///
 /// @patternapp{rc-pin-interrupt, Command, Process the RC pin interruptions}

@@ -64,7 +64,7 @@ class ControlThread {
   std::atomic<std::uint32_t> overruns_{0};
 
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free,
-                "an interrupt cannot wait for a lock");
+                "an interrupt must not wait for a lock");
 };
 
 }  // namespace wr

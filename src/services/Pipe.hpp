@@ -80,7 +80,7 @@ class Pipe {
   bool filled_ = false;
 
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free,
-                "an interrupt cannot wait for a lock");
+                "an interrupt must not wait for a lock");
 };
 
 }  // namespace wr

@@ -178,11 +178,11 @@ class SystemConstants {
 inline constexpr SystemConstants SystemConstants::instance_{};
 
 static_assert(SystemConstants::instance().waitingCycles() >= 2,
-              "there is at least one waiting state before the last waiting state");
+              "there must be a waiting state before the last waiting state");
 static_assert(SystemConstants::instance().steeringRate().count() *
                       SystemConstants::instance().tickPeriod().count() * 2 <=
                   1000000,
-              "a step has one tick with the pulse and one tick without it");
+              "a step must have one tick with the pulse and one tick without it");
 static_assert(SystemConstants::instance().watchdogTimeout() >
                   SystemConstants::instance().cyclePeriod() * 2,
               "one cycle that does not complete must not cause a reset");

@@ -110,7 +110,7 @@ class Wheel final {
   DigitalOutput& enable_;
   std::atomic<Trip> trip_{Trip::None};  // shared by an interrupt and the thread of the wheel
 
-  static_assert(std::atomic<Trip>::is_always_lock_free, "an interrupt cannot wait for a lock");
+  static_assert(std::atomic<Trip>::is_always_lock_free, "an interrupt must not wait for a lock");
 };
 
 }  // namespace wr

@@ -107,7 +107,7 @@ def _examples(facts: Facts) -> Iterator[Finding]:
             ),
         ]
         if wrong:
-            text = f"the {' and the '.join(wrong)} of this example do not belong to its body"
+            text = f"wrong {' and '.join(wrong)} for the body of this example"
             yield Finding(Place(EXAMPLES, number), "doc-example", text)
         for stated in not_in_body(body, parts[0], layouts):
             text = f"the text states '{stated}', but the body of this example does not contain it"

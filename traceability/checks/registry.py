@@ -627,21 +627,20 @@ _FIXED = [
         "machine.",
     ),
     Check(
-        "proof-composition",
+        "proof-model",
         "The model of the proofs matches the machines and the code",
-        "Every machine of design/fsm has its step, its guards and its events in the composition "
-        "design/proofs/robot.pml. Each hand-written step of the composition lists methods that "
-        "exist. Each number that the composition defines equals the constant that the comment of "
-        "the number names.",
+        "design/proofs/robot.pml uses the step, the guards and the events of every machine of "
+        "design/fsm. Each step in this file lists methods that exist. Each number in this file "
+        "equals the constant that the comment of the number names.",
         "The check does not prove that a step of the model behaves like the methods that the step "
         "names.",
-        "correct the composition, or the names of methods and constants in the composition.",
+        "correct design/proofs/robot.pml, or the names of methods and constants in this file.",
     ),
     Check(
         "proof-property",
         "Properties formalise requirements that exist",
         "Each property of design/proofs/properties.toml names a requirement that exists, and its "
-        "formula uses only names that the observer of the composition sets.",
+        "formula uses only names that the observer in design/proofs/robot.pml sets.",
         "The check cannot judge whether the formula, its sentence and its requirement mean the "
         "same.",
         "correct the property.",

@@ -165,7 +165,10 @@ def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
         for other in values.values():
             outside = other.number > 1 and not hidden.allows(other.place.file)
             if outside and other.number in numbers and _is_similar(hidden.name, other.name):
-                text = f"{other.name} has the value of {hidden.name}, a secret of {hidden.owner}"
+                text = (
+                    f"{other.name} has the value and a similar name of {hidden.name}, "
+                    f"which is a secret of {hidden.owner}"
+                )
                 fix = f"call an operation of {hidden.owner}, or give the constant a different name"
                 yield Finding(other.place, "secret-hidden", text, fix)
 

@@ -210,7 +210,7 @@ def words(step: Transition) -> str:
 
 
 def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
-    if not code.composition or not code.holders:
+    if not code.storage or not code.holders:
         what = (
             "class of the robot that contains all states of the machine"
             if code.holders
@@ -229,7 +229,7 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
     if code.initial == {machine.initial}:
         return
     given = ", ".join(sorted(code.initial)) or "no state"
-    text = f"{code.composition} begins with {given}, but the machine begins with {machine.initial}"
+    text = f"{code.storage} begins with {given}, but the machine begins with {machine.initial}"
     fix = "correct 'initial', or pass the initial state of the machine to the Context"
     place = facts.declared.entries.line_in(machine.place, "initial")
     yield Finding(place, "fsm-code", text, fix)
@@ -402,7 +402,7 @@ def _guarded(row: Transition, change: Change) -> Finding:
 def _undeclared(machine: StateMachine, change: Change) -> Finding:
     where = f"{change.source}::{change.operation}"
     if not change.target:
-        text = f"{where} changes to a state that the composition does not define"
+        text = f"{where} changes to a state that no builder passes to it"
         fix = "change to a state that a builder passes to the constructor"
         return Finding(change.place, "fsm-code", text, fix)
     text = (

@@ -16,7 +16,7 @@ from traceability.reading.declared import Declared
 from traceability.reading.proof_record import read_proofs, readable
 from traceability.schema import ProofProperty, Proofs, StateMachine, Transition
 
-COMPOSITION = Path("design/proofs/robot.pml")
+ROBOT = Path("design/proofs/robot.pml")
 HEAD = """\
 // Generated from design/fsm. Event 0 sets the initial state.
 #define machine_reset 0
@@ -44,38 +44,36 @@ def name_of(machine: StateMachine) -> str:
 
 
 def guards_of(machine: StateMachine) -> list[str]:
-    """Returns the names of the variables for the guards of a machine. The composition sets these
+    """Returns the names of the variables for the guards of a machine. ``robot.pml`` sets these
     variables."""
     guards = dict.fromkeys(step.guard for step in machine.transitions if step.guard)
     return [f"{name_of(machine)}_if_{slug(guard)}" for guard in guards]
 
 
 def whole(
-    machines: Mapping[str, StateMachine], composition: str, proof: ProofProperty | None = None
+    machines: Mapping[str, StateMachine], robot: str, proof: ProofProperty | None = None
 ) -> str:
-    """Returns the model that Spin reads: the machines, the composition and the property ``proof``.
+    """Returns the model that Spin reads: the machines, ``robot.pml`` and the property ``proof``.
     Spin does not store the observing variables that this property does not need."""
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
-    text = without(composition, proof.formula) if proof else composition
+    text = without(robot, proof.formula) if proof else robot
     return "\n".join([HEAD, *map(step_of, machines.values()), text, claim])
 
 
-def observed(composition: str) -> dict[str, set[str]]:
+def observed(robot: str) -> dict[str, set[str]]:
     """Returns for each observing variable the names in the expression that sets it."""
-    body = composition.partition("inline observe() {")[2].partition("\n}")[0]
+    body = robot.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}
 
 
-def without(composition: str, formula: str) -> str:
-    """Returns the composition. If the formula does not need an observing variable, the variable
-    gets the keyword ``hidden``. Spin then does not store the variable in its states."""
-    head, mark, rest = composition.partition(OBSERVED)
+def without(robot: str, formula: str) -> str:
+    """Returns the text of ``robot.pml``. If the formula does not need an observing variable, the
+    variable gets the keyword ``hidden``. Spin then does not store the variable in its states."""
+    head, mark, rest = robot.partition(OBSERVED)
     block, end, rest = rest.partition(OBSERVED_END)
     needed = set(WORD.findall(formula))
-    needed |= {
-        word for name, words in observed(composition).items() if name in needed for word in words
-    }
+    needed |= {word for name, words in observed(robot).items() if name in needed for word in words}
 
     def hide(match: re.Match[str]) -> str:
         return match[0] if match["name"] in needed else f"hidden byte {match['name']}"
@@ -86,7 +84,7 @@ def without(composition: str, formula: str) -> str:
 
 
 def step_of(machine: StateMachine) -> str:
-    """Returns the Promela text of a machine: the names that the composition uses, the variables,
+    """Returns the Promela text of a machine: the names that ``robot.pml`` uses, the variables,
     and the step."""
     name = name_of(machine)
     actions = dict.fromkeys(step.action for step in machine.transitions if step.action)
@@ -146,7 +144,7 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 def proofs_of(root: Path, declared: Declared) -> Proofs:
     """Returns the declared properties, the results of their proofs, the text of the proved model,
     and the counterexamples as lists of cycles with their events."""
-    path = root / COMPOSITION
+    path = root / ROBOT
     if not path.exists():
         return Proofs()
     results = read_proofs(root)

@@ -45,7 +45,7 @@ class MachineCode:
     runs: dict[str, dict[str, str]] = field(default_factory=dict)  # state -> operation -> method
     changes: list[Change] = field(default_factory=list)
     initial: set[str] = field(default_factory=set)
-    composition: str = ""  # class with an object of each state
+    storage: str = ""  # class with an object of each state
 
     def of(self, source: str, operation: str) -> list[Change]:
         return [c for c in self.changes if (c.source, c.operation) == (source, operation)]
@@ -69,7 +69,7 @@ def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
     contexts = declared.roles.get("Context", [])
     code.holders = _holders(base, contexts, facts)
     code.operations = _operations(base, facts)
-    code.composition = _composition(machine, facts)
+    code.storage = _storage(machine, facts)
     for state, module in machine.states.items():
         methods = {name: facts.method(module, name) for name in code.operations}
         code.runs[state] = {name: method.id for name, method in methods.items() if method}
@@ -103,7 +103,7 @@ def _operations(base: str, facts: Facts) -> list[str]:
     return [m.name for m in facts.classes[base].methods if m.virtual and "~" not in m.name]
 
 
-def _composition(machine: StateMachine, facts: Facts) -> str:
+def _storage(machine: StateMachine, facts: Facts) -> str:
     """Returns the class in ``src`` that has an object of each state as a member. Returns an empty
     text if there is no such class."""
     for fact in facts.classes.values():
@@ -190,18 +190,18 @@ class _Changes:
             for state in sorted(
                 self.names[instance.kind]
                 for instance in self.references.objects([place], self.base)
-                if instance.name.startswith(f"{self.code.composition}::")
+                if instance.name.startswith(f"{self.code.storage}::")
                 and instance.kind in self.names
             )
         ]
         return list(dict.fromkeys(states)) or [""]
 
     def initial(self) -> set[str]:
-        """Returns the initial states. A state is an initial state if the composition passes it to
-        an object that is not a state."""
+        """Returns the initial states. A state is an initial state if the class with the objects
+        of the states passes it to an object that is not a state."""
         members = {
-            f"field {self.code.composition}::{member.name}": self.names[kind]
-            for fact in [self.facts.classes.get(self.code.composition)]
+            f"field {self.code.storage}::{member.name}": self.names[kind]
+            for fact in [self.facts.classes.get(self.code.storage)]
             for member in (fact.fields if fact else [])
             for kind in member.classes
             if kind in self.names and not member.refers

@@ -1,6 +1,6 @@
 """The comparison of the baseline design (nested ifs) with the pattern design of the robot. It
-compares the costs of both designs, and the number of source lines that likely changes edit in each
-design."""
+compares the costs of both designs. For each likely change, it also compares the numbers of source
+lines that must be edited in the two designs."""
 
 from __future__ import annotations
 

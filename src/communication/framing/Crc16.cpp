@@ -45,7 +45,7 @@ constexpr Table kBeforeTwo = beforeByte(kBeforeOne);
 constexpr Table kBeforeThree = beforeByte(kBeforeTwo);
 
 static_assert(std::endian::native == std::endian::little,
-              "the first byte in memory is the least significant byte");
+              "the first byte in memory must be the least significant byte");
 
 // Returns the check sum after two more bytes.
 std::uint32_t afterTwo(std::uint32_t value, const std::uint8_t* bytes) {

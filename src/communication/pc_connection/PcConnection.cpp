@@ -18,7 +18,7 @@ constexpr std::size_t kMaxBytesPerService = 1216;  // more than arrive in one co
 constexpr std::uint8_t kMaxSequenceStep = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload,
-              "the content of the writer fits into the payload of a frame");
+              "the content of the writer must fit into the payload of a frame");
 
 void count(std::uint16_t& counter) {
   if (counter < std::numeric_limits<std::uint16_t>::max()) {

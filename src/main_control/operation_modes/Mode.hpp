@@ -20,7 +20,7 @@ enum class ModeId : std::uint8_t {
 /// the other source. Each mode also returns whether its source orders a stop, even while orders are
 /// read from another source.
 ///
-/// @secret Which source belongs to a reading mode.
+/// @secret The source of orders that belongs to a reading mode.
 ///
 /// @role{reading-modes, State}
 /// @role{mode-extensions, Component}

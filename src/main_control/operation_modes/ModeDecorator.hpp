@@ -9,7 +9,7 @@ namespace wr {
 /// @function Forwards each call to the wrapped mode. A subclass overrides the operations that it
 /// extends.
 ///
-/// @secret Which operations of the wrapped mode are forwarded unchanged.
+/// @secret The operations that are forwarded to the wrapped mode unchanged.
 ///
 /// @role{mode-extensions, Decorator}
 ///

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int32_t kFullScale = AnalogInput::kFullScale;
 static_assert(ValueCollector::kMaxSamples <= std::numeric_limits<std::int32_t>::max() / kFullScale,
-              "the sum of the samples fits in a signed number");
+              "the sum of the samples must fit into a signed number");
 constexpr std::int32_t kMiddleCount = (kFullScale + 1) / 2;
 constexpr std::int32_t kZeroTolerance = kFullScale / 20;
 

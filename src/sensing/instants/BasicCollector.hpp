@@ -12,7 +12,7 @@ namespace wr {
 /// @role{instant-collectors, Concrete Component}
 class BasicCollector final : public InstantCollector {
  public:
-  /// @brief Constructs a collector without an edge.
+  /// @brief Constructs a collector that has recorded no edge.
   BasicCollector() = default;
 
   /// @brief Stores the time of the edge.

@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief A collector that extends another collector.
 /// @function Forwards each call to the wrapped collector. Each subclass adds a value to the record.
-/// @secret Which operations of the wrapped collector are forwarded unchanged.
+/// @secret The operations that are forwarded to the wrapped collector unchanged.
 /// @role{instant-collectors, Decorator}
 class CollectorDecorator : public InstantCollector {
  public:

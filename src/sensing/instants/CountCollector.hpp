@@ -15,8 +15,8 @@ class CountCollector final : public CollectorDecorator {
   /// @param wrapped the extended collector
   explicit CountCollector(InstantCollector& wrapped);
 
-  /// @brief Forwards the edge, and adds its direction (1, -1 or 0) to the count. After its greatest
-  /// value the count continues with its least value. Therefore the difference of two counts stays
+  /// @brief Forwards the edge, and adds its direction (1, -1 or 0) to the count. After its highest
+  /// value the count continues with its lowest value. Therefore the difference of two counts stays
   /// correct.
   /// @param edge the edge
   /// @isr{yes}

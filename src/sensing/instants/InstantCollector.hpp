@@ -27,7 +27,7 @@ struct Instants {
 
 /// @brief A collector of instants, which are the times of the edges of a signal.
 /// @function Processes each edge of a signal, and computes values from the edges.
-/// @secret Which times of edges are stored, and which values are computed from these times.
+/// @secret The times of edges that are stored, and the values that are computed from these times.
 /// @role{instant-collectors, Component}
 ///
 /// @patternapp{instant-collectors, Decorator, Collectors of time instants}

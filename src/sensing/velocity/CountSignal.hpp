@@ -9,7 +9,8 @@ namespace wr {
 
 /// @brief Command that is executed at each edge of a Hall sensor.
 /// @function Passes the levels after an edge, and the time of the edge, to the collector.
-/// @secret Which module reacts to an edge of a Hall sensor, and the values that this module gets.
+/// @secret The module that reacts to an edge of a Hall sensor, and the values that this module
+/// receives.
 /// @role{hall-interrupt, Concrete Command}
 ///
 /// @patternapp{hall-interrupt, Command, Process Hall sensor interruptions}

@@ -32,7 +32,8 @@ constexpr std::uint32_t kMaxImplausible = 3;  // [edges per cycle]
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
 constexpr std::int32_t kEdgesPerTurn = SystemConstants::instance().hallEdgesPerTurn();
 constexpr std::int32_t kEdgePerMicrosecond = kTurnPerMicrosecond / kEdgesPerTurn;
-static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond, "the division is exact");
+static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond,
+              "the division must be exact");
 
 // A wheel without an edge for this time counts as being at rest.
 constexpr Microseconds kStandstill = milliseconds(500);

@@ -10,8 +10,8 @@ namespace wr {
 /// @role{steering-controller-states, Concrete State}
 class DirOff final : public DirState {
  public:
-  /// @param holding state that follows when an order to follow arrives; it need not be constructed
-  /// before the first tick
+  /// @param holding next state when an order to follow a set-point arrives; it need not be
+  /// constructed before the first tick
   explicit DirOff(DirState& holding);
 
   /// @brief Switches the motor on when an order to follow a set-point is in force.

@@ -9,7 +9,7 @@ namespace wr {
 /// @function Forwards each call to the wrapped behaviour. A subclass overrides the operations that
 /// it extends.
 ///
-/// @secret Which operations of the wrapped behaviour are forwarded unchanged.
+/// @secret The operations that are forwarded to the wrapped behaviour unchanged.
 ///
 /// @role{behaviour-extensions, Decorator}
 ///

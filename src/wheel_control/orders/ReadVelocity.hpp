@@ -11,8 +11,8 @@ namespace wr {
 /// @function Triggers the measurement of the velocity. Writes the value that the controller uses
 /// into the record of the cycle.
 ///
-/// @secret Which module measures a velocity, and the rule that the report shows the value that
-/// control uses.
+/// @secret The module that measures a velocity, and the rule that the report shows the same value
+/// that the controller uses.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class ReadVelocity final : public WheelOrder {

@@ -10,7 +10,7 @@ namespace wr {
 /// @function Writes the position of the wheel and the number of implausible Hall edges into the
 /// record of the cycle.
 ///
-/// @secret Which sensor counts the position of a wheel.
+/// @secret The sensor that measures the position of a wheel.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class RegisterPosition final : public WheelOrder {

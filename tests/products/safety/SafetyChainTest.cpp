@@ -339,7 +339,8 @@ TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   EXPECT_FALSE(watch.opened());
 }
 
-/// @brief An acknowledgement clears an earlier opening of the contact of the emergency stop.
+/// @brief When the contact of the emergency stop is closed again, an acknowledgement releases the
+/// protective stop that its opening caused. This opening causes no second stop.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   contact.set(true);

@@ -1,4 +1,5 @@
-"""Numbers with a unit in requirements are found, and are compared with constants of the code."""
+"""The check finds the numbers with a unit in requirements, and compares them with constants of the
+code."""
 
 from fractions import Fraction
 

@@ -1,4 +1,5 @@
-"""The page of the scenarios is compared with the reader, and comments are compared with lines."""
+"""The words of the page about scenarios agree with the words that the scenario reader accepts. The
+numbers in the comments of a scenario agree with the numbers in its lines."""
 
 from pathlib import Path
 

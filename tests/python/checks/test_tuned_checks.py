@@ -1,5 +1,5 @@
-"""Constants that depend on the period of a cycle are found, and so are wrong names of them in
-design/tuned.toml."""
+"""The check finds constants that depend on the period of a cycle, and wrong names of such constants
+in design/tuned.toml."""
 
 from __future__ import annotations
 

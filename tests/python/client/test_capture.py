@@ -1,5 +1,4 @@
-"""The capture of the serial line. The values that Wireshark shows are compared with the values that
-the client decodes."""
+"""The capture of the serial line. Wireshark shows the same values that the client decodes."""
 
 import os
 import random

@@ -1,5 +1,5 @@
-"""The exports for other tools. Each file is read by an independent tool, or is checked against a
-published schema."""
+"""The exports for other tools. An independent tool reads each file, or the test checks the file
+against a published schema."""
 
 import csv
 import json

@@ -33,19 +33,19 @@ def test_the_table_of_the_firmware_compiles(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("row", "message"),
     [
-        (TWICE, "a pin or a signal is used twice"),
-        (TWICE.replace("B, 22", "B, 21").replace("second_light", "light_red"), "used twice"),
-        (TWICE.replace("B, 22", "B, 12"), "a pin is used that the microcontroller does not have"),
-        (TWICE.replace("B, 22", "A, 3"), "a pin of the debugger is used"),
+        (TWICE, "each pin and each signal must be used only once"),
+        (TWICE.replace("B, 22", "B, 21").replace("second_light", "light_red"), "used only once"),
+        (TWICE.replace("B, 22", "B, 12"), "each used pin must exist on the microcontroller"),
+        (TWICE.replace("B, 22", "A, 3"), "the pins of the debugger must not be used"),
         (
             TWICE.replace("B, 22", "B, 21").replace("Role::LowOutput", "Role::Peripheral"),
-            "a pin has a connection that it does not support",
+            "each pin must support its connection",
         ),
         (
             TWICE.replace("B, 22", "B, 21").replace(
                 "Gpio, Role::LowOutput", "Alt4, Role::LateOutput"
             ),
-            "a pin has a connection that it does not support",
+            "each pin must support its connection",
         ),
     ],
 )

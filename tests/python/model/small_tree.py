@@ -268,7 +268,7 @@ class Mode;
 ///
 /// @function Reads an order and acts on it.
 ///
-/// @secret Which steps depend on the state.
+/// @secret The steps that depend on the state.
 ///
 /// @patternapp{operation-states, State, Operation states of the main controller}
 /// @why The behaviour depends on the state.
@@ -308,7 +308,7 @@ class OperationState {
 
 @function Acts on the cycle.
 
-@secret Which operation states there are.
+@secret The set of operation states.
 */
 """,
     "tests/main_control/WorkingTest.cpp": """\

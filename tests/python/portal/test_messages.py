@@ -1,4 +1,4 @@
-"""The messages of the commands, which are read from the code of the commands."""
+"""The messages of the commands. They come from the code of the commands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The last commit of each file, and the changes since a commit, are read from git."""
+"""Git returns the last commit of each file, and the changes since a commit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Recorded calls, and the invocation trees that are found in them."""
+"""Recorded calls, and the search for invocation trees in these calls."""
 
 from __future__ import annotations
 

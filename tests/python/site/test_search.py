@@ -1,5 +1,5 @@
-"""The search of the built site. Each page is found. For most searches, the first hit is the page
-that is expected."""
+"""The search of the built site finds each page. For most searches, the first hit is the expected
+page."""
 
 from __future__ import annotations
 

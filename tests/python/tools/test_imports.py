@@ -1,4 +1,4 @@
-"""The imports between the packages have only one direction. A wrong import is found."""
+"""The imports between the packages have only one direction. The linter reports a wrong import."""
 
 import shutil
 from pathlib import Path

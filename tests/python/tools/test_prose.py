@@ -22,6 +22,7 @@ Plain words
 -----------
 
 * ``anew``, ``once more``: again
+* ``@secret perchance``: a noun
 * ``twixt``: its noun. Right in
   ``twixt # o'clock``
 """
@@ -46,6 +47,7 @@ def test_the_terms_are_those_of_the_glossary() -> None:
         ("has nabobs", '"subclass"'),
         ("anew", "again"),
         ("once more", "again"),
+        ("@secret perchance", "a noun"),
         ("twixt", "its noun"),
     ]
 
@@ -92,6 +94,13 @@ def test_a_name_is_no_word(root: Path, file: str, text: str) -> None:
 def test_words_may_be_on_two_lines(root: Path) -> None:
     assert found(root, "docs/a.rst", "It is read once\nmore.\n") == [
         'docs/a.rst:1: [prose] "once more": write again'
+    ]
+
+
+def test_a_secret_begins_with_a_noun(root: Path) -> None:
+    assert found(root, "src/a.hpp", "/// @secret The steps, which differ.\nclass A;\n") == []
+    assert found(root, "src/a.hpp", "/// @secret Perchance a step.\nclass A;\n") == [
+        'src/a.hpp:1: [prose] "@secret Perchance": write a noun'
     ]
 
 

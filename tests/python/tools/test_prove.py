@@ -1,5 +1,5 @@
-"""The proofs. A defect in the design is found. Its counterexample can be read, and played as a
-scenario."""
+"""The proofs find a defect in the design. A person can read the counterexample, and the simulator
+can play it as a scenario."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from tools.proof_runs import (
     search,
 )
 from traceability.model.metrics import recorded_metric
-from traceability.model.promela import COMPOSITION, step_of, without
+from traceability.model.promela import ROBOT, step_of, without
 from traceability.reading.declared import read_declared
 from traceability.reading.proof_record import (
     PROOFS,
@@ -79,7 +79,7 @@ def test_a_transition_without_its_guard_is_found(design: Path) -> None:
 def test_a_stop_that_one_state_loses_is_found(design: Path) -> None:
     heeded = r"  :: stops -> pc_stop = true"
     connected = "  :: stops && pc_mcu_connection == pc_mcu_connection_Connected -> pc_stop = true"
-    change(design / COMPOSITION, heeded, connected)
+    change(design / ROBOT, heeded, connected)
     result = proven(design, "pc_stop_latches")["pc_stop_latches"]
     assert result.verdict == "false"
     assert any(
@@ -136,7 +136,7 @@ def test_every_transition_is_in_the_model() -> None:
 
 
 def test_observers_that_a_formula_does_not_need_are_no_states() -> None:
-    text = without((ROOT / COMPOSITION).read_text(encoding="utf-8"), "[] !drives")
+    text = without((ROOT / ROBOT).read_text(encoding="utf-8"), "[] !drives")
     assert "\nbool drives;" in text
     assert "\nhidden byte armed" in text
 

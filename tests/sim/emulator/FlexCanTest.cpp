@@ -200,13 +200,13 @@ TEST_F(CanOfTheBoard, FindsAFrameWithoutTheWritesToBufferZero) {
 /// the controller is disabled, and sending a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
-  EXPECT_EQ(now.findings.size(), 1U) << "the buffer was written while the controller is disabled";
+  EXPECT_EQ(now.findings.size(), 1U) << "the buffer was written while the controller was disabled";
   bringUp();
   can.write(kCtrl1, 4, kTiming + 1);
   EXPECT_EQ(now.findings.size(), 2U) << "the timing was written outside of the freeze mode";
   can.write(kCtrl1, 4, kTiming & ~0x2000U);
   EXPECT_EQ(now.findings.size(), 3U)
-      << "the clock source was written while the controller is enabled";
+      << "the clock source was written while the controller was enabled";
   connected = false;
   can.write(kBuffer2, 4, 0x0C010000);
   EXPECT_EQ(now.findings.size(), 4U) << "a frame was sent without pins";
