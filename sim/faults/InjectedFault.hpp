@@ -22,7 +22,7 @@ enum class Kind : std::uint8_t {
   Sensor,     ///< a sensor that is stuck, inaccurate or noisy
   Serial,     ///< noise on the serial line from the PC
   Clock,      ///< a wrong baud rate of the PC, or the loss of the external clock or of the PLL lock
-  Supply      ///< low voltage, a power cycle, or a reset by the pin
+  Supply      ///< a reset with the cause low voltage, power-on or pin
 };
 inline constexpr std::uint32_t kKinds = 10;
 

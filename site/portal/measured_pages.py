@@ -4,7 +4,6 @@ mutants and of the baseline design.
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,43 +12,55 @@ from typing import Any
 from portal import plots
 from portal.portal import Portal
 from portal.safety_pages import SAFE_MODULE, images_of
+from traceability.model.design_model import Model
 from traceability.model.made_changes import proven, unproven
+from traceability.model.not_shown import unmeasured_drivers
 from traceability.reading import baseline_record, closed_loop_record
 from traceability.reading.change_kits import touched_lines
 from traceability.reading.fault_kinds import fault_kinds, sensor_faults
 from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.reading.plain_constants import plain_constants
-from traceability.reading.products import CALLS_SUFFIX, DEFAULT, HAS, PAPER, PRODUCTS
+from traceability.reading.products import DEFAULT, HAS, PAPER, PRODUCTS, RECORDED
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
 PLAYS_EXAMPLES = "ClosedLoopOfRobot."  # tests that play the scenarios of the closed loop
-# The source files of the extensions that are compiled only for the K64. The firmware image in which
-# executed lines are recorded contains none of them.
-UNMEASURED = re.compile(r"extensions/\w+/k64/\w+\.cpp")
 # Smallest shown difference [instructions in a cycle] between a function of this design and the same
 # function of the baseline design.
 LEAST_DIFFERENCE = 20
 
 
 @dataclass
+class MissedLines:
+    """Source lines of a driver that were not executed, with the functions that contain them.
+
+    ``requirements`` are those of the methods. For a function outside classes, they are those of the
+    methods that it calls.
+    """
+
+    place: Place
+    functions: list[str]
+    requirements: list[str]
+
+
+@dataclass
 class DriverFile:
-    """A source file of the drivers, and its source lines that no test executed on the virtual
+    """A source file of the drivers, and its source lines that were not executed on the virtual
     K64.
     """
 
     path: str
     executed: int
     lines: int
-    missed: list[Place]  # ranges of missed lines
+    missed: list[MissedLines]
 
 
 def virtual_k64(portal: Portal) -> dict[str, Any]:
     return {
         "drivers": driver_coverage(portal),
-        "recorded": PAPER + CALLS_SUFFIX,
+        "recorded": RECORDED,
         "recorded_product": PAPER,
-        "unmeasured": sorted(filter(UNMEASURED.match, portal.model.files)),
+        "unmeasured": unmeasured_drivers(portal.model),
         "torture": [t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
     }
 
@@ -58,13 +69,42 @@ def driver_coverage(portal: Portal) -> list[DriverFile] | None:
     if portal.model.board_lines is None:
         return None
     return [
-        DriverFile(path, sum(lines.values()), len(lines), missed_runs(path, lines))
+        DriverFile(
+            path,
+            sum(lines.values()),
+            len(lines),
+            [missed_lines(portal.model, place) for place in missed_runs(path, lines)],
+        )
         for path, lines in sorted(portal.model.board_lines.items())
     ]
 
 
+def missed_lines(model: Model, place: Place) -> MissedLines:
+    methods = {
+        method.id: method
+        for module in model.modules.values()
+        for method in module.methods
+        if method.body and overlap(method.body, place)
+    }
+    functions = [one for one in model.functions.values() if overlap(one.place, place)]
+    called = {target for one in functions for call in one.calls for target in call.targets}
+    serving = [
+        *methods.values(),
+        *(m for module in model.modules.values() for m in module.methods if m.id in called),
+    ]
+    requirements = {name: None for method in serving for name in method.satisfies}
+    return MissedLines(place, [*methods, *(one.id for one in functions)], list(requirements))
+
+
+def overlap(one: Place, other: Place) -> bool:
+    same_file = one.file == other.file
+    return (
+        same_file and one.line <= (other.end or other.line) and other.line <= (one.end or one.line)
+    )
+
+
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
-    """Returns the ranges of source lines that no test executed. Lines without code do not end a
+    """Returns the ranges of source lines that were not executed. Lines without code do not end a
     range.
     """
     runs: list[Place] = []

@@ -49,7 +49,7 @@ from traceability.model.not_shown import by_method, driver_lines, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading import closed_loop_record
 from traceability.reading.bench_record import SCENARIOS
-from traceability.reading.products import DEFAULT, FUNCTIONS, PRODUCTS
+from traceability.reading.products import DEFAULT, FUNCTIONS, PRODUCTS, RECORDED
 from traceability.schema import (
     Method,
     Module,
@@ -406,7 +406,11 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "tests": tests,
     "mutation": mutation,
     "robustness": robustness,
-    "reverse": lambda portal: {"rows": reverse_rows(portal), "lines": driver_lines(portal.model)},
+    "reverse": lambda portal: {
+        "rows": reverse_rows(portal),
+        "lines": driver_lines(portal.model),
+        "recorded": RECORDED,
+    },
     "closed_loop": closed_loop,
     "bench": bench,
     "virtual_k64": virtual_k64,

@@ -9,7 +9,7 @@ from typing import Any
 from portal.portal import Page, Portal
 from traceability.model.safety_case import scenarios_of
 from traceability.reading import bench_record, call_record, closed_loop_record
-from traceability.reading.products import CALLS_SUFFIX, DEFAULT, HAS, PAPER, PRODUCTS
+from traceability.reading.products import CALLS_SUFFIX, DEFAULT, HAS, PAPER, PRODUCTS, RECORDED
 from traceability.schema import BenchScenario, FaultScenario, SafetyGoal, Test
 
 TIMING = "no-wait-states"
@@ -27,7 +27,7 @@ EVIDENCE = (
     ("random faults", "robustness.html", DEFAULT),
     ("random inputs", "robustness.html#fuzz", ON_HOST),
     ("model checking", "proofs.html#scope", f"a model of {DEFAULT}"),
-    ("coverage of the code for the K64", "virtual_k64.html#drivers", PAPER + CALLS_SUFFIX),
+    ("coverage of the code for the K64", "virtual_k64.html#drivers", RECORDED),
     ("coverage of the other code", "requirements/index.html#module-coverage", ON_HOST),
     ("mutation test", "mutation.html", ON_HOST),
 )

@@ -36,6 +36,8 @@ NAMED = {
 }
 
 
+# The sections of the first page that have an entry.
+FIRST, SECTIONS_OF_FIRST = "index.html", {"not-shown"}
 # Pages whose sections have no entries, because other entries already contain their texts.
 LISTS = {
     *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
@@ -246,7 +248,13 @@ def written_entries(portal: Portal, site: Path) -> Iterator[Entry]:
 
 
 def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
-    """Yields the sections of the generated pages of the navigation, with their first words."""
+    """Yields the sections of the first page and of the generated pages of the navigation, with
+    their first words."""
+    first = bodies / FIRST
+    for part in parts_of(first.read_text(encoding="utf-8")) if first.is_file() else []:
+        if part.anchor in SECTIONS_OF_FIRST:
+            address = f"{FIRST}#{part.anchor}"
+            yield "Sections", "", part.title, "First page", address, part.text[:MOST]
     for entry in portal.navigation.entries.values():
         body = bodies / entry.address
         if entry.id in LISTS or not body.is_file():

@@ -8,6 +8,7 @@ from markupsafe import Markup
 
 from portal.module_page import line_kind
 from portal.portal import Page, Portal
+from traceability.reading.products import RECORDED
 
 
 def folders(portal: Portal) -> dict[str, list[str]]:
@@ -33,7 +34,7 @@ def source_page(portal: Portal, path: str) -> Page:
     modules = [m.name for m in portal.model.modules.values() if path in (m.header, m.source)]
     return portal.page(
         f"source/{path}", path, "source", "source_file", path=path, lines=lines, modules=modules,
-        measured=bool(hits), on_board=on_board,
+        measured=bool(hits), recorded=RECORDED if on_board else "",
     )  # fmt: skip
 
 

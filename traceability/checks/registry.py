@@ -922,8 +922,10 @@ _FIXED = [
         "method names the requirement, or no tree contains the method and a caller of the method "
         "serves the requirement. If a method serves no requirement, a passing test of any "
         "requirement is enough. Other lines are justified in design/justified.toml.",
-        "The check does not read the drivers of the K64; the page of the virtual K64 lists their "
-        "lines. It does not detect whether the test checks the effect of the line.",
+        "The check does not read the code that only the K64 uses. The page of the virtual K64 "
+        "lists the lines of src/k64 that were not executed, and the files of the extensions that "
+        "are not measured. The check does not detect whether the test checks the effect of the "
+        "line.",
         "execute the line in a test of its requirement, remove it, or justify it in "
         "design/justified.toml.",
     ),

@@ -3,16 +3,19 @@ assume more evidence than there is."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 from urllib.parse import urlencode
 
 from traceability.model.design_model import Model
 from traceability.model.metrics import METHODS
 from traceability.model.report import Report
 from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
-from traceability.reading.fault_record import FAULTS
+from traceability.reading.fault_record import FAULTS, FUZZ, LOADS
 from traceability.reading.lint_record import NOT_RUN
+from traceability.reading.products import RECORDED
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, LastRecord, Requirement
 
@@ -21,18 +24,30 @@ NAMES = {"mutation": "The mutation test of the tests", "drift": "The test of the
 # The value of the filter for the target, if the tests of a requirement passed only on one target.
 ONLY = "only {}"
 PAPER = {paper.name: paper for paper in SCENARIOS}
+# Drivers that the image with recorded lines does not contain.
+UNMEASURED = re.compile(r"extensions/\w+/k64/\w+\.cpp")
+# campaign -> its content, and the page with the details
+CAMPAIGNS = {
+    FAULTS: ("random faults", "robustness"),
+    FUZZ: ("random inputs", "robustness"),
+    LOADS: ("random drives with a busy serial line", "bench"),
+}
+OLD_DRIVES = "last played at commit"  # words of a known exception about drives that were played
 
 
 @dataclass(frozen=True)
 class NotShown:
     """A sentence about evidence that this build lacks, and the page with the details.
 
-    ``query`` contains the values of the filters that select these details on the page.
+    ``query`` contains the values of the filters that select these details on the page. ``commit``
+    is the commit of a run that this build did not repeat, if changes of the firmware can make its
+    result untrue.
     """
 
     text: str
     page: str  # id of the page in the navigation
     query: str = ""
+    commit: str = ""
 
 
 def not_shown(model: Model, report: Report) -> list[NotShown]:
@@ -58,10 +73,11 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
         *_driver_lines(model),
         *_times(model),
         *_proofs(model),
-        *_campaign(model),
-        *((text, name) for name in NAMES for text in [_last(name, model.last.get(name))] if text),
+        *_drives(model),
+        *_campaigns(model),
+        *_lasts(model),
     ]
-    return [NotShown(*pair) for pair in texts]
+    return [NotShown(*parts) for parts in texts]
 
 
 def by_method(model: Model, report: Report) -> str:
@@ -142,15 +158,42 @@ def _tool_tests(model: Model) -> Iterator[tuple[str, str]]:
         )
 
 
-def _campaign(model: Model) -> Iterator[tuple[str, str]]:
-    record = model.campaigns.get(FAULTS)
-    silent = record.result["outcomes"]["silent"] if record else 0
-    if record and silent:
+def _campaigns(model: Model) -> Iterator[tuple[str, str, str, str]]:
+    for name, (text, page) in CAMPAIGNS.items():
+        if record := model.campaigns.get(name):
+            reactions = _reactions(record.result) if name == FAULTS else ""
+            yield (
+                f"This build did not repeat ./wr campaign {name} ({text}). Its last run was at "
+                f"commit {record.commit[:7]}.{reactions}",
+                page,
+                "",
+                record.commit,
+            )
+
+
+def _reactions(result: Mapping[str, Any]) -> str:
+    """Returns the numbers of the faults after which the firmware did not react correctly."""
+    counts = result["outcomes"]
+    return (
+        f" Of {_count(result['cases'], 'fault')}, {counts['silent']} caused wrong outputs that no "
+        f"report showed, {counts['late']} were detected too late or had an effect after the reset, "
+        f"and {counts['hung']} stopped all answers. {counts['stopped']} were not judged, because "
+        "the virtual board could not continue."
+    )
+
+
+def _drives(model: Model) -> Iterator[tuple[str, str]]:
+    goals = [
+        goal.id
+        for goal in model.safety.goals.values()
+        if any(OLD_DRIVES in text for text in goal.exceptions)
+    ]
+    if goals:
         yield (
-            f"This build did not repeat the campaign of random faults. In its last run, at commit "
-            f"{record.commit[:7]}, {silent} of {_count(record.result['cases'], 'fault')} caused "
-            "wrong outputs that no report showed.",
-            "robustness",
+            "This build did not repeat the long series of drives with faults "
+            "(tests/python/programs/test_random_drives.py). Known exceptions of "
+            f"{', '.join(goals)} state the commits of their last run.",
+            "safety",
         )
 
 
@@ -208,8 +251,8 @@ def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[st
 
 
 def driver_lines(model: Model) -> tuple[int, int]:
-    """Returns the number of lines of the drivers that no test executed, and the number of all their
-    lines. Both are 0 if the lines were not measured."""
+    """Returns the number of lines of the drivers that were not executed in the image ``RECORDED``,
+    and the number of all their lines. Both are 0 if the lines were not measured."""
     hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
     return hits.count(False), len(hits)
 
@@ -218,10 +261,23 @@ def _driver_lines(model: Model) -> Iterator[tuple[str, str]]:
     missed, total = driver_lines(model)
     if missed:
         yield (
-            f"No test executed {missed} of the {total} lines of the drivers of the K64. No reasons "
-            "are stated for these lines.",
+            f"In the image {RECORDED}, the tests did not execute {missed} of the {total} lines of "
+            "src/k64. No reasons are stated for these lines. The lines that the tests of the "
+            "released images execute are not measured.",
             "virtual_k64",
         )
+    if files := unmeasured_drivers(model):
+        yield (
+            "The executed lines of these files of the extensions, which are compiled only for the "
+            f"K64, are not measured: {', '.join(files)}.",
+            "virtual_k64",
+        )
+
+
+def unmeasured_drivers(model: Model) -> list[str]:
+    """Returns the source files of the extensions that are compiled only for the K64. The image with
+    recorded lines contains none of them."""
+    return sorted(filter(UNMEASURED.match, model.files))
 
 
 def _times(model: Model) -> Iterator[tuple[str, str]]:
@@ -254,6 +310,15 @@ def _proofs(model: Model) -> Iterator[tuple[str, str]]:
             f"run at commit {recorded[0].recorded[:7]} proved the same models.",
             "proofs",
         )
+
+
+def _lasts(model: Model) -> Iterator[tuple[str, str, str, str]]:
+    for name in NAMES:
+        last = model.last.get(name)
+        if text := _last(name, last):
+            # The test of the checks does not depend on the code of the firmware.
+            old = name == "mutation" and last and not last.current
+            yield text, name, "", last.commit if last and old else ""
 
 
 def _last(name: str, last: LastRecord | None) -> str:

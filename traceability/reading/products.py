@@ -18,6 +18,8 @@ from traceability.sources import DESIGN, SRC, files_below
 DEFAULT = "weeding_robot"
 # the product without extensions: it has the design of the paper, with the deviations from it
 PAPER = "weeding_robot_paper"
+CALLS_SUFFIX = "_calls"  # suffix of the name of a firmware image for recordings
+RECORDED = PAPER + CALLS_SUFFIX  # firmware image in which the executed lines are recorded
 LIST = Path("design/products.toml")
 
 
@@ -73,7 +75,6 @@ RESULTS = Path("build/results/products.json")  # file with the contents of each 
 
 # Matches a symbol that belongs to a class of the project: a method, a static object, or the virtual
 # method table of the class.
-CALLS_SUFFIX = "_calls"  # suffix of the name of a firmware image for recordings
 SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")
 
 

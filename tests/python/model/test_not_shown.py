@@ -10,7 +10,7 @@ from tests.python.model.small_case import make_model, report_of, write_case
 from traceability.model.design_model import Model
 from traceability.model.not_shown import not_shown
 from traceability.reading.published import Published
-from traceability.schema import BuildEvidence, LintRun
+from traceability.schema import BuildEvidence, LastRecord, LintRun
 
 
 def texts(root: Path, **values: Any) -> list[str]:
@@ -49,14 +49,41 @@ def test_failed_python_tests_are_listed_by_name(tmp_path: Path) -> None:
 
 def test_lines_of_the_drivers_that_no_test_executed_are_listed(tmp_path: Path) -> None:
     lines = {"src/k64/a.cpp": {1: True, 2: False}, "src/k64/b.cpp": {1: True}}
-    missing = "No test executed 1 of the 3 lines of the drivers of the K64."
+    missing = "the tests did not execute 1 of the 3 lines of src/k64."
     assert [text for text in texts(tmp_path, board_lines=lines) if missing in text]
     executed = texts(tmp_path, board_lines={"src/k64/a.cpp": {1: True}})
-    assert not [text for text in executed if "drivers of the K64" in text]
+    assert not [text for text in executed if "src/k64" in text]
 
 
-def test_silent_faults_of_the_last_campaign_are_listed(tmp_path: Path) -> None:
-    record = Published("", "aab5f7d322", "2026", {"cases": 100, "outcomes": {"silent": 3}})
-    found = texts(tmp_path, campaigns={"faults": record})
-    (text,) = (one for one in found if "campaign" in one)
-    assert "at commit aab5f7d, 3 of 100 faults caused wrong outputs" in text
+def test_drivers_of_extensions_without_measured_lines_are_listed(tmp_path: Path) -> None:
+    found = texts(tmp_path, files=["extensions/safety/k64/pool.cpp", "extensions/safety/A.cpp"])
+    (text,) = (one for one in found if "of the extensions" in one)
+    assert text.endswith("are not measured: extensions/safety/k64/pool.cpp.")
+
+
+def test_campaigns_that_were_not_repeated_are_listed(tmp_path: Path) -> None:
+    counts = {"silent": 3, "late": 4, "hung": 0, "stopped": 5}
+    record = Published("", "aab5f7d322", "2026", {"cases": 100, "outcomes": counts})
+    found = texts(tmp_path, campaigns={"faults": record, "fuzz": record})
+    faults, fuzz = (one for one in found if "./wr campaign" in one)
+    assert "at commit aab5f7d. Of 100 faults, 3 caused wrong outputs" in faults
+    assert "4 were detected too late" in faults
+    assert "5 were not judged" in faults
+    assert fuzz.endswith("Its last run was at commit aab5f7d.")
+
+
+def test_goals_with_results_of_old_drives_are_listed(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    model = make_model(tmp_path)
+    name, goal = next(iter(model.safety.goals.items()))
+    goals = {name: replace(goal, exceptions=["These drives were last played at commit 1."])}
+    found = texts(tmp_path, safety=replace(model.safety, goals=goals))
+    assert [text for text in found if f"Known exceptions of {name} state the commits" in text]
+
+
+def test_a_run_that_was_not_repeated_names_its_commit(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    last = LastRecord("mutate", "aab5f7d322", 8, 9, False, "2026")
+    model = replace(make_model(tmp_path), last={"mutation": last, "drift": last})
+    commits = {one.page: one.commit for one in not_shown(model, report_of(model))}
+    assert (commits["mutation"], commits["drift"]) == ("aab5f7d322", "")

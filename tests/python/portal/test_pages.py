@@ -14,7 +14,7 @@ from lxml.html import fromstring
 from portal import diagrams, search
 from portal.highlight import highlighted_lines
 from portal.links import Links, slug
-from portal.measured_pages import driver_coverage
+from portal.measured_pages import driver_coverage, missed_lines
 from portal.names import VERDICTS
 from portal.navigation import DOCS
 from portal.pages import all_pages, trees, uses
@@ -53,8 +53,10 @@ from traceability.schema import (
     VIRTUAL_K64,
     BindingResult,
     BuildEvidence,
+    Call,
     Constant,
     Counts,
+    Function,
     LastRecord,
     LintRun,
     MethodCoverage,
@@ -152,7 +154,25 @@ def test_missed_lines_of_drivers_are_joined(portal: Portal) -> None:
     assert covered
     (file,) = covered
     assert (file.executed, file.lines) == (2, 5)
-    assert file.missed == [Place("a.cpp", 3, 5), Place("a.cpp", 7, 7)]
+    assert [missed.place for missed in file.missed] == [Place("a.cpp", 3, 5), Place("a.cpp", 7, 7)]
+
+
+def test_missed_lines_show_their_functions_and_requirements(portal: Portal) -> None:
+    model = portal.model
+    body = Place("src/k64/a.cpp", 2, 4)
+    rc = model.modules["RC"]
+    read = replace(rc.methods[0], body=body, satisfies=["FR-15"])
+    call = Call(read.id, False, Place("src/k64/a.cpp", 8), [read.id])
+    model = replace(
+        model,
+        modules={**model.modules, "RC": replace(rc, methods=[read])},
+        functions={"start": Function("start", Place("src/k64/a.cpp", 7, 9), [call])},
+    )
+    in_method = missed_lines(model, Place("src/k64/a.cpp", 4, 5))
+    assert (in_method.functions, in_method.requirements) == ([read.id], ["FR-15"])
+    in_function = missed_lines(model, Place("src/k64/a.cpp", 8, 8))
+    assert (in_function.functions, in_function.requirements) == (["start"], ["FR-15"])
+    assert missed_lines(model, Place("src/k64/a.cpp", 5, 6)).functions == []
 
 
 def test_a_check_leads_to_the_values_that_it_examines(portal: Portal) -> None:
