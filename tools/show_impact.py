@@ -26,7 +26,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "impact",
         description="Builds the model and lists the modules that a change may affect, sorted by "
-        "distance. Also lists the requirements, patterns and tests to review. The "
+        "distance. Also lists the requirements, patterns and tests to review. Modules that "
+        "call a changed module only through an abstract class are listed separately, without "
+        "their requirements. The "
         "imports of Python files show the Python tests that a change affects. Files "
         "whose effects are not followed, such as pages, scenarios and build files, are "
         "listed too. The portal shows the effects on the page of each module and "
@@ -101,6 +103,8 @@ def lines_of(found: Impact) -> list[str]:
         title = titles[min(distance, 2)]
         lines += ["", f"{title}: {counted(len(names), 'module')}"]
         lines += reasons(names) if distance < 2 else wrapped([name.id for name in names])
+    lines += ["", f"may call it through an abstract class: {counted(len(found.callers), 'module')}"]
+    lines += reasons(found.callers)
     for noun, reached in (
         ("requirement", found.requirements),
         ("safety goal", found.goals),

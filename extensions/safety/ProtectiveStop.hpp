@@ -41,12 +41,14 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-270
+  /// @satisfies FR-271
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
   /// @brief Halts the wheels and holds the steering, then checks the robot.
   /// @param cycle number of the cycle
   /// @satisfies FR-270
+  /// @satisfies FR-271
   /// @isr{no}
   void stand(std::uint32_t cycle) override;
 

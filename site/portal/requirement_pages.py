@@ -13,8 +13,18 @@ from portal import verification_views
 from portal.module_page import line_kind
 from portal.names import counted_states
 from portal.portal import Page, Portal
+from traceability.model.design_model import Model
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS, QUESTIONS
-from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
+from traceability.reading.traces import nodes_of
+from traceability.schema import (
+    HOST,
+    FaultScenario,
+    MethodCoverage,
+    Requirement,
+    StateMachine,
+    TreeNode,
+    TreeRun,
+)
 
 MOST_BETWEEN = 4  # greatest number of calls that are shown one by one between two nodes of a tree
 
@@ -90,12 +100,14 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         requirement=requirement,
         verdict=portal.report.requirements[requirement.id],
         nodes=nodes,
+        outside_tree=outside_tree(portal.model, requirement),
         runs=[
             (binding, run, shortened(aligned(portal, requirement, run)))
             for binding, run in requirement.runs.items()
         ],
         rows=aligned(portal, requirement, None),
         tests=tests,
+        scenarios=played_scenarios(portal.model, requirement),
         covered=covered_methods(requirement),
         gaps=[gap for gap in portal.model.line_gaps if requirement.id in gap.requirements],
         lines_of=verification_views.lines_of,
@@ -110,6 +122,31 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         questions=QUESTIONS,
         line_kind=line_kind,
     )
+
+
+def outside_tree(model: Model, requirement: Requirement) -> list[str]:
+    """Returns the methods that satisfy the requirement, although its tree contains neither them nor
+    a method that they override."""
+    if requirement.tree is None:
+        return []
+    inside: set[str] = set()
+    for node in nodes_of(requirement.tree):
+        subclasses = model.modules[node.module].subclasses if node.module in model.modules else []
+        inside |= {node.resolved or ""} | {f"{name}::{node.method}" for name in subclasses}
+    return [name for name in requirement.satisfied_by if name not in inside]
+
+
+def played_scenarios(model: Model, requirement: Requirement) -> dict[str, list[FaultScenario]]:
+    """Returns the fault scenarios that tests of the requirement play. The key is the targets on
+    which these tests, and all other tests that play the scenario, passed."""
+    scenarios: dict[str, list[FaultScenario]] = {}
+    for scenario in model.safety.scenarios.values():
+        if set(scenario.tests) & set(requirement.verified_by):
+            passed = {
+                target for name in scenario.tests for target in model.tests[name].gave("passed")
+            }
+            scenarios.setdefault(", ".join(sorted(passed)), []).append(scenario)
+    return scenarios
 
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:

@@ -2,8 +2,9 @@
 change, and the requirements, patterns, tests and safety goals to review again.
 
 A change of a module or value type may affect the modules and value types that name it, call it or
-derive from it. In the same way, each affected module may affect further modules. A change of a
-subclass does not affect a module that names only the abstract base class.
+derive from it. In the same way, each affected module may affect further modules. A module that
+names only an abstract base class of a changed module does not count as affected. If it can call a
+method of the changed module through this class, ``callers`` lists it.
 """
 
 from __future__ import annotations
@@ -35,6 +36,8 @@ class Impact:
     kind: str  # kind of the subject: "module", "requirement", "file" or "commits"
     says: str
     modules: list[Reached] = field(default_factory=list)
+    # modules that call a changed module only through an abstract base class
+    callers: list[Reached] = field(default_factory=list)
     requirements: list[Reached] = field(default_factory=list)
     patterns: list[Reached] = field(default_factory=list)
     tests: list[Reached] = field(default_factory=list)
@@ -166,12 +169,14 @@ class Impacts:
         parts = [self._of_file(path) for path in paths if path in self.model.files]
         followed = {part.subject for part in parts if not part.is_empty()}
         joined.unfollowed = [path for path in paths if path not in followed]
-        for name in ("modules", "requirements", "patterns", "tests", "goals"):
+        for name in ("modules", "callers", "requirements", "patterns", "tests", "goals"):
             nearest: dict[str, Reached] = {}
             reached = [item for part in parts for item in getattr(part, name)]
             for item in sorted(reached, key=lambda item: item.distance):
                 record_reached(nearest, item.id, item.distance, item.because)
             setattr(joined, name, list(nearest.values()))
+        near = {module.id for module in joined.modules if module.distance <= 1}
+        joined.callers = [caller for caller in joined.callers if caller.id not in near]
         return joined
 
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
@@ -183,11 +188,24 @@ class Impacts:
                     modules.add(name)
                     impact.modules.append(Reached(name, reached.distance + 1, why))
         near = [module for module in impact.modules if module.distance <= 1]
+        impact.callers = self._callers(impact.at(0), {module.id for module in near})
         impact.requirements = self._requirements(impact, near)
         impact.patterns = self._patterns(near)
         impact.goals = self._goals(impact)
         impact.tests = self._tests(impact)
         return impact
+
+    def _callers(self, changed: list[Reached], near: set[str]) -> list[Reached]:
+        """Returns the modules that can call a changed module and are not in ``near``: they call it
+        only through an abstract base class."""
+        callers: dict[str, Reached] = {}
+        for item in changed:
+            for method in self.model.modules[item.id].methods:
+                for caller in method.called_by:
+                    owner = caller.partition("::")[0]
+                    if owner in self.model.modules and owner not in near:
+                        record_reached(callers, owner, 1, f"{caller} can call {method.id}")
+        return list(callers.values())
 
     def _requirements(self, impact: Impact, near: list[Reached]) -> list[Reached]:
         requirements = {requirement.id: requirement for requirement in impact.requirements}

@@ -39,6 +39,18 @@ def test_a_change_of_an_heir_stays_behind_its_abstraction(model: Model) -> None:
     assert [one.id for one in of(model, "RC").modules] == ["RC"]
 
 
+def test_callers_through_an_abstract_class_are_listed_separately(model: Model) -> None:
+    caller = Reached("MainController", 1, "MainController::read can call RC::read")
+    assert of(model, "RC").callers == [caller]
+    assert of(model, "Mode").callers == []
+    impacts = Impacts(model)
+    assert impacts.of_files("", [f"src/{MODES}/RC.cpp"]).callers == [caller]
+    both = [f"src/{MODES}/{name}.cpp" for name in ("RC", "Mode")]
+    assert impacts.of_files("", both).callers == [], "MainController calls Mode::read directly"
+    lines = lines_of(of(model, "RC"))
+    assert "may call it through an abstract class: 1 module" in lines
+
+
 def test_a_change_of_a_value_type_reaches_the_modules_that_name_it(model: Model) -> None:
     value = replace(model.modules["RC"], name="Order", datatype=True, bases=[], named_by=["RC"])
     model.modules["Order"] = replace(value, methods=[], subclasses=[], roles=[])

@@ -27,7 +27,7 @@ from portal.paper_views import (
     hidden_names,
 )
 from portal.portal import CheckText, Portal
-from portal.requirement_pages import Row, aligned, shortened
+from portal.requirement_pages import Row, aligned, outside_tree, shortened
 from portal.site_build import check_texts
 from portal.tuned_values import chosen_values, other_lines
 from portal.tuning_page import control_values
@@ -180,6 +180,17 @@ def test_a_check_leads_to_the_values_that_it_examines(portal: Portal) -> None:
     found = Portal(portal.root, portal.model, REPORT, [check, CHECKS[1]])
     (page,) = (page for page in all_pages(found) if page.name == f"checks/{check.id}")
     assert read_page(page.body).links["@/execution.html#stack"] == "Execution: stack"
+
+
+def test_the_methods_outside_of_a_tree() -> None:
+    model = make_model()
+    requirement = replace(
+        model.requirements["FR-15"], satisfied_by=["RC::read", "RC::tick", "Other::read"]
+    )
+    assert outside_tree(model, requirement) == ["RC::tick", "Other::read"]
+    assert outside_tree(model, replace(requirement, tree=None)) == []
+    abstract = TreeNode("Mode::read", "Mode", "read", None, "root", Place("a.tree", 1))
+    assert "RC::read" not in outside_tree(model, replace(requirement, tree=abstract))
 
 
 def test_an_inherited_method_is_found_at_its_base() -> None:

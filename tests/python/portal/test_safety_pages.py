@@ -12,6 +12,7 @@ import pytest
 from portal.navigation import verify
 from portal.pages import all_pages
 from portal.portal import Portal
+from portal.requirement_pages import played_scenarios
 from portal.safety_pages import Compared, longest, open_points, product_runs
 from portal.search import safety_entries
 from tests.python.model.small_case import make_model, report_of, write_case
@@ -25,6 +26,7 @@ from traceability.schema import (
     VIRTUAL_K64,
     BenchRun,
     BenchScenario,
+    BindingResult,
     SafetyCost,
     Spread,
     TouchedFile,
@@ -113,6 +115,21 @@ def test_the_page_lists_the_products_that_the_tests_ran(tmp_path: Path) -> None:
     found = pages(portal)
     assert "no fault scenario was played with these images" in found["safety/index"].text
     assert "@/safety/index.html#tested" in found["safety/SG-1"].links
+
+
+def test_the_page_of_a_requirement_lists_the_scenarios_that_its_tests_play(tmp_path: Path) -> None:
+    portal = portal_of(tmp_path, "verified")
+    model = portal.model
+    test = model.tests["Safety.FR1_Stops"]
+    board = replace(test, id="Board.NFR6", results={VIRTUAL_K64: BindingResult("passed")})
+    model.tests[board.id] = board
+    scenario = replace(model.safety.scenarios["lost"], tests=[test.id, board.id])
+    model = replace(model, safety=replace(model.safety, scenarios={"lost": scenario}))
+    requirement = model.requirements["FR-1"]
+    assert played_scenarios(model, requirement) == {"host, virtual K64": [scenario]}
+    assert played_scenarios(model, model.requirements["FR-15"]) == {}
+    page = pages(Portal(tmp_path, model, portal.report, []))["requirements/FR-1"]
+    assert "@/safety/SG-1.html#lost" in page.links
 
 
 @pytest.mark.parametrize(
