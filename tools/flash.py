@@ -15,7 +15,7 @@ from tools.firmware import add_product
 from tools.image import lock_problems
 from tools.lock import only_one
 from tools.radio_key import ADVICE as KEY_ADVICE
-from tools.radio_key import KeyFileError, write_keyed
+from tools.radio_key import KeyFileError, read_key, with_key
 from tools.steps import FailureError, MissingError, Steps, log_of, need_file, run
 from tools.tasks import K64_FIRMWARE, graph
 from traceability.reading.products import image_of
@@ -100,18 +100,24 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
                 return 1
     if not steps.run("image", lambda _log: checked(image)):
         return 1
-    if options.bluetooth_key:
-        keyed = root / "build" / f"{image.stem}.keyed.bin"
-        if not steps.run("key", lambda _log: add_key(image, options.bluetooth_key, keyed)):
-            return 1
-        image = keyed
+    with tempfile.TemporaryDirectory() as folder:
+        if options.bluetooth_key:
+            keyed = Path(folder) / f"{image.stem}.keyed.bin"
+            if not steps.run("key", lambda _log: add_key(image, options.bluetooth_key, keyed)):
+                return 1
+            image = keyed
+        return write_to_board(steps, image, options, name)
+
+
+def write_to_board(steps: Steps, image: Path, options: argparse.Namespace, name: str | None) -> int:
+    """Writes the firmware image to the board, or prints the steps if this is a dry run."""
     name, way = choose(ways(image, options.drive), name)
     if options.dry_run:
         steps.skip(f"flash ({name})", f"dry run, would {way.does}")
         return 0
     if steps.run(f"flash ({name})", way.write):
         return 0
-    log = log_of(root, f"flash ({name})").read_text(errors="replace")
+    log = log_of(steps.root, f"flash ({name})").read_text(errors="replace")
     if any(text in log for text in NO_PROBE):
         raise MissingError(f"{name} found no debug probe\n{ADVICE}")
     return 1
@@ -136,11 +142,10 @@ def add_key(image: Path, key_file: Path, keyed: Path) -> str:
     be used, or if the image has no place for a key.
     """
     try:
-        keyed.parent.mkdir(parents=True, exist_ok=True)
-        write_keyed(image, key_file, keyed)
+        keyed.write_bytes(with_key(image.read_bytes(), read_key(key_file)))
     except KeyFileError as error:
         raise FailureError(str(error)) from error
-    return f"the key is in a copy of the image, {keyed}"
+    return "the key is in a copy of the image. The command deletes this copy when it ends"
 
 
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:

@@ -3,7 +3,6 @@ the copy is flashed."""
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 
@@ -41,13 +40,3 @@ def with_key(image: bytes, key: bytes) -> bytes:
             "this image has no place for a key; use the image of weeding_robot_pc_bluetooth"
         )
     return image[:KEY_AT] + key + image[KEY_AT + KEY_BYTES :]
-
-
-def write_keyed(image: Path, key_file: Path, target: Path) -> None:
-    """Writes a copy of the firmware image with the key. Only the present user can read this
-    copy."""
-    content = with_key(image.read_bytes(), read_key(key_file))
-    target.unlink(missing_ok=True)
-    descriptor = os.open(target, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-    with os.fdopen(descriptor, "wb") as file:
-        file.write(content)

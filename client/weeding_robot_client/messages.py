@@ -226,8 +226,9 @@ class Welcome:
             return None
         return (
             f"The frames of the robot have the layout 0x{self.schema_hash:08x}, but this client "
-            f"uses the layout 0x{SCHEMA_HASH:08x}. Fields that only one of the two layouts has are "
-            "ignored. To use all fields, use client and firmware of one version of the project."
+            f"uses the layout 0x{SCHEMA_HASH:08x}. Additional fields are ignored, but a frame that "
+            "is too short for its receiver is dropped. Use client and firmware of one version of "
+            "the project."
         )
 
 

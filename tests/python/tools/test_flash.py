@@ -11,6 +11,7 @@ import pytest
 
 from tools import cli, flash, usb_drive
 from tools.image import WANTED, lock_problems
+from tools.radio_key import ERASED, KEY_AT, read_key
 from tools.task_graph import Graph, Task
 from tools.tasks import K64_FIRMWARE
 from weeding_robot_client.exit_codes import MISSING
@@ -131,6 +132,16 @@ def test_pyocd_is_the_first_way(desk: Desk) -> None:
     assert desk.run() == 0
     assert desk.called()[:4] == ["pyocd", "flash", "-t", "k64f"]
     assert desk.called()[-1] == str(desk.image)
+
+
+def test_the_copy_of_the_image_with_the_key_is_deleted(desk: Desk) -> None:
+    desk.image.write_bytes(CODE[:KEY_AT] + ERASED)
+    key = desk.root / "robot.key"
+    key.write_text("0123456789abcdef" * 2)
+    desk.add_pyocd()
+    assert desk.run("--with", "pyocd", "--bluetooth-key", str(key)) == 0
+    assert (desk.root / "flashed").read_bytes() == CODE[:KEY_AT] + read_key(key)
+    assert not Path(desk.called()[-1]).exists()
 
 
 def test_openocd_is_the_second_way(desk: Desk) -> None:

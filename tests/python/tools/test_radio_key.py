@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tools.radio_key import KEY_AT, KeyFileError, read_key, with_key, write_keyed
+from tools.radio_key import KEY_AT, KeyFileError, read_key, with_key
 
 DIGITS = "00112233445566778899aabbccddeeff"
 IMAGE = bytes(KEY_AT) + b"\xff" * 16 + b"code"
@@ -42,13 +42,3 @@ def test_the_key_replaces_the_erased_bytes_and_nothing_else() -> None:
 def test_an_image_without_a_place_is_refused() -> None:
     with pytest.raises(KeyFileError, match="weeding_robot_pc_bluetooth"):
         with_key(bytes(KEY_AT + 100), bytes.fromhex(DIGITS))
-
-
-def test_only_the_owner_reads_the_keyed_image(tmp_path: Path) -> None:
-    image = tmp_path / "image.bin"
-    image.write_bytes(IMAGE)
-    target = tmp_path / "keyed.bin"
-    for _ in range(2):
-        write_keyed(image, key_file(tmp_path, DIGITS), target)
-    assert target.stat().st_mode & 0o777 == 0o600
-    assert target.read_bytes()[KEY_AT : KEY_AT + 16] == bytes.fromhex(DIGITS)
