@@ -1361,6 +1361,9 @@ class Connection:
     source: str
     target: str
     connector: str
+    # Methods that the shown chain of calls must contain, in this order. Empty if the shortest chain
+    # is a good example.
+    through: Sequence[str]
     place: Place
     # The methods that form the connection in the code. Empty for a connection outside the code.
     way: Sequence[str] = field(default_factory=list)

@@ -55,6 +55,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(place, "arch-module", text)
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
+            text += f" through {', '.join(connection.through)}" if connection.through else ""
             yield Finding(connection.place, "arch-code", text)
 
 

@@ -439,8 +439,9 @@ _FIXED = [
         "arch-code",
         "Connections of the high-level diagram are in the code",
         "For each declared connection between two modules, the code contains calls from the first "
-        "module to the second module. If the kind of the connection is pipe, the first module "
-        "writes the pipe and the second module reads it.",
+        "module to the second module, through the methods that the connection names. If the kind "
+        "of the connection is pipe, the first module writes the pipe and the second module reads "
+        "it.",
         "The check does not read physical connections. It does not distinguish the kinds call, "
         "command and interrupt. It does not find connections in the code that the architecture "
         "does not declare.",

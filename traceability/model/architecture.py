@@ -47,14 +47,31 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
-    """Returns the shortest chain of calls from the source module of a connection to its target
-    module, as a list of methods. Returns an empty list without such a chain. A call of
-    ``ControlThread::post`` is followed to the command that the thread executes later.
+    """Returns a chain of calls from the source module of a connection to its target module, as a
+    list of methods. The chain contains the methods in ``through``, and is the shortest between two
+    of them. Returns an empty list without such a chain. A call of ``ControlThread::post`` is
+    followed to the command that the thread executes later.
     """
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
-    constructor = begin + connection.source
-    before: dict[str, str] = dict.fromkeys(sorted(own - {constructor}), "")
+    starts = sorted(own - {begin + connection.source})
+    way: list[str] = []
+    for stop in (*connection.through, connection.target):
+        if way and way[-1].startswith(f"{stop}::"):
+            continue
+        part = shortest(facts, starts, stop)
+        if not part:
+            return []
+        way = [*way[:-1], *part]
+        starts = [way[-1]]
+    return way
+
+
+def shortest(facts: Facts, starts: list[str], stop: str) -> list[str]:
+    """Returns the shortest chain of calls from one of the methods ``starts`` to ``stop``, which is
+    a method or a module. Returns an empty list without such a chain.
+    """
+    before: dict[str, str] = dict.fromkeys(starts, "")
     work = list(before)
     while work:
         caller = work.pop(0)
@@ -62,7 +79,7 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
             if target in before or target.rpartition("::")[0].endswith(target.rpartition("::")[2]):
                 continue
             before[target] = caller
-            if target.startswith(f"{connection.target}::"):
+            if target == stop or target.startswith(f"{stop}::"):
                 return way_back(target, before)
             work.append(target)
     return []

@@ -224,7 +224,7 @@ def _architecture(path: Path, entries: Entries, declared: Declared) -> None:
     declared.groups = entries.records(path, "group", ArchitectureGroup, "name")
     ends = {"source": "from", "target": "to"}
     declared.connections = entries.records(
-        path, "connection", Connection, may=["connector"], keys=ends
+        path, "connection", Connection, may=["connector", "through"], keys=ends
     )
 
 

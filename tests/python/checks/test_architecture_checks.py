@@ -19,7 +19,7 @@ def element(kind: str, *modules: str) -> ArchitectureElement:
 
 
 def connection(kind: str, source: str, target: str) -> Connection:
-    return Connection(kind, source, target, "", PLACE, ["Controller::run"])
+    return Connection(kind, source, target, "", (), PLACE, ["Controller::run"])
 
 
 CONTROLLER, PROCESS, SENSOR = (
