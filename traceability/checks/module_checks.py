@@ -10,12 +10,13 @@ from pathlib import Path
 from traceability.checks.register_checks import REGISTERS
 from traceability.model.design_model import Model
 from traceability.model.dictionary import unit_text
+from traceability.reading.ast_facts import BodyFact
 from traceability.reading.comments import Comment
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.products import listed
 from traceability.reading.source_facts import Facts, is_constructor
 from traceability.schema import Finding, Method, Module, Place, is_extension
-from traceability.sources import DESIGN, SRC
+from traceability.sources import DESIGN, SRC, text_of
 
 FEWEST_WORDS = 3  # smallest number of words of a useful sentence
 FEWEST_OF_BRIEF = 2  # smallest number of words of a brief: a verb and its object
@@ -36,6 +37,7 @@ QUANTITY = re.compile(
 )
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
 UNITS = re.compile(r"\[([^\]]+)\]")
+ASSERTIONS = "AssertId"  # enumeration of the assertions
 PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
 INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # the permitted texts of @isr
 
@@ -54,9 +56,18 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods:
             if method.access == "public":
                 findings += _specification(method)
-    for find in (_folders, _written, _products, _unused, _unused_parts, _behaviour, _units):
+    for find in (
+        _folders,
+        _written,
+        _products,
+        _unused,
+        _unused_parts,
+        _assertions,
+        _behaviour,
+        _units,
+    ):
         findings += find(model, facts)
-    findings += _nested(facts)
+    findings += [*_assertions(model, facts), *_nested(facts)]
     return [*findings, *_silent(facts, findings)]
 
 
@@ -100,6 +111,36 @@ def _unused_parts(model: Model, facts: Facts) -> Iterator[Finding]:
             if behaves and own and f"field {owner.name}::{part.name}" not in used:
                 text = f"{owner.name}::{part.name} is constructed, but no other object uses it"
                 yield Finding(part.place, "module-used", text, "pass it on, or remove it")
+
+
+def _assertions(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds methods whose @errors names an assertion that neither the method nor a called function
+    contains."""
+    named = {
+        value.name for one in facts.syntax.classes if one.name == ASSERTIONS for value in one.values
+    }
+    overriding: dict[str, list[str]] = {}
+    for body in facts.syntax.bodies:
+        overriding.setdefault(body.overrides or "", []).append(body.id)
+    for module in model.modules.values():
+        # An overriding method has the documentation of the overridden method.
+        for method in (one for one in module.methods if one.kind != "override"):
+            whole = f"{module.name}::{method.name}"
+            promised = named.intersection(re.findall(r"\w+", method.errors))
+            start = list(filter(facts.robot.own_bodies, (whole, *overriding.get(whole, []))))
+            if not promised or not start:
+                continue
+            reached = facts.robot.reached(start, {}, [])
+            bodies = [body for name in reached for body in facts.robot.own_bodies(name)]
+            found = {name for body in bodies for name in _asserted(facts, body)}
+            for name in sorted(promised - found):
+                text = f"@errors of {whole} names {name}, but no called function has this assertion"
+                yield Finding(method.place, "module-errors", text)
+
+
+def _asserted(facts: Facts, body: BodyFact) -> list[str]:
+    lines = text_of(facts.root / body.place.file).splitlines()
+    return re.findall(rf"{ASSERTIONS}::(\w+)", "\n".join(lines[body.place.line - 1 : body.end]))
 
 
 def _products(model: Model, facts: Facts) -> Iterator[Finding]:

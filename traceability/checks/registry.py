@@ -232,6 +232,16 @@ _FIXED = [
         "let a builder construct the module, or remove the module.",
     ),
     Check(
+        "module-errors",
+        "A documented assertion is in the code",
+        "Each assertion that @errors of a method names is in this method, or in a function that "
+        "the method calls directly or indirectly.",
+        "The check does not find an assertion that no @errors names. It does not detect whether "
+        "the stated condition is the condition of the assertion. It reads only methods of the "
+        "product weeding_robot.",
+        "name the assertion that the code has.",
+    ),
+    Check(
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
