@@ -2,16 +2,26 @@
 
 #include <algorithm>
 
+#include "services/SystemConstants.hpp"
 #include "services/assertion.hpp"
 
 namespace wr {
 
 namespace {
 
-// Size of a step, in groups of four words. With one step in each tick, the sum of a program of 64
-// KiB is complete after 147 ms. A changed bit is found when the present sum or the next sum is
-// complete.
-constexpr std::size_t kWordsOfStep = 28;
+// Greatest size of the program, in groups of four words.
+constexpr std::size_t kMaxWords = std::size_t{64} * 1024 / sizeof(ProgramCheck::Words);
+
+// Time in which a changed bit is found.
+constexpr Microseconds kTimeToFind = milliseconds(300);
+
+// Number of steps for the sum of the whole program. A tick has one step. A changed bit is found
+// when the present sum or the next sum is complete. One tick of each sum is a reserve.
+constexpr std::size_t kStepsOfSum =
+    kTimeToFind.count() / (2 * SystemConstants::instance().tickPeriod().count()) - 1;
+
+// Size of a step, in groups of four words.
+constexpr std::size_t kWordsOfStep = (kMaxWords + kStepsOfSum - 1) / kStepsOfSum;
 
 std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {
   std::uint32_t sum = 0;
