@@ -200,6 +200,7 @@ constexpr std::array kCountFields{
 };
 
 void writeCounts(Writer& writer, const LinkCounts& counts) {
+  // bound: 10
   for (const CountField& field : kCountFields) {
     writer.writeU16({.name = field.name}, counts.*field.count);
   }
