@@ -617,7 +617,9 @@ _FIXED = [
         "table [guards] of the file lists the conditions of each guard. Before each change, the "
         "code checks the conditions of the guard. The table [actions] of the file lists the "
         "methods of each action. Before each change, the code calls the methods of the action. If "
-        "an operation calls a method of this table, a transition of the operation has this action.",
+        "an operation calls a method of this table, a transition of the operation has this action. "
+        "If the function with a change always calls such a method between the previous change and "
+        "this change, the transition of the change has this action.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
