@@ -1004,8 +1004,9 @@ _FIXED = [
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
         "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
-        "least one hazard lists the file. A test plays the scenario, and this test passed on each "
-        "target for which it is built.",
+        "least one hazard lists the file. Each of these hazards has a safety goal that the file "
+        "names. A test plays the scenario, and this test passed on each target for which it is "
+        "built.",
         "The check does not find faults without a scenario. If a scenario no longer names one of "
         "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
         "occurs in the scenarios that it lists. It ignores test results that are older than the "
