@@ -1158,9 +1158,10 @@ _FIXED = [
         "the right number of arguments. Each number with a unit in a comment of a scenario is a "
         "value in the lines of this scenario, or a value in a requirement that the comment names. "
         "A time can also be the difference of two times, and a percentage the difference of two "
-        "values.",
-        "The check does not find a value that another line of the scenario also has. It does not "
-        "read a number that follows the word about.",
+        "values. A test of the firmware names each file of sim/scenario/examples.",
+        "The check does not decide whether this test plays the file. It does not find a value that "
+        "another line of the scenario also has. It does not read a number that follows the word "
+        "about.",
         "correct the comment or the scenario, or name the requirement that states the number.",
     ),
     Check(
