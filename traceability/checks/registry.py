@@ -867,7 +867,8 @@ _FIXED = [
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
         "tools recognise the macro of every test. No test is disabled, and no test of a "
-        "requirement skips itself.",
+        "requirement skips itself. A loop runs at least once if its limits are numbers, or "
+        "constants that its file defines. No loop counts away from its limit.",
         "The check does not detect whether the test fails when the code violates the requirement. "
         "Mutation tests show this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
