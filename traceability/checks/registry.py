@@ -579,9 +579,10 @@ _FIXED = [
         "cycle ends with the report. In the published random drives, the measured time ends when "
         "the main thread ends. Random drives with noise at the inputs have a larger bound, which "
         "includes the interrupts that the noise causes. The recorded time of each path is at most "
-        "the computed bound of this path.",
-        "The check does not detect that an interrupt can occur more often than design/times.toml "
-        "states. The bounds apply only to weeding_robot.",
+        "the computed bound of this path. In no recording does an interrupt occur more often than "
+        "design/times.toml states.",
+        "The check does not detect that an interrupt can occur more often than in a recording. The "
+        "bounds apply only to weeding_robot.",
         "find the bound that is too small and correct it: the declared bound of a loop, or a "
         "number in design/times.toml.",
     ),
