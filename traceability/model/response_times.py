@@ -113,7 +113,7 @@ def declared_times(
 ) -> Times:
     """Returns the object that computes the execution times in a firmware image. It uses the facts
     that ``design/times.toml`` declares."""
-    prover = Prover(image.graph, facts, model, read_declared(root, facts.robot))
+    prover = Prover(image.graph, facts, model, read_declared(root, facts))
     integers = {
         name: constant.number
         for name, constant in model.constants.items()
