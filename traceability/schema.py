@@ -1092,6 +1092,9 @@ class TimeProof:
     locked: int = 0
     # locks that contain a loop or a call, and therefore have no bound: function and place of each
     unbound_locks: Sequence[tuple[str, Place]] = ()
+    # interrupts that occur more often in a recording than declared: the context, the recording, and
+    # a number of requests with the time [ms] from the first to the last of them
+    too_often: Sequence[tuple[str, str, int, float]] = ()
 
     @property
     def proven(self) -> bool:

@@ -579,9 +579,10 @@ _FIXED = [
         "cycle ends with the report. In the published random drives, the measured time ends when "
         "the main thread ends. Random drives with noise at the inputs have a larger bound, which "
         "includes the interrupts that the noise causes. The recorded time of each path is at most "
-        "the computed bound of this path.",
-        "The check does not detect that an interrupt can occur more often than design/times.toml "
-        "states. The bounds apply only to weeding_robot.",
+        "the computed bound of this path. In no recording does an interrupt occur more often than "
+        "design/times.toml states.",
+        "The check does not detect that an interrupt can occur more often than in a recording. The "
+        "bounds apply only to weeding_robot.",
         "find the bound that is too small and correct it: the declared bound of a loop, or a "
         "number in design/times.toml.",
     ),
@@ -617,7 +618,9 @@ _FIXED = [
         "table [guards] of the file lists the conditions of each guard. Before each change, the "
         "code checks the conditions of the guard. The table [actions] of the file lists the "
         "methods of each action. Before each change, the code calls the methods of the action. If "
-        "an operation calls a method of this table, a transition of the operation has this action.",
+        "an operation calls a method of this table, a transition of the operation has this action. "
+        "If the function with a change always calls such a method between the previous change and "
+        "this change, the transition of the change has this action.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -865,7 +868,8 @@ _FIXED = [
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
         "tools recognise the macro of every test. No test is disabled, and no test of a "
-        "requirement skips itself.",
+        "requirement skips itself. A loop runs at least once if its limits are numbers, or "
+        "constants that its file defines. No loop counts away from its limit.",
         "The check does not detect whether the test fails when the code violates the requirement. "
         "Mutation tests show this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
@@ -1002,8 +1006,9 @@ _FIXED = [
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
         "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
-        "least one hazard lists the file. A test plays the scenario, and this test passed on each "
-        "target for which it is built.",
+        "least one hazard lists the file. Each of these hazards has a safety goal that the file "
+        "names. A test plays the scenario, and this test passed on each target for which it is "
+        "built.",
         "The check does not find faults without a scenario. If a scenario no longer names one of "
         "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
         "occurs in the scenarios that it lists. It ignores test results that are older than the "
@@ -1155,9 +1160,10 @@ _FIXED = [
         "the right number of arguments. Each number with a unit in a comment of a scenario is a "
         "value in the lines of this scenario, or a value in a requirement that the comment names. "
         "A time can also be the difference of two times, and a percentage the difference of two "
-        "values.",
-        "The check does not find a value that another line of the scenario also has. It does not "
-        "read a number that follows the word about.",
+        "values. A test of the firmware names each file of sim/scenario/examples.",
+        "The check does not decide whether this test plays the file. It does not find a value that "
+        "another line of the scenario also has. It does not read a number that follows the word "
+        "about.",
         "correct the comment or the scenario, or name the requirement that states the number.",
     ),
     Check(

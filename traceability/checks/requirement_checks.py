@@ -18,7 +18,7 @@ from traceability.model.metrics import METHODS
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
 from traceability.reading.ast_facts import ANY_CLASS, BodyFact
-from traceability.reading.gtest_cases import read_tests, unknown_macros
+from traceability.reading.gtest_cases import empty_loops, read_tests, unknown_macros
 from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import DIFFERENT, HAS, PRODUCTS
 from traceability.reading.source_facts import Facts
@@ -499,10 +499,14 @@ def _reviews(model: Model) -> Iterator[Finding]:
 
 def _macros(facts: Facts) -> Iterator[Finding]:
     """Finds test macros that gtest_cases.py cannot read. The tests that they define would be
-    missing in the model."""
+    missing in the model. Also finds loops that never run."""
     for path in files_below(facts.root, ["tests"], (".cpp", ".hpp")):
-        file = str(path.relative_to(facts.root))
-        for line, name in unknown_macros(path.read_text(encoding="utf-8")):
+        file, code = str(path.relative_to(facts.root)), path.read_text(encoding="utf-8")
+        for line, head in empty_loops(code):
+            text = f"the loop '{head}' never runs, or counts away from its limit"
+            fix = "correct the limits of the loop, or remove it"
+            yield Finding(Place(file, line), "req-test", text, fix)
+        for line, name in unknown_macros(code):
             text = f"the reader of tests does not recognise the macro {name}"
             fix = "use TEST, TEST_F, TEST_P or TYPED_TEST, or add the macro to gtest_cases.py"
             yield Finding(Place(file, line), "req-test", text, fix)

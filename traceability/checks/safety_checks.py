@@ -186,10 +186,11 @@ def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Finds fault scenarios that name no goal, or a goal that does not exist. Also finds fault
-    scenarios that no hazard lists, that no test plays, or whose tests did not pass.
+    """Finds fault scenarios that name no goal, a goal that does not exist, or no goal of a hazard
+    that lists them. Also finds fault scenarios that no hazard lists, that no test plays, or whose
+    tests did not pass.
     """
-    of_hazards = {name for hazard in model.safety.hazards.values() for name in hazard.scenarios}
+    hazards = model.safety.hazards.values()
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"
         if not scenario.goals:
@@ -198,7 +199,14 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
         for name in [name for name in scenario.goals if name not in model.safety.goals]:
             text = f"the scenario {scenario.name} names the goal {name}, which does not exist"
             yield Finding(where, check, text)
-        if scenario.name not in of_hazards:
+        listing = [hazard for hazard in hazards if scenario.name in hazard.scenarios]
+        existing = model.safety.goals.keys() & scenario.goals
+        for hazard in listing if existing else ():
+            if existing.isdisjoint(hazard.goals):
+                text = f"{scenario.name} and {hazard.id}, which lists it, have no goal in common"
+                fix = "name a goal of the hazard in the scenario, or remove it from the hazard"
+                yield Finding(where, check, text, fix)
+        if not listing:
             text = f"no hazard lists the scenario {scenario.name}"
             fix = "add it to the scenarios of a hazard in design/safety_case.toml"
             yield Finding(where, check, text, fix)

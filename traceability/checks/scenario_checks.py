@@ -1,5 +1,6 @@
-"""doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts, and each
-number with a unit in a comment of a scenario is also in a line of the scenario."""
+"""doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. Each
+number with a unit in a comment of a scenario is also in a line of the scenario. A test names each
+example scenario."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.model.requirement_numbers import WORDS
+from traceability.model.safety_case import plays
 from traceability.reading.products import LIST, listed
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
@@ -18,6 +20,7 @@ from traceability.sources import files_below
 
 PAGE = "docs/scenarios.rst"
 FOLDER = "sim/scenario"
+EXAMPLES = f"{FOLDER}/examples"
 # The files that read the actions of a scenario, and the files that name fields and their values.
 READERS = tuple(f"{FOLDER}/{name}.cpp" for name in ("Scenario", "WorldAction", "GroundTruth"))
 NAMES = (
@@ -63,11 +66,24 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if (facts.root / PAGE).is_file():
         yield from wrong_words(facts.root)
         yield from _wrong_faults(facts.root)
+    yield from unplayed_examples(facts.root)
     texts = {name: requirement.text for name, requirement in model.requirements.items()}
     for path in files_below(facts.root, (FOLDER,), (".scenario",)):
         for line, number in missing_numbers(path.read_text(encoding="utf-8"), texts):
             text = f"the comment states {number}, but no line of the scenario has this value"
             yield Finding(Place(str(path.relative_to(facts.root)), line), "doc-scenario", text)
+
+
+def unplayed_examples(root: Path) -> Iterator[Finding]:
+    """Finds example scenarios that no test names. Only the files of tests that name the folder of
+    the examples count."""
+    tests = [path.read_text(encoding="utf-8") for path in files_below(root, ("tests",), (".cpp",))]
+    playing = "".join(text for text in tests if EXAMPLES in text)
+    for path in files_below(root, (EXAMPLES,), (".scenario",)):
+        if not plays(path.stem, "", playing, ()):
+            place = Place(str(path.relative_to(root)), 1)
+            fix = "play it in tests/system/ExampleScenariosTest.cpp"
+            yield Finding(place, "doc-scenario", f"no test names the scenario {path.stem}", fix)
 
 
 # ---- words of the page -------------------------------------------------------

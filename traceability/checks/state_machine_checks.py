@@ -362,15 +362,22 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
             ways = {way for change in code.of(state, operation) for way in change.path}
             bodies = [body for name in (method, *ways) for body in facts.bodies.get(name, [])]
             called = {call.target for body in bodies for call in body.calls}
-            for row in [row for row in rows if row.action]:
+            declared = {name for row in rows for name in machine.actions.get(row.action, ())}
+            every = {name for names in machine.actions.values() for name in names}
+            for row in rows:
                 made = matching(machine, row, code)
+                actions = machine.actions.get(row.action, ["an entry in [actions]"])
                 before = called if is_stay(row) else _before(made, bodies)
-                for name in machine.actions.get(row.action, ["an entry in [actions]"]):
+                for name in actions if row.action else ():
                     if name not in before:
                         text = f"the action '{row.action}' of {words(row)} lacks {name}"
                         yield Finding(row.place, "fsm-code", text)
-            declared = {name for row in rows for name in machine.actions.get(row.action, ())}
-            every = {name for names in machine.actions.values() for name in names}
+                always = (
+                    _always(method, facts) if is_stay(row) else _just_before(made, code, bodies)
+                )
+                for name in sorted((declared & always).difference(actions)):
+                    text = f"{words(row)} does not declare {name}, but the code calls this method"
+                    yield Finding(row.place, "fsm-code", text)
             for name in sorted((every & called) - declared):
                 text = f"{method} calls {name}, but no transition has this action"
                 yield Finding(bodies[0].place, "fsm-code", text)
@@ -385,6 +392,35 @@ def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
         for body in bodies
         for call in body.calls
         if not _is_in(body, change.place) or call.place.line <= change.place.line
+    }
+
+
+def _just_before(changes: list[Change], code: MachineCode, bodies: list[BodyFact]) -> set[str]:
+    """Returns the methods that the function with a state change always calls before this change.
+    Only the calls after the previous change of this function are certain, because a function often
+    ends after a change."""
+    lines = {(change.place.file, change.place.line) for change in code.changes}
+    return {
+        call.target
+        for change in changes
+        for body in bodies
+        for call in body.calls
+        if _is_in(body, change.place) and call.place.line <= change.place.line
+        if set(call.asked) <= set(change.asked)
+        if not any(
+            file == change.place.file and call.place.line <= line < change.place.line
+            for file, line in lines
+        )
+    }
+
+
+def _always(method: str, facts: Facts) -> set[str]:
+    """Returns the methods that a method calls on each path."""
+    return {
+        call.target
+        for body in facts.bodies.get(method, [])
+        for call in body.calls
+        if not call.sometimes
     }
 
 

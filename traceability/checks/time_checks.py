@@ -9,12 +9,13 @@ from traceability.model.design_model import Model
 from traceability.model.response_times import DECLARED_IN
 from traceability.reading.fault_record import LOADS
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place, TimeProof
 
 DECLARATION = Place(str(DECLARED_IN), 1)
 
 
-def check(model: Model, _facts: Facts) -> Iterator[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if model.times is None:
         return
     loads = model.campaigns.get(LOADS)
@@ -29,6 +30,14 @@ def check(model: Model, _facts: Facts) -> Iterator[Finding]:
     yield from _loops(model.times)
     for what, seen_ms, bound_ms in seen:
         yield from _seen(model.times, what, seen_ms, bound_ms)
+    for context, recording, requests, ms in model.times.too_often:
+        text = (
+            f"the recording {recording} contains {requests} interrupts of {context} in {ms:.3f} "
+            "ms, which is more than declared"
+        )
+        lines = lines_below(facts.root, (str(DECLARED_IN),), ())
+        place = [place for place, line in lines if line == f'context = "{context}"'][-1]
+        yield Finding(place, "time-seen", text, "correct the number of entries of this context")
 
 
 def _loops(proof: TimeProof) -> Iterator[Finding]:

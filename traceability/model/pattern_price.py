@@ -34,7 +34,7 @@ def prices(
     if image is None or model.bench is None or not isinstance(measured, dict):
         return {}
     executed = {int(at): sum(times) for at, times in measured["profile"].items()}
-    prover = Prover(image.graph, facts, model, read_declared(root, facts.robot))
+    prover = Prover(image.graph, facts, model, read_declared(root, facts))
     calls = list(sites(image.program, prover))
     tables = table_bytes(image.elf)
     result = {}

@@ -21,7 +21,7 @@ from traceability.model.image_code import ImageCode
 from traceability.model.interrupt_locks import longest_locks
 from traceability.model.stack import Prover, read_declared
 from traceability.model.time_bounds import DeclaredFacts, Limit, Spread, Times
-from traceability.reading.call_record import BYTE_RECEIVED, read_recordings
+from traceability.reading.call_record import BYTE_RECEIVED, Recording, read_recordings
 from traceability.reading.chains import Chain, declared_chains, follow, frames_in
 from traceability.reading.flow_facts import Inequality, read_inequality
 from traceability.reading.loop_bounds import Bounds, Place
@@ -76,12 +76,15 @@ def prove_times(
         locked,
     )
     cycle_ms = cycle_response(contexts, locked, noise=False) / CLOCK
+    recordings = read_recordings(root) or {}
     return TimeProof(
         contexts=contexts,
         cycle_ms=cycle_ms,
         noise_ms=cycle_response(contexts, locked, noise=True) / CLOCK,
         seen_ms=_seen(root, model),
-        paths=_paths(root, declared["path"], contexts, cycle_ms, times.bounds),
+        paths=_paths(
+            root, declared["path"], contexts, cycle_ms, times.bounds, recordings=recordings
+        ),
         unbound=in_order(times.unbound),
         unresolved=in_order(times.unresolved),
         locked=locked,
@@ -90,6 +93,12 @@ def prove_times(
             for address, (symbol, cycles) in locks.items()
             if cycles == math.inf
         ),
+        too_often=[
+            (bound.context, name, *requests)
+            for bound in contexts
+            for name, recording in recordings.items()
+            if (requests := too_many(bound, model.contexts[bound.context].handlers, recording))
+        ],
     )
 
 
@@ -104,7 +113,7 @@ def declared_times(
 ) -> Times:
     """Returns the object that computes the execution times in a firmware image. It uses the facts
     that ``design/times.toml`` declares."""
-    prover = Prover(image.graph, facts, model, read_declared(root, facts.robot))
+    prover = Prover(image.graph, facts, model, read_declared(root, facts))
     integers = {
         name: constant.number
         for name, constant in model.constants.items()
@@ -292,16 +301,39 @@ def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noi
     return math.ceil((cycles + waits[bound.context]) / (CLOCK * bound.ticks)) * bound.entries
 
 
+def too_many(
+    bound: TimeBound, handlers: Sequence[str], recording: Recording
+) -> tuple[int, float] | None:
+    """Returns the first requests of an interrupt in a recording that are more than its bound
+    permits: their number, and the time [ms] from the first to the last of them. Returns None if
+    there are no such requests."""
+    if bound.entries is None:
+        return None
+    waits = {bound.context: min((bound.response_ms or 0.0) * CLOCK, float(MOST_ROUNDS * CLOCK))}
+    requests = sorted(
+        recording.activations[span.activation].raised
+        for span in recording.spans
+        if span.method in handlers
+    )
+    for number, begin in enumerate(requests):
+        for count, end in enumerate(requests[number:], 1):
+            ms = (end - begin) / NANOSECONDS
+            if count > _entries(bound, ms * CLOCK, waits, noise=False):
+                return count, ms
+    return None
+
+
 def _paths(
     root: Path,
     declared: Iterable[Mapping[str, Any]],
     contexts: Sequence[TimeBound],
     cycle_ms: float,
     bounds: Bounds,
+    *,
+    recordings: Mapping[str, Recording],
 ) -> list[PathBound]:
     """Returns the declared paths from an input to its effect. Each path contains the bound of each
     of its parts, and the time that a recording shows for the path."""
-    recordings = read_recordings(root) or {}
     chains = {chain.name: chain for chain in declared_chains(root)}
     responses = {bound.context: (bound.name, bound.response_ms or 0.0) for bound in contexts}
     paths = []

@@ -43,31 +43,43 @@ class Declared:
     faults: list[str] = field(default_factory=list)
     # Function with a call through a pointer -> pattern of the symbols that it may call, with ``*``.
     calls: dict[str, str] = field(default_factory=dict)
-    # Class -> number of its objects in a chain. In a chain, each object wraps the next object.
+    # Class -> number of its objects in a chain, with the objects of its subclasses. In a chain,
+    # each object wraps the next object.
     entries: dict[str, int] = field(default_factory=dict)
     # Class of an object in a chain with a fixed order -> the classes of all later objects in the
     # chain.
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 
-def read_declared(root: Path, robot: References) -> Declared:
+def read_declared(root: Path, facts: Facts) -> Declared:
     file = root / DECLARED
     if not file.exists():
         return Declared()
     data = tomllib.loads(file.read_text(encoding="utf-8"))
+    chains = data.get("chain", [])
     return Declared(
         faults=data.get("faults", []),
         calls={entry["from"]: entry["to"] for entry in data.get("call", [])},
-        entries={
-            name: entry["objects"] for entry in data.get("chain", []) for name in entry["classes"]
-        },
+        entries=objects_in_chains({name for entry in chains for name in entry["classes"]}, facts),
         inner={
             name: later
-            for entry in data.get("chain", [])
+            for entry in chains
             if entry.get("ordered")
-            for name, later in inner_classes(robot, entry["classes"]).items()
+            for name, later in inner_classes(facts.robot, entry["classes"]).items()
         },
     )
+
+
+def objects_in_chains(classes: set[str], facts: Facts) -> dict[str, int]:
+    """Returns the greatest number of objects in a chain, for the classes of the chains and for
+    their base classes. A chain contains at most one object of each class. A base class with a
+    subclass outside the chains is left out."""
+    objects = dict.fromkeys(classes, 1)
+    for base, subclasses in facts.subclasses.items():
+        concrete = [name for name in subclasses if not facts.classes[name].abstract]
+        if base not in classes and concrete and classes.issuperset(concrete):
+            objects[base] = len(concrete)
+    return objects
 
 
 def inner_classes(robot: References, classes: Sequence[str]) -> dict[str, frozenset[str]]:
@@ -88,7 +100,7 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
     if image is None or not model.contexts:
         return None
     frame = FRAME_WITH_FLOATS if uses_floats(image.elf) else FRAME
-    proof = Prover(image.graph, facts, model, read_declared(root, facts.robot)).prove(frame)
+    proof = Prover(image.graph, facts, model, read_declared(root, facts)).prove(frame)
     runs = [run for scenario in model.closed_loop or [] for run in scenario.runs.values()]
     seen = max((run.stack for run in runs if run.stack is not None), default=None)
     return replace(proof, limit=symbol_value(image.elf, "stackSize"), seen=seen)

@@ -1,7 +1,9 @@
-"""Reads the GoogleTest cases in a source file: suite, name, line and body of each test."""
+"""Reads the GoogleTest cases in a source file: suite, name, line and body of each test. Also finds
+loops of tests that never run."""
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,6 +19,14 @@ LISTS = (
 )
 MACRO = re.compile(r"^([A-Z][A-Z0-9_]*TEST[A-Z0-9_]*|TEST[A-Z0-9_]*)\(", re.MULTILINE)
 END = re.compile(r"^}|{}\s*$", re.MULTILINE)
+# "for (int i = FIRST; i < LAST; ++i)", also with other comparisons and steps
+LOOP = re.compile(
+    r"^ *for \([\w:<> ]+ (\w+) = ([^;\n]+); \1 (<=?|>=?) ([^;\n]+); "
+    r"(?:(\+\+|--)\1|\1 ([+-]=) [^;\n]+)\)",
+    re.MULTILINE,
+)
+CONSTANT = re.compile(r"\bconst(?:expr)? [\w:<> ]*?(k\w+)(?: = |\{)(\d+)U?L?\}?;")
+COMPARED = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
 
 @dataclass(frozen=True)
@@ -42,6 +52,19 @@ def read_tests(text: str) -> Iterator[Case]:
         line, at = line + text.count("\n", at, match.start()), match.start()
         end = END.search(text, at)
         yield Case(match[1], match[2], line, text[at : end.end() if end else len(text)])
+
+
+def empty_loops(text: str) -> Iterator[tuple[int, str]]:
+    """Yields the line number and the head of each loop that never runs, or that counts away from
+    its limit. The compared limits are numbers, and constants that the file defines before."""
+    for match in LOOP.finditer(text):
+        _, first, relation, last, step, leap = match.groups()
+        away = ((step or leap)[0] == "+") == relation.startswith(">")
+        constants: dict[str, str] = dict(CONSTANT.findall(text, 0, match.start()))
+        ends = [constants.get(end, end).rstrip("U") for end in (first, last)]
+        numbers = [int(end) for end in ends if end.isdecimal()]
+        if away or (len(numbers) == 2 and not COMPARED[relation](*numbers)):
+            yield text.count("\n", 0, match.start()) + 1, match[0].strip()
 
 
 def unknown_macros(text: str) -> Iterator[tuple[int, str]]:

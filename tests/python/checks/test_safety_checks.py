@@ -146,6 +146,14 @@ def test_a_scenario_fits_its_goal(tmp_path: Path, scenario: str, texts: list[str
     assert [one.text for one in check(tmp_path, make_model(tmp_path))] == texts
 
 
+def test_a_scenario_and_its_hazard_have_a_goal_in_common(tmp_path: Path) -> None:
+    write_case(tmp_path, ('["SG-1"]\nassumptions', "[]\nassumptions"))
+    assert [one.text for one in check(tmp_path, make_model(tmp_path))] == [
+        "SG-1 has no hazard",
+        "lost and HZ-1, which lists it, have no goal in common",
+    ]
+
+
 @pytest.mark.parametrize(
     ("result", "fresh", "texts"),
     [

@@ -10,7 +10,7 @@ from typing import cast
 import pytest
 
 from traceability.model.design_model import Model
-from traceability.model.stack import Declared, Prover, inner_classes
+from traceability.model.stack import Declared, Prover, inner_classes, objects_in_chains
 from traceability.reading.ast_facts import BodyFact, CallFact, Syntax
 from traceability.reading.call_graph import Function, _read_listing, _read_unit
 from traceability.reading.source_facts import Facts, References
@@ -110,6 +110,15 @@ def test_the_constructors_show_the_order_of_a_chain() -> None:
         "Outer": {"Inner", "Middle"},
         "Middle": {"Inner"},
     }
+
+
+def test_a_chain_has_an_object_of_a_base_class_for_each_of_its_subclasses() -> None:
+    names = ("Wrapper", "A", "B", "C", "D")
+    classes = {name: SimpleNamespace(abstract=name == "Wrapper") for name in names}
+    subclasses = {"Stage": ["Wrapper", "A", "B", "C"], "Wrapper": ["A", "B"], "Any": ["C", "D"]}
+    facts = cast(Facts, SimpleNamespace(classes=classes, subclasses=subclasses))
+    chained = {"A": 1, "B": 1, "C": 1, "Wrapper": 2, "Stage": 3}
+    assert objects_in_chains({"A", "B", "C"}, facts) == chained
 
 
 def test_of_each_priority_the_greatest_counts_with_a_frame_of_the_hardware() -> None:

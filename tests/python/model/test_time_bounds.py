@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from collections.abc import Sequence
 from math import inf
 from pathlib import Path
 from unittest.mock import Mock
@@ -14,14 +15,17 @@ from traceability.model.interrupt_locks import longest_locks
 from traceability.model.longest_path import FlowFact, Problem
 from traceability.model.response_times import (
     CLOCK,
+    NANOSECONDS,
     RETRY,
     cycle_response,
     in_order,
+    too_many,
     with_responses,
 )
 from traceability.model.stack import Prover
 from traceability.model.time_bounds import DeclaredFacts, Spread, Times
 from traceability.reading.call_graph import Function
+from traceability.reading.call_record import Activation, Recording, Span
 from traceability.reading.flow_facts import Inequality, read_inequality
 from traceability.reading.loop_bounds import Bound, Bounds
 from traceability.reading.machine_code import REFILL, Code, read_code
@@ -320,6 +324,23 @@ def test_a_lock_of_other_code_delays_each_interrupt_and_the_cycle_once() -> None
 def test_a_lock_lasts_until_the_last_lock_ends(tmp_path: Path, text: str, cycles: float) -> None:
     code = code_of(tmp_path, text)
     assert next(iter(longest_locks({"run": code}).values())) == ("run", cycles)
+
+
+@pytest.mark.parametrize(
+    ("requests", "found"),
+    [((0, 1.0, 2.0), None), ((0, 0.99, 3.0), None), ((0, 2.0, 2.5), (2, 0.5))],
+)
+def test_more_requests_than_declared_are_found(
+    requests: Sequence[float], found: tuple[int, float] | None
+) -> None:
+    """One request is declared in each tick. The first of two requests can have waited."""
+    (bound,) = with_responses([context("edge", 1_000, 1, entries=1)])
+    times = [round(ms * NANOSECONDS) for ms in requests]
+    recording = Recording(
+        [Activation(17, 1, at, at, at, -1) for at in times],
+        [Span("edge", at, at, 0, number, -1) for number, at in enumerate(times)],
+    )
+    assert too_many(bound, ["edge"], recording) == found
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
