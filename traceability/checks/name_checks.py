@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
+from traceability.checks.example_checks import wrong_examples
 from traceability.model.design_model import Model
 from traceability.reading.comments import code_of, comment_tokens
 from traceability.reading.constant_texts import ROLE, formula_text
@@ -107,6 +108,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     yield from _tests(model, facts.root)
     yield from _derivations(facts)
     yield from wrong_attributes(facts.root)
+    yield from wrong_examples(facts.root)
 
 
 def _constants(facts: Facts) -> Iterator[Finding]:
