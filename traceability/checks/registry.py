@@ -129,6 +129,15 @@ _FIXED = [
         "correct the comment or the page as the message explains.",
     ),
     Check(
+        "doc-number",
+        "Numbers of ports agree with their code",
+        "Each number with a unit in the README of a port is the value of a constant with this kind "
+        "of unit in the folder of the port, or of a constant of SystemConstants.",
+        "The check cannot judge whether the number belongs to the sentence. It does not find a "
+        "number whose unit is on the next line, or is not a unit of the requirements.",
+        "correct the number, or write the unit of the constant in square brackets next to it.",
+    ),
+    Check(
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
