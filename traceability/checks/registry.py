@@ -576,10 +576,13 @@ _FIXED = [
         "Each loop of the firmware image has a bound",
         "Each loop that a handler of the firmware image reaches has a bound. Each memory copy of "
         "unknown size that a handler reaches has a bound too. The bound is the constant in the "
-        "head of the loop, or a declared number above the loop or the copy. The target of each "
+        "head of the loop, or a declared number above the loop or the copy. For a loop over a "
+        "std::array, the declared bound is not lower than the number of elements. If the loop "
+        "reads only the first elements, this applies only to a bound in digits. The target of each "
         "indirect call is known. No lock of the interrupts contains a loop or a call.",
-        "The check cannot judge whether a declared bound is right. It does not read loops that run "
-        "only before the first interrupt. It reads only the firmware image of weeding_robot.",
+        "The check cannot judge whether another declared bound is right. It does not read loops "
+        "that run only before the first interrupt. It reads only the firmware image of "
+        "weeding_robot.",
         "write the bound above the loop.",
     ),
     Check(
