@@ -255,6 +255,21 @@ _FIXED = [
         "name the assertion that the code has.",
     ),
     Check(
+        "module-swapped",
+        "No parts are swapped",
+        "The check compares the name of each initialised member or variable in src, extensions and "
+        "ports with its value. In an aggregate with the members step and direction, the value of "
+        "step is no object with the name direction. If the name and the value have a common word, "
+        "they do not contain different words of a pair, such as leftEnd and steering_right_end. "
+        "The pairs are left and right, front and rear, inner and outer, forward and backward, "
+        "upper and lower, first and second, A and B, step and direction, velocity and direction.",
+        "The check does not find swapped arguments of a function, or parts whose names have no "
+        "such words.",
+        "correct the value, or rename the part.",
+        reason="Two parts of the same type can be swapped without an error of the compiler. On "
+        "the robot, such a fault moves the wrong part.",
+    ),
+    Check(
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
