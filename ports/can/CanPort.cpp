@@ -53,7 +53,7 @@ constexpr std::size_t kMost = 8;  // greatest number of bytes in a frame
 // A bit has 20 time quanta: 1 for the synchronisation, PROPSEG + 1 = 8, PSEG1 + 1 = 8, and PSEG2 +
 // 1 = 3. The controller samples a bit after 85 % of its time.
 constexpr std::uint32_t kQuanta = 20;
-constexpr std::uint32_t kBitRate = 500'000;
+constexpr std::uint32_t kBitRate = 500'000;  // [bit/s]
 constexpr std::uint32_t kDivider = K64Board::kBusClock / (kBitRate * kQuanta);
 static_assert(kDivider * kBitRate * kQuanta == K64Board::kBusClock);
 constexpr auto kClockOfBus = CTRL1.bit(13);  // CLKSRC: the bus clock is used

@@ -10,7 +10,7 @@ namespace wr::mps2 {
 
 namespace {
 
-constexpr std::uint32_t kBaud = 115'200;
+constexpr std::uint32_t kBaud = 115'200;  // [baud]
 constexpr auto kReceiving = uart::CTRL_TX | uart::CTRL_RX | uart::CTRL_RX_INTERRUPT;
 
 bool has(decltype(uart::STATE)::Bits flag) {

@@ -10,8 +10,8 @@
 
 namespace wr::mps2 {
 
-/// @brief Clock frequency of the core and of all devices [Hz].
-inline constexpr std::uint32_t kClock = 25'000'000;
+/// @brief Clock frequency of the core and of all devices.
+inline constexpr std::uint32_t kClock = 25'000'000;  // [Hz]
 inline constexpr std::uint32_t kTicksPerMicrosecond = kClock / 1'000'000;
 
 namespace timer {

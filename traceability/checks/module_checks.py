@@ -67,7 +67,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _units,
     ):
         findings += find(model, facts)
-    findings += [*_assertions(model, facts), *_nested(facts)]
+    findings += _nested(facts)
     return [*findings, *_silent(facts, findings)]
 
 

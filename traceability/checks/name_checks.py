@@ -14,7 +14,9 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
+from traceability.checks.example_checks import wrong_examples
 from traceability.model.design_model import Model
+from traceability.reading.ast_facts import BodyFact, MethodFact
 from traceability.reading.comments import code_of, comment_tokens
 from traceability.reading.constant_texts import ROLE, formula_text
 from traceability.reading.source_facts import Facts
@@ -23,11 +25,12 @@ from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below, text_of
 
 # Forms of names in comments. No English word has one of these forms: HallCount, Wheel::stop,
-# kPeriod, read().
+# kPeriod.
 IN_COMMENT = re.compile(
     r"`([A-Za-z_]\w*(?:::\w+)*)`|\b([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+"
-    r"|k[A-Z][a-z]{2,}\w*|[a-z]\w*(?=\(\)))"
+    r"|k[A-Z][a-z]{2,}\w*)"
 )
+FUNCTION = re.compile(r"(?<![\w:])([a-z]\w*)\(\)")  # a function without a class in a comment
 IN_PAGE = re.compile(
     r"(?<![\w:])(?:wr::)?([A-Z]\w*(?:::\w+)+)|``([A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``"
 )
@@ -93,7 +96,8 @@ class Words:
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
     words = _words(model, facts)
-    named = [*_comments(facts), *_pages(facts.root), *_design(facts.root)]
+    comments = list(_comments(facts))
+    named = [*_in_comments(comments), *_pages(facts.root), *_design(facts.root)]
     for place, name in named:
         if not words.knows(name):
             text = f"the text names {name}, which the code does not have"
@@ -103,10 +107,12 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
                 text,
                 "write the name that the code has now",
             )
+    yield from _functions(model, words, comments)
     yield from _constants(facts)
     yield from _tests(model, facts.root)
     yield from _derivations(facts)
     yield from wrong_attributes(facts.root)
+    yield from wrong_examples(facts.root)
 
 
 def _constants(facts: Facts) -> Iterator[Finding]:
@@ -211,14 +217,46 @@ def _fields(root: Path) -> set[str]:
     }
 
 
+def _functions(model: Model, words: Words, comments: list[tuple[Place, str]]) -> Iterator[Finding]:
+    """Finds functions in comments that do not exist. A function in the comments of a module belongs
+    to the files of this module, or is a method of a module that this module uses."""
+    syntax = words.facts.syntax
+    functions: list[BodyFact | MethodFact] = [*syntax.bodies]
+    functions += [method for each in syntax.classes for method in each.methods]
+    by_file: dict[str, set[str]] = {}
+    for fact in functions:
+        by_file.setdefault(fact.place.file, set()).add(fact.id.rpartition("::")[2])
+    every = set().union(*by_file.values())
+    of_module = {
+        name: set().union(
+            *(by_file.get(file, set()) for file in (module.header, module.source) if file),
+            *(words.members(each) for each in (name, *module.uses)),
+        )
+        for name, module in model.modules.items()
+    }
+    for place, text in comments:
+        module = words.facts.written_in.get(place.file, "")
+        for name in FUNCTION.findall(text):
+            if name not in of_module.get(module, every):
+                where = f"{module} and its uses do" if module in of_module else "the code does"
+                says = f"the text names {name}(), which {where} not have"
+                yield Finding(place, "doc-name", says, "write the name that the code has now")
+
+
+def _in_comments(comments: list[tuple[Place, str]]) -> Iterator[tuple[Place, str]]:
+    for place, text in comments:
+        for match in IN_COMMENT.finditer(text):
+            yield place, match[1] or match[2]
+
+
 def _comments(facts: Facts) -> Iterator[tuple[Place, str]]:
+    """Yields each line of the comments of the code."""
     for path in files_below(facts.root, DESIGN, (".hpp", ".cpp")):
         file = str(path.relative_to(facts.root))
         for line, _, written in comment_tokens(path.read_text(encoding="utf-8")):
             for number, text in enumerate(written.split("\n"), line):
                 if not any(mark in text for mark in FOR_A_TOOL):
-                    for match in IN_COMMENT.finditer(text):
-                        yield Place(file, number), match[1] or match[2]
+                    yield Place(file, number), text
 
 
 def _pages(root: Path) -> Iterator[tuple[Place, str]]:

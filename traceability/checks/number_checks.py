@@ -1,7 +1,8 @@
 """req-number: each number with a unit in the text of a requirement is linked to a constant in the
 code, and has the value of this constant. Each limit of a metric is a number of its requirement.
 module-number: each number with a unit in the specification of a module is the value of a constant,
-or a number of a requirement."""
+or a number of a requirement. doc-number: each number with a unit in the README of a port is the
+value of a constant of the port."""
 
 from __future__ import annotations
 
@@ -25,8 +26,12 @@ from traceability.model.requirement_numbers import (
 from traceability.reading.ast_facts import ConstantFact
 from traceability.reading.closed_loop_record import DECLARED, declared
 from traceability.reading.formulas import value_of
+from traceability.reading.plain_constants import constants_of_cpp
+from traceability.reading.ports import FOLDER as PORTS
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Module, Place, Requirement, RequirementNumbers
+from traceability.sources import files_below
 
 LINKS = "design/requirement_numbers.toml"
 SHARED = "SystemConstants"  # module with the constants that all modules use
@@ -44,6 +49,28 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         by_file.setdefault(constant.place.file, []).append(constant)
     for module in model.modules.values():
         yield from _specification(module, model, by_file)
+    yield from _ports(facts)
+
+
+def _ports(facts: Facts) -> Iterator[Finding]:
+    """Finds numbers in the README of a port that neither a constant of the port nor a constant of
+    SystemConstants has."""
+    shared = [
+        quantity_of(constant)
+        for constant in facts.syntax.values
+        if constant.name.startswith(f"{SHARED}::")
+    ]
+    for readme in sorted((facts.root / PORTS).glob("*/README.md")):
+        own = [
+            quantity_of(constant)
+            for path in files_below(readme.parent, (".",), (".hpp", ".cpp"))
+            for _, constant in constants_of_cpp(path, path.name)
+        ]
+        for place, line in lines_below(facts.root, (str(readme.relative_to(facts.root)),), ()):
+            for number, quantity in _numbers(line).items():
+                if quantity not in (*own, *shared):
+                    text = f"the text states {number}, but no constant of the port has this value"
+                    yield Finding(place, "doc-number", text)
 
 
 def _specification(

@@ -129,6 +129,15 @@ _FIXED = [
         "correct the comment or the page as the message explains.",
     ),
     Check(
+        "doc-number",
+        "Numbers of ports agree with their code",
+        "Each number with a unit in the README of a port is the value of a constant with this kind "
+        "of unit in the folder of the port, or of a constant of SystemConstants.",
+        "The check cannot judge whether the number belongs to the sentence. It does not find a "
+        "number whose unit is on the next line, or is not a unit of the requirements.",
+        "correct the number, or write the unit of the constant in square brackets next to it.",
+    ),
+    Check(
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
@@ -137,10 +146,14 @@ _FIXED = [
         "a page states that a class derives from another class, this is true. Each constant and "
         "formula that a text of design/ inserts has a value. Each attribute of a report that a "
         "page names is an attribute of the client's classes, and the table of these attributes in "
-        "docs/client.rst is complete. `paper-stale` checks the names in design/concordance.toml, "
-        "and `pattern-change` the names in design/changes.toml.",
+        "docs/client.rst is complete. Each module, name, attribute and keyword argument of the "
+        "client that a Python example on a page uses exists. A function that a comment of a module "
+        "names without a class, such as start(), is in the files of the module, or is a method of "
+        "a module that it uses. `paper-stale` checks the names in design/concordance.toml, and "
+        "`pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
-        "does not find a name whose meaning has changed.",
+        "does not find a name whose meaning has changed. In a Python example, it does not detect "
+        "the class of an object that a function returns.",
         "write the name that the code has now.",
     ),
     Check(
@@ -240,6 +253,21 @@ _FIXED = [
         "the stated condition is the condition of the assertion. It reads only methods of the "
         "product weeding_robot.",
         "name the assertion that the code has.",
+    ),
+    Check(
+        "module-swapped",
+        "No parts are swapped",
+        "The check compares the name of each initialised member or variable in src, extensions and "
+        "ports with its value. In an aggregate with the members step and direction, the value of "
+        "step is no object with the name direction. If the name and the value have a common word, "
+        "they do not contain different words of a pair, such as leftEnd and steering_right_end. "
+        "The pairs are left and right, front and rear, inner and outer, forward and backward, "
+        "upper and lower, first and second, A and B, step and direction, velocity and direction.",
+        "The check does not find swapped arguments of a function, or parts whose names have no "
+        "such words.",
+        "correct the value, or rename the part.",
+        reason="Two parts of the same type can be swapped without an error of the compiler. On "
+        "the robot, such a fault moves the wrong part.",
     ),
     Check(
         "module-data",
@@ -565,10 +593,13 @@ _FIXED = [
         "Each loop of the firmware image has a bound",
         "Each loop that a handler of the firmware image reaches has a bound. Each memory copy of "
         "unknown size that a handler reaches has a bound too. The bound is the constant in the "
-        "head of the loop, or a declared number above the loop or the copy. The target of each "
+        "head of the loop, or a declared number above the loop or the copy. For a loop over a "
+        "std::array, the declared bound is not lower than the number of elements. If the loop "
+        "reads only the first elements, this applies only to a bound in digits. The target of each "
         "indirect call is known. No lock of the interrupts contains a loop or a call.",
-        "The check cannot judge whether a declared bound is right. It does not read loops that run "
-        "only before the first interrupt. It reads only the firmware image of weeding_robot.",
+        "The check cannot judge whether another declared bound is right. It does not read loops "
+        "that run only before the first interrupt. It reads only the firmware image of "
+        "weeding_robot.",
         "write the bound above the loop.",
     ),
     Check(

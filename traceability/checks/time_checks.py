@@ -1,21 +1,29 @@
 """time-*: the longest execution times of the firmware image can be computed, and no measured run
-needed more time than computed."""
+needed more time than computed. The bound of a loop over an array is not lower than the number of
+elements."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from contextlib import suppress
 
 from traceability.model.design_model import Model
 from traceability.model.response_times import DECLARED_IN
 from traceability.reading.fault_record import LOADS
+from traceability.reading.loop_bounds import DECLARED, Bounds
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place, TimeProof
+from traceability.sources import DESIGN, text_of
 
 DECLARATION = Place(str(DECLARED_IN), 1)
+# A loop over an array, or over the first elements of an array.
+LOOP = re.compile(r"\bfor \(.+ : (?:(\w+)|std::span\((\w+)\)\.first\(\w+\))\) \{")
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _low_bounds(model, facts)
     if model.times is None:
         return
     loads = model.campaigns.get(LOADS)
@@ -38,6 +46,40 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         lines = lines_below(facts.root, (str(DECLARED_IN),), ())
         place = [place for place, line in lines if line == f'context = "{context}"'][-1]
         yield Finding(place, "time-seen", text, "correct the number of entries of this context")
+
+
+def _low_bounds(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds loops over an array whose bound is lower than the number of elements. If a loop reads
+    only the first elements, its bound can be lower if it is a formula or a name."""
+    values = {
+        name: constant.number
+        for name, constant in model.constants.items()
+        if isinstance(constant.number, int)
+    }
+    bounds = Bounds(facts.root, values)
+    before = ""
+    for place, line in lines_below(facts.root, DESIGN, (".cpp", ".hpp")):
+        loop, bound = LOOP.search(line), DECLARED.match(before)
+        before = line.strip()
+        if loop and bound and (loop[1] or bound[1].isdecimal()):
+            size = _size(facts, bounds, place.file, loop[1] or loop[2])
+            with suppress(KeyError):  # The bound contains a name of design/times.toml.
+                if size and bounds.value(bound[1]) < size:
+                    text = f"the bound {bound[1]} is lower than the {size} elements of the array"
+                    above = Place(place.file, place.line - 1)
+                    yield Finding(above, "time-bound", text, "correct the bound")
+
+
+def _size(facts: Facts, bounds: Bounds, file: str, name: str) -> int | None:
+    """Returns the number of elements of an array that a file or its header declares. Returns None
+    if neither file declares the array."""
+    path = facts.root / file
+    text = text_of(path) + text_of(path.with_suffix(".hpp"))
+    array = re.search(rf"std::array<[^;]*, ([^,<>]+)> {name}\b", text)
+    for size in (array[1], f"{path.stem}::{array[1]}") if array else ():
+        with suppress(KeyError, ValueError, SyntaxError):
+            return bounds.value(size)
+    return None
 
 
 def _loops(proof: TimeProof) -> Iterator[Finding]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from traceability.reading.ast_facts import ConstantFact
+from traceability.schema import Constant
 
 _ELEVEN = "two three four five six seven eight nine ten eleven twelve"
 _THIRD = "third fourth fifth sixth seventh eighth ninth tenth"
@@ -35,6 +36,7 @@ UNITS = {
     "0.001": ("share", Fraction(10)),
     "Hz": ("frequency", Fraction(1)),
     "kHz": ("frequency", Fraction(1000)),
+    "MHz": ("frequency", Fraction(1_000_000)),
     "steps/s": ("step rate", Fraction(1)),
     "cycle": ("cycle", Fraction(1)),
     "sample": ("sample", Fraction(1)),
@@ -42,7 +44,9 @@ UNITS = {
     "edge": ("edge", Fraction(1)),
     "byte": ("byte", Fraction(1)),
     "time": ("repetition", Fraction(1)),  # as in "seven times"
-    "baud": ("baud", Fraction(1)),
+    "baud": ("bit rate", Fraction(1)),
+    "bit/s": ("bit rate", Fraction(1)),
+    "kbit/s": ("bit rate", Fraction(1000)),
 }
 # Units of limits that no constant of the firmware has.
 _OF_LIMITS = {
@@ -51,7 +55,7 @@ _OF_LIMITS = {
     "KiB": ("byte", Fraction(1024)),
 }
 _UNIT = (
-    r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s"
+    r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|[kM]?Hz|k?bit/s|steps/s"
     r"|cycles?|samples?|ticks?|edges?|bytes?|times|baud)"
 )
 _NAMED = re.compile(r"\bN = (\d+)")  # the number of cycles that the paper calls N
@@ -115,7 +119,7 @@ def limits_of_range(text: str) -> dict[str, Quantity]:
     return limits
 
 
-def quantity_of(constant: ConstantFact) -> Quantity:
+def quantity_of(constant: Constant | ConstantFact) -> Quantity:
     unit = _singular(constant.unit.partition(" per ")[0])
     kind, scale = UNITS.get(unit, ("", Fraction(1)))
     return Quantity(kind, Fraction(str(constant.number)) * scale)
@@ -152,4 +156,4 @@ def states(text: str, number: Fraction, unit: str) -> bool:
 
 
 def _singular(unit: str) -> str:
-    return unit.removesuffix("s") if len(unit) > 2 and unit != "steps/s" else unit
+    return unit.removesuffix("s") if len(unit) > 2 and not unit.endswith("/s") else unit

@@ -46,7 +46,7 @@ def plain_constants(root: Path) -> dict[str, Constant]:
     ``.low`` and ``.high`` at the end. A name is left out if it has more than one value."""
     values: dict[str, list[Constant]] = {}
     for path in files_below(root, (SIMULATOR, *PROGRAMS), (".hpp", ".cpp", ".py")):
-        read = _of_python if path.suffix == ".py" else _of_cpp
+        read = _of_python if path.suffix == ".py" else constants_of_cpp
         for name, constant in read(path, str(path.relative_to(root))):
             values.setdefault(name, []).append(constant)
     return {
@@ -56,7 +56,8 @@ def plain_constants(root: Path) -> dict[str, Constant]:
     }
 
 
-def _of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
+def constants_of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
+    """Yields the constants of a file with their names."""
     text = path.read_text(encoding="utf-8")
     folder = f"{path.parent.name}::{path.stem}::"
 

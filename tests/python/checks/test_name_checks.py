@@ -1,4 +1,5 @@
-"""The check finds tests and base classes that a page names and that do not exist."""
+"""The check finds tests and base classes that a page names, and functions that a comment names, if
+they do not exist."""
 
 from pathlib import Path
 
@@ -32,3 +33,18 @@ def test_a_test_or_a_base_class_that_does_not_exist_is_found(tmp_path: Path) -> 
     derives = "the text states that Working derives from Waiting, but it does not"
     assert (4, derives) in found
     assert sum("derives" in text for _, text in found) == 1
+
+
+def test_a_function_that_a_comment_names_is_one_of_the_module_or_of_its_uses(
+    tmp_path: Path,
+) -> None:
+    root = write_tree(tmp_path)
+    header = root / "src" / "main_control" / "operation_modes" / "RC.hpp"
+    comment = "// newMessage(), changeMode(), actionNoMsg(), nothing() and MainController::read()\n"
+    header.write_text(comment + header.read_text())
+    found = [
+        (one.place.line, one.text.partition(",")[0])
+        for one in name_checks.check(*build(root))
+        if one.place.file.endswith("RC.hpp")
+    ]
+    assert found == [(1, "the text names actionNoMsg()"), (1, "the text names nothing()")]

@@ -23,6 +23,10 @@ def test_digits_and_words_with_a_unit_are_read() -> None:
     text = "shall end after 200 ms, in five cycles, between 21 and 29 V, as in FR-12 at 3 places"
     assert list(stated_numbers(text)) == ["200 ms", "five cycles", "21 V", "29 V"]
     assert list(stated_numbers("seven times in a row")) == ["seven times"]
+    assert stated_numbers("at 0.5 MHz, 9600 bit/s") == {
+        "0.5 MHz": Quantity("frequency", Fraction(500_000)),
+        "9600 bit/s": Quantity("bit rate", Fraction(9600)),
+    }
 
 
 def test_numbers_without_a_unit_are_read() -> None:

@@ -1,5 +1,6 @@
 """A number in the specification of a module is the value of a constant, or a number of a
-requirement of the module."""
+requirement of the module. A number in the README of a port is the value of a constant of the
+port."""
 
 from __future__ import annotations
 
@@ -49,3 +50,18 @@ def test_a_number_is_the_value_of_a_constant(
     tmp_path: Path, sentence: str, member: str, expected: list[str]
 ) -> None:
     assert messages(write_tree(tmp_path), sentence, member) == expected
+
+
+def test_a_number_of_a_port_is_the_value_of_a_constant(tmp_path: Path) -> None:
+    root = write_tree(tmp_path)
+    port = root / "ports" / "board"
+    port.mkdir(parents=True)
+    (port / "README.md").write_text("A clock of 25 MHz,\nnot of 50 MHz, for 25 s at 1 kbit/s.\n")
+    constants = "constexpr int kClock = 25'000'000;  // [Hz]\nconstexpr int kRate = 1000;\n"
+    (port / "registers.hpp").write_text(constants)
+    found = [one for one in number_checks.check(*build(root)) if one.check == "doc-number"]
+    assert [(one.place.line, one.text.split(",")[0]) for one in found] == [
+        (2, "the text states 50 MHz"),
+        (2, "the text states 25 s"),
+        (2, "the text states 1 kbit/s"),
+    ]

@@ -4,7 +4,7 @@ the table of the frames. The client and the oracle do not read the firmware."""
 import re
 from pathlib import Path
 
-from weeding_robot_client import bring_up, capture, orders, script
+from weeding_robot_client import bring_up, capture, link, orders, script
 from weeding_robot_client.frames import VERSION
 from weeding_robot_client.layout import FRAMES, LAYOUTS
 
@@ -34,6 +34,10 @@ def test_the_client_sends_one_order_in_each_cycle() -> None:
     assert round(1000 * orders.ORDER_EVERY_S) == cycle < milliseconds("orderLifetime")
     assert round(1000 * bring_up.CYCLE_S) == cycle
     assert round(1000 * script.ACKNOWLEDGE_S) == 3 * cycle
+
+
+def test_a_lost_keep_alive_does_not_end_the_connection() -> None:
+    assert milliseconds("linkTimeout") > 2 * 1000 * link.KEEP_ALIVE_AFTER_S
 
 
 def test_the_times_in_the_texts_of_the_client_are_those_of_the_firmware() -> None:
