@@ -65,11 +65,12 @@ RANGES_OF_REMOTE_CONTROL = {
 }
 WHEELS = "0123"
 # The greatest permitted differences between the two runs, in percent of the range: ONCE in any
-# cycle, USUALLY in at least 94 of 100 cycles. Differences have two causes. A wheel may reverse one
+# cycle, USUALLY in at least 94 of 100 cycles. Differences have three causes. A wheel may reverse one
 # cycle earlier in one run, and no report shows this. A wheel at rest keeps the voltage that belongs
 # to the last measured velocity. If only one run measures a low velocity such as 2.3 rpm, the
-# currents at rest differ by 0.13 A.
-ONCE = 8
+# currents at rest differ by 0.13 A. In the cycle in which a wheel turns back on an edge, only one
+# run may reject this edge. Then the measured velocities differ by up to 25 rpm.
+ONCE = 10
 USUALLY = 1.3
 # A wheel with one Hall sensor measures no usable velocity. Its values are random.
 CHANCE = {"one_hall_sensor"}
@@ -109,8 +110,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     make this decision one cycle later.
 
     Measured and applied values differ by at most 1.3 % of the range in 94 of 100 cycles. In cycles
-    with orders of the remote control, only the limit of 8 % applies. The values may differ by more
-    than 8 % at a decision that one run makes later: in the cycle of the decision, in the cycle
+    with orders of the remote control, only the limit of 10 % applies. The values may differ by more
+    than 10 % at a decision that one run makes later: in the cycle of the decision, in the cycle
     before, and in the cycle after. At the end of a connection and of the scenario, one program may
     have sent one more report.
     """
