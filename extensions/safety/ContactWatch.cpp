@@ -21,8 +21,7 @@ void ContactWatch::sample() {
   }
 }
 
-bool ContactWatch::open() {
-  latched_.store(false, std::memory_order_relaxed);
+bool ContactWatch::open() const {
   return contact_.level();
 }
 

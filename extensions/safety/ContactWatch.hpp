@@ -29,15 +29,14 @@ class ContactWatch final {
   /// @isr{yes}
   void sample();
 
-  /// @brief Checks whether the contact is open now, and clears the record of earlier openings.
+  /// @brief Checks whether the contact is open now. A recorded opening stays recorded.
   /// @return true if the contact is open now.
-  /// @post No earlier opening is recorded.
   /// @satisfies FR-291
-  /// @isr{no}
-  [[nodiscard]] bool open();
+  /// @isr{yes}
+  [[nodiscard]] bool open() const;
 
   /// @brief Checks whether the contact is open now, or whether an opening was recorded since the
-  /// last call of opened() or open().
+  /// last call of this method.
   /// @return true if the contact is open now, or if an opening was recorded.
   /// @satisfies FR-271
   /// @isr{no}

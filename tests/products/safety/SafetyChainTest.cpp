@@ -339,6 +339,22 @@ TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   EXPECT_FALSE(watch.opened());
 }
 
+/// @brief An opening ends between the two reads of a cycle. The second read finds a closed contact.
+/// The opening stays recorded for the next cycle.
+/// @verifies FR-271
+TEST(ContactWatchTest, FR271_AReadOfTheContactKeepsTheRecord) {
+  FakeEdgeInput contact;
+  ContactWatch watch(contact);
+  contact.set(true);
+  for (int tick = 0; tick < 3; ++tick) {
+    watch.sample();
+  }
+  contact.set(false);
+  EXPECT_FALSE(watch.open());
+  EXPECT_TRUE(watch.opened());
+  EXPECT_FALSE(watch.opened());
+}
+
 /// @brief When the contact of the emergency stop is closed again, an acknowledgement releases the
 /// protective stop that its opening caused. This opening causes no second stop.
 /// @verifies FR-291
