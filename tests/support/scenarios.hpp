@@ -22,7 +22,7 @@ inline std::vector<std::filesystem::path> allScenarios() {
 }
 
 /// @brief Returns true if a scenario is only for the paper's design. In these scenarios, safety
-/// functions would stop the robot or limit its acceleration by a ramp.
+/// functions would stop the robot, or limit its acceleration or its current.
 /// @param file file of the scenario
 inline bool isOfThePaperAlone(const std::filesystem::path& file) {
   constexpr std::array<const char*, 4> kNames{"one_hall_sensor", "reversal", "sensors_broken",

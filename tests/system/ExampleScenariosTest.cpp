@@ -24,7 +24,7 @@ void play(const std::string& example) {
 }
 
 // Plays an example that is only for the paper's design. Safety functions would stop the robot or
-// limit its acceleration by a ramp.
+// limit its acceleration or its current.
 void playWithThePapersDesign(const std::string& example) {
   onlyWith("weeding_robot_paper");
   play(example);

@@ -84,8 +84,8 @@ INSTANTIATE_TEST_SUITE_P(Drives, SwappedLeads,
 
 class FaultOfAPart : public SafetyScenario {};
 
-/// @brief After a fault of one wheel, of its leads or of its sensors, the whole robot brakes. It
-/// then stays at rest.
+/// @brief After a fault of wheels, of their leads or of their sensors, the whole robot brakes, and
+/// the stop remains. On a slope the braked robot may creep.
 /// @verifies FR-270
 TEST_P(FaultOfAPart, FR270_StopsTheWholeRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
