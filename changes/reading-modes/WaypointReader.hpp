@@ -91,11 +91,6 @@ class WaypointReader final : public Reader {
   /// @isr{no}
   std::uint32_t readU32(Field /*field*/) override { return 0; }
 
-  /// @brief Returns 0, because no order has a field of this type.
-  /// @return 0
-  /// @isr{no}
-  std::int32_t readI32(Field /*field*/) override { return 0; }
-
   /// @brief Ends the order. The next order is available only when a new position was received.
   /// @return true
   /// @isr{no}

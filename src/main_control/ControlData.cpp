@@ -74,7 +74,8 @@ Outputs& ControlData::outputs() {
   return report_.outputs;
 }
 
-ReportData& ControlData::report(OperationStateId state, ModeId mode, const LinkCounts& counts) {
+const ReportData& ControlData::report(OperationStateId state, ModeId mode,
+                                      const LinkCounts& counts) {
   const Inhibit why = inhibit(state);
   report_.operationState = static_cast<std::uint8_t>(state);
   report_.readingMode = static_cast<std::uint8_t>(mode);

@@ -124,7 +124,8 @@ class ControlData {
   /// @satisfies FR-242
   /// @satisfies FR-249
   /// @isr{no}
-  [[nodiscard]] ReportData& report(OperationStateId state, ModeId mode, const LinkCounts& counts);
+  [[nodiscard]] const ReportData& report(OperationStateId state, ModeId mode,
+                                         const LinkCounts& counts);
 
  private:
   /// @brief Returns the reason why the set-points are not followed in this cycle.

@@ -158,6 +158,16 @@ def abstract(role: str) -> Callable[[Shape], Broken]:
     return clause
 
 
+def only_base(role: str) -> Callable[[Shape], Broken]:
+    def clause(shape: Shape) -> Broken:
+        for module in shape.playing(role):
+            if not shape.facts.classes[module].only_base:
+                text = f"{module} is not abstract, and an object of it can be constructed"
+                yield shape.place(module), text
+
+    return clause
+
+
 def derived(role: str, base_role: str) -> Callable[[Shape], Broken]:
     def clause(shape: Shape) -> Broken:
         for module in shape.playing(role):
@@ -727,7 +737,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     ),
     "pattern-serializer-used": serializer_used,
     "pattern-serializer-derives": together(
-        abstract("Serializable"),
+        only_base("Serializable"),
         abstract("Reader"),
         abstract("Writer"),
         derived("Concrete Reader", "Reader"),

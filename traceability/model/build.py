@@ -27,7 +27,7 @@ from traceability.model.state_machines import machines_of
 from traceability.model.tests import with_board_findings, with_executed_modules, with_tests
 from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
-from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact, Syntax
+from traceability.reading.ast_facts import BodyFact, CallFact, MethodFact, Syntax
 from traceability.reading.baseline_record import read_parts
 from traceability.reading.bench_record import PAPER_BENCH, read_bench
 from traceability.reading.build_evidence import git, read_build
@@ -256,7 +256,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
             name=fact.name,
             qualified=fact.qualified,
             logic=logic_of(fact.place.file),
-            abstract=fact.abstract or _for_heirs_only(fact),
+            abstract=fact.only_base,
             datatype=datatype,
             brief=comment.brief,
             function=comment.one("function"),
@@ -284,14 +284,6 @@ def _modules(facts: Facts) -> dict[str, Module]:
         name: replace(module, methods=[_specified(method, modules) for method in module.methods])
         for name, module in modules.items()
     }
-
-
-def _for_heirs_only(fact: ClassFact) -> bool:
-    """Returns true if the class has constructors and all of them are protected. Then only objects
-    of its subclasses can be constructed.
-    """
-    made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
-    return bool(made) and set(made) == {"protected"}
 
 
 def _method(fact: MethodFact, facts: Facts) -> Method:

@@ -78,6 +78,14 @@ class ClassFact:
     parameters: list[str] = field(default_factory=list)  # parameters of a template
     comment: int = 0
 
+    @property
+    def only_base(self) -> bool:
+        """True if only objects of subclasses can be constructed: the class is abstract, or it has
+        constructors and all of them are protected."""
+        constructors = [m for m in self.methods if m.kind == "constructor" and not m.deleted]
+        protected = all(method.access == "protected" for method in constructors)
+        return self.abstract or (bool(constructors) and protected)
+
 
 @dataclass
 class CallFact:

@@ -74,11 +74,6 @@ std::uint32_t BufferReader::readU32(Field field) {
   return 0;
 }
 
-std::int32_t BufferReader::readI32(Field /*field*/) {
-  failed_ = true;
-  return 0;
-}
-
 bool BufferReader::finish() {
   take();
   const bool whole = velocity_ && direction_ && !failed_;

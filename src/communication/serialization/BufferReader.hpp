@@ -65,8 +65,6 @@ class BufferReader final : public Reader {
   /// @isr{no}
   std::uint32_t readU32(Field field) override;
 
-  std::int32_t readI32(Field field) override;
-
   /// @brief Ends the reading of the order. The two signal values of this order cannot be read
   /// again.
   /// @return false when a signal had no value, or when the caller read a field that the order does

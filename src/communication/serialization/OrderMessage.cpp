@@ -58,18 +58,4 @@ bool OrderMessage::readFrom(Reader& reader) {
   return reader.finish() && inRange();
 }
 
-bool OrderMessage::writeTo(Writer& writer) const {
-  writer.writeU16({.name = FieldName::OrderId}, setPoints_.orderId);
-  writer.writeU32({.name = FieldName::SentAt}, setPoints_.sentAt);
-  writer.writeI16({.name = FieldName::Steering},
-                  static_cast<std::int16_t>(setPoints_.steering.count()));
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeU8({.name = FieldName::WheelQuantity},
-                   static_cast<std::uint8_t>(setPoints_.wheels[wheel].quantity));
-    writer.writeI16({.name = FieldName::WheelValue}, setPoints_.wheels[wheel].value);
-  }
-  writer.writeU8({.name = FieldName::Commands}, commands_);
-  return writer.finish();
-}
-
 }  // namespace wr

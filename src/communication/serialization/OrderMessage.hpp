@@ -53,7 +53,6 @@ class OrderMessage final : public Serializable {
 
   /// @satisfies FR-170
   [[nodiscard]] bool readFrom(Reader& reader) override;
-  [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:
   static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field Commands that is 1 if

@@ -54,15 +54,8 @@ class Reader {
   /// @satisfies FR-170
   virtual std::uint32_t readU32(Field field) = 0;
 
-  /// @brief Reads a signed field of 32 bits.
-  /// @param field name of the field
-  /// @return value of the field; 0 when the order does not have this field
-  /// @isr{no}
-  /// @satisfies FR-170
-  virtual std::int32_t readI32(Field field) = 0;
-
-  /// @brief Ends the reading of one object. The object cannot be read again.
-  /// @return false when the caller read a field that the object does not have
+  /// @brief Ends the reading of one order. The order cannot be read again.
+  /// @return false when the caller read a field that the order does not have
   /// @isr{no}
   virtual bool finish() = 0;
 

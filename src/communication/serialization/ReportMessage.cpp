@@ -51,11 +51,6 @@ std::int32_t countOrZero(const std::optional<Value>& value) {
   return value.value_or(Value()).count();
 }
 
-template <class Value>
-std::optional<Value> validIf(bool valid, std::int32_t count) {
-  return valid ? std::optional<Value>(Value(count)) : std::nullopt;
-}
-
 std::uint16_t measuredBits(const Measurements& measurements) {
   std::uint32_t bits = measurements.steering ? kSteeringBit : 0;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -91,19 +86,6 @@ void writeCycle(Writer& writer, const ReportData& data) {
   writer.writeU8({.name = FieldName::Flags}, flags(data));
 }
 
-void readCycle(Reader& reader, ReportData& data) {
-  data.cycle = reader.readU32({.name = FieldName::Cycle});
-  data.time = Instant(reader.readU32({.name = FieldName::Time}) * kMicrosecondsPerMillisecond);
-  data.operationState = reader.readU8({.name = FieldName::OperationState});
-  data.readingMode = reader.readU8({.name = FieldName::ReadingMode});
-  data.source = reader.readU8({.name = FieldName::Source});
-  const std::uint32_t bits = reader.readU8({.name = FieldName::Flags});
-  data.orderRead = (bits & kOrderReadFlag) != 0;
-  data.held = (bits & kHeldFlag) != 0;
-  data.overran = (bits & kOverranFlag) != 0;
-  data.measurements.protection.armed = (bits & kArmedFlag) != 0;
-}
-
 void writeSetPoints(Writer& writer, const SetPoints& setPoints) {
   writer.writeU16({.name = FieldName::OrderId}, setPoints.orderId);
   writer.writeI16({.name = FieldName::Steering}, nearestI16(setPoints.steering.count()));
@@ -111,16 +93,6 @@ void writeSetPoints(Writer& writer, const SetPoints& setPoints) {
     writer.writeU8({.name = FieldName::WheelQuantity},
                    static_cast<std::uint8_t>(setPoints.wheels[wheel].quantity));
     writer.writeI16({.name = FieldName::WheelValue}, setPoints.wheels[wheel].value);
-  }
-}
-
-void readSetPoints(Reader& reader, SetPoints& setPoints) {
-  setPoints.orderId = reader.readU16({.name = FieldName::OrderId});
-  setPoints.steering = Angle(reader.readI16({.name = FieldName::Steering}));
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    setPoints.wheels[wheel].quantity =
-        static_cast<WheelQuantity>(reader.readU8({.name = FieldName::WheelQuantity}));
-    setPoints.wheels[wheel].value = reader.readI16({.name = FieldName::WheelValue});
   }
 }
 
@@ -136,29 +108,6 @@ void writeMeasurements(Writer& writer, const Measurements& measurements) {
   writer.writeU16({.name = FieldName::Measured}, measuredBits(measurements));
 }
 
-void readMeasurements(Reader& reader, Measurements& measurements) {
-  struct Raw {
-    std::int16_t velocity;
-    std::int16_t current;
-    std::int32_t position;
-  };
-  std::array<Raw, kWheelCount> raw{};
-  const std::int16_t steering = reader.readI16({.name = FieldName::SteeringPosition});
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    raw[wheel].velocity = reader.readI16({.name = FieldName::WheelVelocity});
-    raw[wheel].current = reader.readI16({.name = FieldName::WheelCurrent});
-    raw[wheel].position = reader.readI32({.name = FieldName::WheelPosition});
-  }
-  const std::uint32_t bits = reader.readU16({.name = FieldName::Measured});
-  measurements.steering = validIf<Angle>((bits & kSteeringBit) != 0, steering);
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    WheelMeasurements& measured = measurements.wheels[wheel];
-    measured.velocity = validIf<Velocity>((bits & velocityBit(wheel)) != 0, raw[wheel].velocity);
-    measured.current = validIf<Current>((bits & currentBit(wheel)) != 0, raw[wheel].current);
-    measured.position = validIf<HallCount>((bits & positionBit(wheel)) != 0, raw[wheel].position);
-  }
-}
-
 void writeOutputs(Writer& writer, const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     writer.writeI16({.name = FieldName::WheelTension},
@@ -166,19 +115,6 @@ void writeOutputs(Writer& writer, const Outputs& outputs) {
   }
   writer.writeU8({.name = FieldName::Turn}, static_cast<std::uint8_t>(outputs.turn.value_or(0)));
   writer.writeU8({.name = FieldName::Applied}, appliedBits(outputs));
-}
-
-void readOutputs(Reader& reader, Outputs& outputs) {
-  std::array<std::int16_t, kWheelCount> tensions{};
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    tensions[wheel] = reader.readI16({.name = FieldName::WheelTension});
-  }
-  const auto turn = static_cast<std::int8_t>(reader.readU8({.name = FieldName::Turn}));
-  const std::uint32_t bits = reader.readU8({.name = FieldName::Applied});
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    outputs.tensions[wheel] = validIf<Tension>((bits & tensionBit(wheel)) != 0, tensions[wheel]);
-  }
-  outputs.turn = (bits & kTurnBit) != 0 ? std::optional(turn) : std::nullopt;
 }
 
 struct CountField {
@@ -206,12 +142,6 @@ void writeCounts(Writer& writer, const LinkCounts& counts) {
   }
 }
 
-void readCounts(Reader& reader, LinkCounts& counts) {
-  for (const CountField& field : kCountFields) {
-    counts.*field.count = reader.readU16({.name = field.name});
-  }
-}
-
 // Returns one bit for each wheel: 1 if the member `mark` of this wheel is true.
 std::uint8_t wheelBits(const Measurements& measurements, bool WheelMeasurements::*mark) {
   std::uint32_t bits = 0;
@@ -219,12 +149,6 @@ std::uint8_t wheelBits(const Measurements& measurements, bool WheelMeasurements:
     bits |= bitIf(measurements.wheels[wheel].*mark, 1U << wheel);
   }
   return static_cast<std::uint8_t>(bits);
-}
-
-void setMarks(Measurements& measurements, bool WheelMeasurements::*mark, std::uint32_t bits) {
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    measurements.wheels[wheel].*mark = (bits & 1U << wheel) != 0;
-  }
 }
 
 void writeConditions(Writer& writer, const Measurements& measurements) {
@@ -244,30 +168,10 @@ void writeConditions(Writer& writer, const Measurements& measurements) {
   }
 }
 
-void readConditions(Reader& reader, Measurements& measurements) {
-  measurements.steeringState =
-      static_cast<SteeringState>(reader.readU8({.name = FieldName::SteeringState}));
-  const std::uint32_t ends = reader.readU8({.name = FieldName::SteeringEnds});
-  measurements.leftEnd = (ends & kLeftEndBit) != 0;
-  measurements.rightEnd = (ends & kRightEndBit) != 0;
-  setMarks(measurements, &WheelMeasurements::cutOff, reader.readU8({.name = FieldName::CutOffs}));
-  setMarks(measurements, &WheelMeasurements::blind,
-           reader.readU8({.name = FieldName::BlindWheels}));
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    measurements.wheels[wheel].rejectedEdges = reader.readU16({.name = FieldName::RejectedEdges});
-  }
-}
-
 void writeCosts(Writer& writer, const CycleCosts& costs) {
   writer.writeU32({.name = FieldName::ReportCost}, costs.report);
   writer.writeU32({.name = FieldName::AwakeCost}, costs.awake);
   writer.writeU32({.name = FieldName::StartCost}, costs.start);
-}
-
-void readCosts(Reader& reader, CycleCosts& costs) {
-  costs.report = reader.readU32({.name = FieldName::ReportCost});
-  costs.awake = reader.readU32({.name = FieldName::AwakeCost});
-  costs.start = reader.readU32({.name = FieldName::StartCost});
 }
 
 void writeStop(Writer& writer, const ReportData& data) {
@@ -278,32 +182,9 @@ void writeStop(Writer& writer, const ReportData& data) {
   writer.writeU8({.name = FieldName::StopSources}, data.stopSources);
 }
 
-void readStop(Reader& reader, ReportData& data) {
-  Protection& protection = data.measurements.protection;
-  protection.inhibit = static_cast<Inhibit>(reader.readU8({.name = FieldName::Inhibit}));
-  protection.cause = static_cast<StopCause>(reader.readU8({.name = FieldName::StopCause}));
-  protection.wheel = reader.readU8({.name = FieldName::StopWheel});
-  data.stopSources = reader.readU8({.name = FieldName::StopSources});
-}
-
 }  // namespace
 
-ReportMessage::ReportMessage(ReportData& data) : data_(data) {}
-
-bool ReportMessage::readFrom(Reader& reader) {
-  readCycle(reader, data_);
-  readSetPoints(reader, data_.setPoints);
-  readMeasurements(reader, data_.measurements);
-  readOutputs(reader, data_.outputs);
-  data_.overruns = reader.readU16({.name = FieldName::Overruns});
-  readCounts(reader, data_.link);
-  readConditions(reader, data_.measurements);
-  readCosts(reader, data_.costs);
-  readStop(reader, data_);
-  data_.setPoints.sentAt = reader.readU32({.name = FieldName::SentAt});
-  data_.link.staleOrders = reader.readU16({.name = FieldName::StaleOrders});
-  return reader.finish();
-}
+ReportMessage::ReportMessage(const ReportData& data) : data_(data) {}
 
 bool ReportMessage::writeTo(Writer& writer) const {
   writeCycle(writer, data_);

@@ -12,9 +12,7 @@ namespace wr {
 class ReportMessage final : public Serializable {
  public:
   /// @param data values of the report; they must exist as long as this object
-  explicit ReportMessage(ReportData& data);
-
-  [[nodiscard]] bool readFrom(Reader& reader) override;
+  explicit ReportMessage(const ReportData& data);
 
   /// @brief Writes the report. For a missing value, the field and its validity bit are 0. If a
   /// value is out of the range of its field, the nearest value of the range is written.
@@ -35,7 +33,7 @@ class ReportMessage final : public Serializable {
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:
-  ReportData& data_;
+  const ReportData& data_;
 };
 
 }  // namespace wr

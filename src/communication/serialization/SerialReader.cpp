@@ -69,10 +69,6 @@ std::uint32_t SerialReader::readU32(Field /*field*/) {
   return next<std::uint32_t>();
 }
 
-std::int32_t SerialReader::readI32(Field /*field*/) {
-  return next<std::int32_t>();
-}
-
 bool SerialReader::finish() {
   const bool within = position_ <= kOrderLength;
   position_ = 0;

@@ -81,7 +81,6 @@ class SerialReader final : public Reader {
   std::uint16_t readU16(Field field) override;
   std::int16_t readI16(Field field) override;
   std::uint32_t readU32(Field field) override;
-  std::int32_t readI32(Field field) override;
 
   /// @brief Ends the reading of the order. The order cannot be read again.
   /// @return false when the caller read more bytes than the order contains

@@ -5,8 +5,9 @@
 
 namespace wr {
 
-/// @brief An object that can be read from a source and written to a destination.
-/// @function Reads an order or a report from any source, and writes it to any destination.
+/// @brief An object that can be read from a source or written to a destination.
+/// @function Reads an order from any source, and writes a report to any destination. A derived class
+/// overrides the operation of each direction in which it is transferred. The other operation fails.
 /// @secret The fields of an object, and the size and the sequence of these fields.
 /// @role{serializer, Serializable}
 ///
@@ -21,13 +22,13 @@ class Serializable {
   /// @return false when the source does not contain the whole object, or when a field is out of its
   /// range
   /// @isr{no}
-  [[nodiscard]] virtual bool readFrom(Reader& reader) = 0;
+  [[nodiscard]] virtual bool readFrom(Reader& reader);
 
   /// @brief Writes all fields of the object, and checks whether the destination had space for them.
   /// @param writer the destination
   /// @return false when the destination has no space for the whole object
   /// @isr{no}
-  [[nodiscard]] virtual bool writeTo(Writer& writer) const = 0;
+  [[nodiscard]] virtual bool writeTo(Writer& writer) const;
 
  protected:
   Serializable() = default;

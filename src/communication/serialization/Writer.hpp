@@ -6,7 +6,7 @@
 
 namespace wr {
 
-/// @brief A destination to which orders and reports are written.
+/// @brief A destination to which reports are written.
 /// @function Writes the fields of an object by their names.
 /// @secret The destination of an object, and the form of the object at this destination.
 /// @role{serializer, Writer}

@@ -911,7 +911,6 @@ TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
 TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
   class Large final : public Serializable {
    public:
-    [[nodiscard]] bool readFrom(Reader&) override { return false; }
     [[nodiscard]] bool writeTo(Writer& writer) const override {
       for (int i = 0; i < 201; ++i) {
         writer.writeU8({FieldName::Flags}, 1);
@@ -1139,7 +1138,7 @@ ReportData reportOfCycle8() {
 TEST_F(PcConnectionTest, FR61_TheReportsAgreeWithTheExamples) {
   handshake();
   std::vector<Bytes> made;
-  for (ReportData data : {reportOfCycle7(), reportOfCycle8()}) {
+  for (const ReportData& data : {reportOfCycle7(), reportOfCycle8()}) {
     ASSERT_TRUE(connection.sendReport(ReportMessage(data)));
     made.push_back(sent().back());
   }

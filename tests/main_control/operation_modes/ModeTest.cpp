@@ -18,7 +18,6 @@ class BrokenReader final : public Reader {
   std::uint16_t readU16(Field /*field*/) override { return 0; }
   std::int16_t readI16(Field /*field*/) override { return 0; }
   std::uint32_t readU32(Field /*field*/) override { return 0; }
-  std::int32_t readI32(Field /*field*/) override { return 0; }
   bool finish() override { return false; }
 };
 

@@ -85,7 +85,8 @@ def test_an_added_field_is_decoded_everywhere(example: Path) -> None:
     made.mkdir(parents=True)
     run(example, sys.executable, "sim/scenario/frame_table.py", made)
     (example / "program.cpp").write_text(PROGRAM, encoding="utf-8")
-    message = [SERIALIZATION / f"{name}.cpp" for name in ("ReportMessage", "SerialWriter")]
+    parts = ("Serializable", "ReportMessage", "SerialWriter")
+    message = [SERIALIZATION / f"{name}.cpp" for name in parts]
     compiler = ("g++", "-std=c++20", "-I.", "-Isrc", "-Itests", "-Imade")
     run(example, *compiler, "program.cpp", "sim/scenario/FrameFields.cpp", *message, "-oprogram")
     payload, *simulator = run(example, "./program").split()
