@@ -65,11 +65,11 @@ RANGES_OF_REMOTE_CONTROL = {
 }
 WHEELS = "0123"
 # The greatest permitted differences between the two runs, in percent of the range: ONCE in any
-# cycle, USUALLY in at least 94 of 100 cycles. Differences have three causes. A wheel may reverse one
-# cycle earlier in one run, and no report shows this. A wheel at rest keeps the voltage that belongs
-# to the last measured velocity. If only one run measures a low velocity such as 2.3 rpm, the
-# currents at rest differ by 0.13 A. In the cycle in which a wheel turns back on an edge, only one
-# run may reject this edge. Then the measured velocities differ by up to 25 rpm.
+# cycle, USUALLY in at least 94 of 100 cycles. Differences have three causes. A wheel may reverse
+# one cycle earlier in one run, and no report shows this. A wheel at rest keeps the voltage that
+# belongs to the last measured velocity. If only one run measures a low velocity such as 2.3 rpm,
+# the currents at rest differ by 0.13 A. In the cycle in which a wheel turns back on an edge, only
+# one run may reject this edge. Then the measured velocities differ by up to 25 rpm.
 ONCE = 10
 USUALLY = 1.3
 # A wheel with one Hall sensor measures no usable velocity. Its values are random.
