@@ -53,6 +53,7 @@ EXAMPLE_FIXTURE = Path("tests/sensing/position/DirSensorTest.cpp")
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
 CHANGES = Path("CHANGELOG.md")
 CONTRIBUTING = Path("CONTRIBUTING.md")
+README = Path("README.md")
 BUILD = Path("CMakeLists.txt")
 TOOLCHAIN = Path("setup/k64-toolchain.cmake")
 IMAGES = Path("src/k64/CMakeLists.txt")
@@ -65,6 +66,12 @@ def sections(root: Path, path: Path) -> str:
     """
     text = (root / path).read_text("utf-8").partition("\n")[2]
     return text.replace("\n## ", "\n# ").replace("](docs/", "](/docs/")
+
+
+def folder_table(root: Path) -> str:
+    """Returns the table of the folders in the README."""
+    text = (root / README).read_text("utf-8")
+    return text.partition("\n## Folders\n\n")[2].partition("\n\n")[0] + "\n"
 
 
 def first_test(root: Path) -> str:
@@ -111,6 +118,7 @@ INCLUDED = (
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
     (CHANGES, "changes.md", lambda root: sections(root, CHANGES)),
     (CONTRIBUTING, "contributing.md", lambda root: sections(root, CONTRIBUTING)),
+    (README, "folders.md", folder_table),
     (TOOLCHAIN, "compiler_options.txt", compiler_options),
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),
