@@ -16,7 +16,7 @@ DESCRIPTION = """\
 Connects to the robot and shows its reports. In a terminal, it shows a table that is updated.
 Otherwise, it prints one line for each report. It shows the reason why the robot does not move, and
 the source of a stop. The table also shows the round trip time of the handshake. A value that is
-missing or stale is shown as '-'. Ctrl-C ends the program. Only one program can use the serial port
+missing or stale is shown as '-'. Ctrl-C ends the program. Only one program may use the serial port
 at a time. ./wr drive also shows the reports."""
 EPILOG = ""
 MISSING = "-"

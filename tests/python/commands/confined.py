@@ -53,6 +53,12 @@ def read_only(folder: Path, then: list[str | Path]) -> list[str]:
     return confined("--mount", first=first, then=then)
 
 
+def with_program(program: str, replacement: Path, then: list[str | Path]) -> list[str]:
+    """Returns a command that executes ``then`` with a replacement of an installed program."""
+    first = f"mount --bind {shlex.quote(str(replacement))} $(readlink -f {program})"
+    return confined("--mount", first=first, then=then)
+
+
 def without_network(then: list[str | Path]) -> list[str]:
     return confined("--net", first="", then=then)
 

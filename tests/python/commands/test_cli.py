@@ -100,8 +100,14 @@ def test_a_machine_without_apt_is_told_what_to_install(tmp_path: Path) -> None:
     assert "# runs the builds" in result.stderr
 
 
-def test_a_user_who_may_not_install_is_told_the_command(tmp_path: Path) -> None:
-    path = tools_without(tmp_path, "id", id="echo 1000", dpkg_query="true", apt_get="exit 9")
+@pytest.mark.parametrize("scripts", [{}, {"sudo": "exit 1"}])
+def test_a_user_who_may_not_install_is_told_the_command(
+    tmp_path: Path, scripts: dict[str, str]
+) -> None:
+    """There is no sudo, or sudo refuses."""
+    path = tools_without(
+        tmp_path, "id", id="echo 1000", dpkg_query="true", apt_get="exit 9", **scripts
+    )
     result = wr("setup", PATH=path)
     assert result.returncode == 3
     command = result.stderr.splitlines()[-1].split()
@@ -123,7 +129,7 @@ def test_only_missing_packages_are_installed_and_named_before(tmp_path: Path) ->
     )
     result = wr("setup", PATH=path)
     lines = result.stdout.splitlines()
-    assert lines[0] == "wr: installs these packages with apt-get:"
+    assert lines[0] == "wr: these packages are missing:"
     assert lines[1].split() == ["ninja-build", "#", "runs", "the", "builds"]
     assert lines[-1].split()[-1] == "ninja-build"
     assert result.returncode == 7

@@ -15,7 +15,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.python.commands.confined import read_only, with_disk, without_network, without_rights
+from tests.python.commands.confined import (
+    read_only,
+    with_disk,
+    with_program,
+    without_network,
+    without_rights,
+)
 from tests.python.commands.small_command import RESULT, expected, write_sources
 from tests.python.commands.test_killed_runs import COMMAND
 from tools.cmake_build import sources_of
@@ -152,6 +158,33 @@ def test_set_up_without_network_says_so_and_begins_anew(copy: Path) -> None:
             "disk, then run the command again."
         )
         assert not (copy / ".venv/stamp").exists()
+
+
+# ---- an old Python ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("answer", "message"),
+    [
+        ('[ "$1" = -c ]', "wr: python3 made no folder .venv. "),
+        ("echo Python 3.9.2; exit 1", "wr: Python 3.11 or newer is needed; this computer has "),
+    ],
+)
+def test_only_a_newer_python_of_the_path_is_used(copy: Path, answer: str, message: str) -> None:
+    """The Python of the system is too old. The Python of the path is new enough, or too old."""
+    tools = copy / "tools"
+    tools.mkdir()
+    (copy / "old").write_text("#!/bin/sh\nexit 1\n")
+    (tools / "python3").write_text(f"#!/bin/sh\n{answer}\n")
+    for path in (copy / "old", tools / "python3"):
+        path.chmod(0o755)
+    done = run(
+        with_program("/usr/bin/python3", copy / "old", [copy / "wr", "setup"]),
+        WR_HAS_PACKAGES="1",
+        PATH=f"{tools}:{os.environ['PATH']}",
+    )
+    assert done.returncode == MISSING
+    assert done.stderr.startswith(message)
 
 
 # ---- two set-ups at once, and a set-up after a killed one ---------------------------
