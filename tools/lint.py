@@ -130,11 +130,12 @@ def lint_tasks(root: Path, *, quick: bool) -> list[Task]:
 
     built = "clang without warnings"
     long = [
+        task(f"{built} (tests of the firmware)", build_tests_with_clang, after=(built,)),
         task("clang-tidy", check_tidy, after=(built,)),
         task("headers alone", check_headers, after=(built,)),
     ]
     return [
-        task(built, partial(build_with_clang, quick=quick)),
+        task(built, build_with_clang),
         task("clang-format", check_format, (*CODE, ".clang-format", PACKAGES)),
         Task("ruff", ruff, (*PYTHON, "pyproject.toml", PACKAGES)),
         Task("mypy", mypy, (*TYPED, "pyproject.toml", PACKAGES)),
@@ -190,17 +191,19 @@ def check_format(root: Path, log: TextIO) -> str:
     return f"{len(paths)} files"
 
 
-def build_with_clang(root: Path, log: TextIO, *, quick: bool) -> None:
-    """Compiles all sources with clang. The preset sanitize compiles the tests of the firmware,
-    because the preset host does not contain them. With ``quick``, these tests are left out."""
+def build_with_clang(root: Path, log: TextIO) -> None:
+    """Compiles all sources with clang, except the tests of the firmware."""
     build(root, "host", log)
-    if not quick:
-        build(root, "sanitize", log, TESTS)
     words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
     words += [f"-fmodule-map-file={root / MAP}", "-fmodules-decluse", "-Xclang", "-fno-cxx-modules"]
     for source in filter(partial(on_board, root), sources(root, DESIGN, ".cpp")):
         module = logic_of(str(source.relative_to(root))).replace("/", ".")
         run(log, ["clang++", "-fsyntax-only", *words, f"-fmodule-name={module}", str(source)])
+
+
+def build_tests_with_clang(root: Path, log: TextIO) -> None:
+    """Compiles the tests of the firmware with clang. The preset host does not contain them."""
+    build(root, "sanitize", log, TESTS)
 
 
 def check_headers(root: Path, log: TextIO) -> None:

@@ -31,8 +31,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "verify-build",
         description="Clones the present commit into a new folder, and builds and tests it there. "
         "Then compares this build with the build in this folder: each firmware image "
-        "byte by byte, the verdict on each requirement, and the result of each test on each "
-        "target. Randomised tests get the seed of the first run. The exit code is "
+        "byte by byte, the verdict of each requirement, and the results of the tests that verify "
+        "requirements. Randomised tests get the seed of the first run. The exit code is "
         f"{FAILED} if the builds differ. The command takes as long as a first build.",
     )
     parser.add_argument(
@@ -59,7 +59,7 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
         differences = list(compare(root, copy, images=options.images))
     for line in differences:
         print(line)
-    what = "images" if options.images else "images, verdicts and results of tests"
+    what = "images" if options.images else "images, verdicts and results of verifying tests"
     print(
         f"{len(differences)} differences" if differences else f"The two builds have equal {what}."
     )

@@ -14,7 +14,7 @@ from portal.navigation import Entry
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
-OTHER_SENSES = {"function", "target"}
+OTHER_SENSES = {"function", "target", "verdict"}
 # Words that contain a term but have another meaning. They are compared with the HTML text.
 OTHER_WORDS = (
     *("stop bit", "stop at a breakpoint", "stop the processor", "stop the monitor", "end stop"),

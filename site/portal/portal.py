@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -317,9 +317,10 @@ class Portal:
         """Returns the date and the hash of the last commit that changed a file of a module."""
         return self.last_change([file for file in (module.header, module.source) if file])
 
-    def last_change(self, files: Iterable[str]) -> str:
+    def last_change(self, files: Sequence[str]) -> str:
         """Returns the date and the hash of the last commit that changed one of these files."""
-        return max((self._last_changes.get(file, "") for file in files), default="")
+        changes = self._last_changes.items()
+        return next((commit for file, commit in changes if file in files), "")
 
     def changed_since(self, commit: str) -> int | None:
         return changed_since(self.root, commit)

@@ -39,7 +39,8 @@ FILES = (
     ),
     ToolFile(
         requirement_files.CSV,
-        "The requirements with their attributes, verdicts and links, as a table.",
+        "The requirements with their attributes and verdicts, as a table. The columns verified_by "
+        "and satisfied_by contain their tests and methods.",
         lambda _root, model, report: requirement_files.csv_text(model, report),
     ),
     ToolFile(

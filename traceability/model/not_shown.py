@@ -4,6 +4,7 @@ assume more evidence than there is."""
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -31,6 +32,13 @@ CAMPAIGNS = {
     FAULTS: ("random faults", "robustness"),
     FUZZ: ("random inputs", "robustness"),
     LOADS: ("random drives with a busy serial line", "bench"),
+}
+# State of a requirement -> the words for it. Other sentences list the states "partly" and "stale".
+STATES = {
+    "suspect": "suspect requirements (a text on which their verdict depends has changed since the "
+    "baseline)",
+    "failed": "requirements with a failed test",
+    "unverified": "unverified requirements (evidence is missing, or a value is out of its bound)",
 }
 OLD_DRIVES = "last played at commit"  # words of a known exception about drives that were played
 
@@ -68,6 +76,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
         *_static_analysis(model),
         *_tool_tests(model),
         *_reviews(requirements),
+        *_states(report),
         *_verdicts(model, report),
         *_targets(model, requirements),
         *_driver_lines(model),
@@ -206,6 +215,16 @@ def _reviews(requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
             f"{len(requirements)} requirements.",
             "requirements",
         )
+
+
+def _states(report: Report) -> Iterator[tuple[str, str, str]]:
+    counts = Counter(verdict.state for verdict in report.requirements.values())
+    for state, words in STATES.items():
+        if counts[state]:
+            query = urlencode({"state": state})
+            yield f"Number of {words}: {counts[state]}.", "requirements", query
+    if report.findings:
+        yield f"The checks report {_count(len(report.findings), 'finding')}.", "checks", ""
 
 
 def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:

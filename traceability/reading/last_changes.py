@@ -13,10 +13,11 @@ NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\s+", re.DOTALL)  # comments and white
 
 
 def last_changes(root: Path) -> dict[str, str]:
-    """Returns for each file the date and the hash of the last commit that changed it. Returns an
-    empty dictionary without git."""
+    """Returns for each file the date and the hash of the last commit that changed it. The file of
+    the newest commit is the first. A merge changes a file that differs from the file in all its
+    parents. Returns an empty dictionary without git."""
     found: dict[str, str] = {}
-    log = git(root, "log", "--no-merges", "--format=%x00%cs %h", "--name-only")
+    log = git(root, "log", "-c", "--format=%x00%cs %h", "--name-only")
     for entry in filter(None, log.split("\0")):
         commit, *files = entry.split("\n")
         for file in filter(None, files):

@@ -10,7 +10,7 @@ from tests.python.model.small_case import make_model, report_of, write_case
 from traceability.model.design_model import Model
 from traceability.model.not_shown import not_shown
 from traceability.reading.published import Published
-from traceability.schema import BuildEvidence, LastRecord, LintRun
+from traceability.schema import BuildEvidence, Finding, LastRecord, LintRun, Place
 
 
 def texts(root: Path, **values: Any) -> list[str]:
@@ -79,6 +79,21 @@ def test_goals_with_results_of_old_drives_are_listed(tmp_path: Path) -> None:
     goals = {name: replace(goal, exceptions=["These drives were last played at commit 1."])}
     found = texts(tmp_path, safety=replace(model.safety, goals=goals))
     assert [text for text in found if f"Known exceptions of {name} state the commits" in text]
+
+
+def test_the_requirements_of_each_state_and_the_findings_are_counted(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    model = make_model(tmp_path)
+    finding = Finding(Place("a.cpp", 1), "suspect-method", "changed")
+    report = replace(report_of(model, {"FR-1": "suspect", "FR-2": "failed"}), findings=[finding])
+    found = {one.text: (one.page, one.query) for one in not_shown(model, report)}
+    (suspect,) = (text for text in found if text.startswith("Number of suspect requirements"))
+    assert suspect.endswith("since the baseline): 1.")
+    assert found[suspect] == ("requirements", "state=suspect")
+    assert "Number of requirements with a failed test: 1." in found
+    assert found["The checks report 1 finding."] == ("checks", "")
+    verified = [one.text for one in not_shown(model, report_of(model))]
+    assert not [text for text in verified if text.startswith(("Number of suspect", "The checks"))]
 
 
 def test_a_run_that_was_not_repeated_names_its_commit(tmp_path: Path) -> None:

@@ -281,6 +281,17 @@ def test_each_target_has_a_result_of_its_own(tmp_path: Path) -> None:
     assert [cell for cell in row if "/" in cell] == ["2/2", "0/1"]
 
 
+def test_the_last_change_is_the_newest_commit_of_a_day(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    changes = {"new.cpp": "2026-01-02 1aa", "old.cpp": "2026-01-02 9bb"}
+    monkeypatch.setattr("portal.portal.last_changes", lambda _root: changes)
+    portal = Portal(tmp_path, make_project(tmp_path), REPORT, [])
+    assert portal.last_change(["old.cpp", "new.cpp"]) == "2026-01-02 1aa"
+    assert portal.last_change(["old.cpp"]) == "2026-01-02 9bb"
+    assert portal.last_change(["none.cpp"]) == ""
+
+
 def test_stale_results_are_not_shown(tmp_path: Path) -> None:
     stale = replace(make_project(tmp_path), results_hashes={HOST: "older"})
     text = shown(tmp_path, stale)["tests"].text

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
+from tests.python.git_project import git
 from traceability.reading.last_changes import changed_since, last_changes
 
 
@@ -27,6 +28,30 @@ def test_a_file_has_its_newest_commit(tmp_path: Path) -> None:
     found = last_changes(tmp_path)
     assert found["one"].startswith("2026-01-02 ")
     assert found["two"].startswith("2026-03-04 ")
+
+
+def test_the_newest_change_of_a_day_is_first(tmp_path: Path) -> None:
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    for hour, name in enumerate(("one", "two", "three")):
+        commit(tmp_path, f"2026-01-02T{hour:02}:00:00Z", **{name: "a"})
+    assert list(last_changes(tmp_path)) == ["three", "two", "one"]
+
+
+def test_a_merge_changes_the_files_that_differ_from_all_its_parents(tmp_path: Path) -> None:
+    git(tmp_path, "init", "-q", "-b", "main")
+    commit(tmp_path, "2026-01-02T00:00:00Z", one="a", two="a")
+    git(tmp_path, "checkout", "-qb", "branch")
+    commit(tmp_path, "2026-01-03T00:00:00Z", one="b")
+    git(tmp_path, "checkout", "-q", "main")
+    commit(tmp_path, "2026-01-04T00:00:00Z", three="a")
+    git(tmp_path, "merge", "-q", "--no-commit", "branch")
+    commit(tmp_path, "2026-01-05T00:00:00Z", two="merged")
+    found = last_changes(tmp_path)
+    assert {name: change.split()[0] for name, change in found.items()} == {
+        "one": "2026-01-03",
+        "two": "2026-01-05",
+        "three": "2026-01-04",
+    }
 
 
 def test_a_folder_without_git_has_no_changes(tmp_path: Path) -> None:
