@@ -24,6 +24,11 @@ LOOP = re.compile(r"\bfor \(.+ : (?:(\w+)|std::span\((\w+)\)\.first\(\w+\))\) \{
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
     yield from _low_bounds(model, facts)
+    yield from exceeded(model, facts)
+
+
+def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds times that cannot be computed, and measured runs that needed more time."""
     if model.times is None:
         return
     loads = model.campaigns.get(LOADS)

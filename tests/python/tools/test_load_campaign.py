@@ -8,7 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from tools.campaign.loads import LISTED, summarise
-from traceability.checks.time_checks import check
+from traceability.checks.time_checks import exceeded
 from traceability.reading.published import Published
 from traceability.schema import PathBound, TimeProof
 
@@ -36,7 +36,7 @@ def findings(
     record = Published("./wr campaign loads", "c", "d", {"outcomes": outcomes})
     model: Any = SimpleNamespace(times=proof, campaigns={"loads": record})
     facts: Any = None
-    return [finding.text for finding in check(model, facts)]
+    return [finding.text for finding in exceeded(model, facts)]
 
 
 def test_the_summary_has_the_longest_drives(tmp_path: Path) -> None:
