@@ -90,14 +90,14 @@ def test_a_part_of_a_data_type_has_unit_makers_and_readers(model: Facts) -> None
     assert parts["steering"]["unit"] == "0.01 degree"
     assert "OrderMessage" in parts["steering"]["makers"]
     assert "DirSystem" in parts["steering"]["readers"]
-    assert parts["orderId"]["readers"] == []
+    assert parts["orderId"]["readers"] == ["ReportMessage"]
 
 
 def test_a_field_has_its_width_and_the_messages_that_write_and_read_it(model: Facts) -> None:
     fields = {field["name"]: field for field in model["messages"]}
-    both = ["OrderMessage", "ReportMessage"]
     steering = fields["Steering"]
-    assert (steering["width"], steering["writers"], steering["readers"]) == ("i16", both, both)
+    assert (steering["width"], steering["writers"]) == ("i16", ["ReportMessage"])
+    assert steering["readers"] == ["OrderMessage"]
     assert fields["WheelQuantity"]["width"] == "u8"
 
 
