@@ -449,7 +449,7 @@ inline arming_follows() {
   fi
 }
 
-// code: ProtectiveStop::recover, Arming::recover, DirSystem::release, ContactWatch::open
+// code: ProtectiveStop::recover, Arming::recover, DirSystem::release, ContactWatch::opened
 inline stages_recover() {
   acknowledged = true;
   neutral_orders = 0;

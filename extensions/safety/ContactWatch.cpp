@@ -13,21 +13,23 @@ ContactWatch::ContactWatch(const EdgeInput& contact) : contact_(contact) {}
 void ContactWatch::sample() {
   if (!contact_.level()) {
     openTicks_ = 0;
-  } else if (openTicks_ < kTicks) {
+    closed_.store(true, std::memory_order_relaxed);
+    return;
+  }
+  if (openTicks_ < kTicks) {
     ++openTicks_;
   }
-  if (openTicks_ == kTicks) {
+  if (openTicks_ == kTicks && closed_.load(std::memory_order_relaxed)) {
     latched_.store(true, std::memory_order_relaxed);
   }
 }
 
-bool ContactWatch::open() const {
-  return contact_.level();
-}
-
+// If a tick comes between two of these statements, an opening is reported twice, but none is lost.
 bool ContactWatch::opened() {
   const bool before = latched_.exchange(false, std::memory_order_relaxed);
-  return contact_.level() || before;
+  const bool open = contact_.level();
+  closed_.store(!open, std::memory_order_relaxed);
+  return open || before;
 }
 
 }  // namespace wr

@@ -11,7 +11,8 @@ namespace wr {
 /// control cycle.
 ///
 /// @function Samples the contact at each tick. Records an opening that lasts for three successive
-/// ticks. The record remains until a control cycle reads it.
+/// ticks, unless a control cycle has already found the contact open. The record remains until a
+/// control cycle reads it.
 ///
 /// @secret The time for which a contact must be open until the opening counts, and the form in
 /// which an opening is recorded.
@@ -23,22 +24,19 @@ class ContactWatch final {
   ContactWatch(const ContactWatch&) = delete;
   ContactWatch& operator=(const ContactWatch&) = delete;
 
-  /// @brief Reads the contact, and records an opening if the contact was open at three successive
-  /// ticks. The handler of each tick calls this function.
+  /// @brief Reads the contact. Records an opening if the contact was open at three successive
+  /// ticks, and if it was closed at a tick or at a call of opened() before. The handler of each tick
+  /// calls this function.
   /// @satisfies FR-271
   /// @isr{yes}
   void sample();
 
-  /// @brief Checks whether the contact is open now. A recorded opening stays recorded.
-  /// @return true if the contact is open now.
-  /// @satisfies FR-291
-  /// @isr{yes}
-  [[nodiscard]] bool open() const;
-
   /// @brief Checks whether the contact is open now, or whether an opening was recorded since the
-  /// last call of this method.
+  /// last call of this method. An opening that the last call found is not recorded again. If the
+  /// contact closes and opens again between two ticks, this counts as one opening.
   /// @return true if the contact is open now, or if an opening was recorded.
   /// @satisfies FR-271
+  /// @satisfies FR-291
   /// @isr{no}
   [[nodiscard]] bool opened();
 
@@ -46,6 +44,7 @@ class ContactWatch final {
   const EdgeInput& contact_;
   std::uint8_t openTicks_ = 0;  // number of successive ticks with an open contact, at most 3
   std::atomic<bool> latched_{false};
+  std::atomic<bool> closed_{true};  // the contact was closed at or after the last call of opened()
 
   static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt must not wait for a lock");
 };

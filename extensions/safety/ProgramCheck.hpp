@@ -18,7 +18,7 @@ namespace wr {
 /// search.
 class ProgramCheck final {
  public:
-  /// @brief Four words, which the core loads with one instruction.
+  /// @brief Four words. The size of each section of the program is a multiple of this size.
   using Words = std::array<std::uint32_t, 4>;
 
   /// @brief A section of the program, and its original.

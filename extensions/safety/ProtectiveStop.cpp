@@ -41,8 +41,6 @@ void ProtectiveStop::stand(std::uint32_t cycle) {
 }
 
 void ProtectiveStop::recover(std::uint32_t cycle) {
-  // The operator saw the present stop, but no opening of the contact after the last cycle.
-  const bool unseen = emergencyStop_.opened() && !contactOpen_;
   cause_ = StopCause::None;
   wheel_ = Protection::kNoWheel;
   memory_.save({});
@@ -50,10 +48,8 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  contactOpen_ = emergencyStop_.open();
-  if (contactOpen_ || unseen) {
-    latch(StopCause::EmergencyStop, Protection::kNoWheel);
-  }
+  // The operator saw the present stop, but no opening of the contact after the last cycle.
+  examineContact();
 }
 
 void ProtectiveStop::examine(const SetPoints* followed) {
@@ -72,9 +68,7 @@ void ProtectiveStop::examine(const SetPoints* followed) {
 }
 
 void ProtectiveStop::examineContact() {
-  const bool opened = emergencyStop_.opened();
-  contactOpen_ = emergencyStop_.open();
-  if (opened || contactOpen_) {
+  if (emergencyStop_.opened()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
 }

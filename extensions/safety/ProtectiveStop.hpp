@@ -70,6 +70,7 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @brief Checks whether the contact of the emergency-stop circuit was open since the last cycle.
   /// In this case latches a protective stop.
   /// @satisfies FR-271
+  /// @satisfies FR-291
   void examineContact();
   /// @brief Compares the wheels with each other while they follow set-points.
   /// @param measurements measurements of the cycle
@@ -89,7 +90,6 @@ class ProtectiveStop final : public OrderStageDecorator {
   Outputs outputs_;
   StopCause cause_;
   std::uint8_t wheel_;
-  bool contactOpen_ = false;  // the last cycle found the contact of the emergency-stop circuit open
 };
 
 }  // namespace wr

@@ -318,41 +318,62 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
   EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
 }
 
-/// @brief The watch of the emergency stop reports an opening in each cycle in which the contact is
-/// open, even if the contact closes before the end of the cycle.
-/// @verifies FR-271
-TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
-  FakeEdgeInput contact;
-  ContactWatch watch(contact);
-  const auto ticks = [&](bool open, int count) {
+class ContactWatchTest : public testing::Test {
+ protected:
+  void ticks(bool open, int count) {
     contact.set(open);
     for (int tick = 0; tick < count; ++tick) {
       watch.sample();
     }
-  };
-  ticks(true, 100);
-  EXPECT_TRUE(watch.opened());
+  }
+
+  FakeEdgeInput contact;
+  ContactWatch watch{contact};
+};
+
+/// @brief The watch of the emergency stop reports an opening in each cycle that finds the contact
+/// open. It does not report this opening again after the contact has closed.
+/// @verifies FR-271
+TEST_F(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    ticks(true, 100);
+    EXPECT_TRUE(watch.opened());
+  }
   ticks(true, 50);
   ticks(false, 50);
-  EXPECT_TRUE(watch.opened());
-  ticks(false, 100);
   EXPECT_FALSE(watch.opened());
 }
 
-/// @brief An opening ends between the two reads of a cycle. The second read finds a closed contact.
-/// The opening stays recorded for the next cycle.
+/// @brief The watch reports an opening between two cycles once, and each further opening again: an
+/// opening that the last cycle did not find, and a second opening after a cycle that found the first
+/// opening.
 /// @verifies FR-271
-TEST(ContactWatchTest, FR271_AReadOfTheContactKeepsTheRecord) {
-  FakeEdgeInput contact;
-  ContactWatch watch(contact);
-  contact.set(true);
-  for (int tick = 0; tick < 3; ++tick) {
-    watch.sample();
-  }
-  contact.set(false);
-  EXPECT_FALSE(watch.open());
+TEST_F(ContactWatchTest, FR271_EachOpeningBetweenTwoCyclesIsReported) {
+  ticks(true, 3);
+  ticks(false, 1);
   EXPECT_TRUE(watch.opened());
   EXPECT_FALSE(watch.opened());
+  ticks(true, 1);
+  EXPECT_TRUE(watch.opened());
+  ticks(true, 5);
+  ticks(false, 1);
+  ticks(true, 3);
+  ticks(false, 1);
+  EXPECT_TRUE(watch.opened());
+  EXPECT_FALSE(watch.opened());
+}
+
+/// @brief The contact closes just before a cycle, and opens again before the next tick. The watch
+/// reports the second opening, although no tick found the contact closed.
+/// @verifies FR-271
+TEST_F(ContactWatchTest, FR271_ACycleThatFindsTheContactClosedEndsAnOpening) {
+  ticks(true, 5);
+  EXPECT_TRUE(watch.opened());
+  contact.set(false);
+  EXPECT_FALSE(watch.opened());
+  ticks(true, 3);
+  contact.set(false);
+  EXPECT_TRUE(watch.opened());
 }
 
 /// @brief When the contact of the emergency stop is closed again, an acknowledgement releases the
@@ -421,6 +442,24 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningDuringAStopIsNotAcknowledged) {
     acknowledge(stop);
     EXPECT_EQ(protection(stop).cause, StopCause::None) << follows;
   }
+}
+
+/// @brief A cycle finds the contact open. Before the next cycle, the contact closes, opens for three
+/// ticks and closes again. The acknowledgement of this cycle does not release the protective stop,
+/// because nobody can have seen the second opening. The next acknowledgement releases it.
+/// @verifies FR-271
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR271_ASecondOpeningIsNotAcknowledged) {
+  contact.set(true);
+  hold(stop);
+  for (const bool open : {true, false, true, true, true, false}) {
+    contact.set(open);
+    watch.sample();
+  }
+  acknowledge(stop);
+  expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
+  acknowledge(stop);
+  EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
 /// @brief An acknowledgement does not release the protective stop while the contact of the
