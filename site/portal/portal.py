@@ -466,8 +466,8 @@ class Portal:
 
     def callers(self, method: Method) -> list[Markup]:
         """Returns links to the callers of a method. A caller can also be a nested class, the
-        initialiser of a constant, or a function outside classes. If the model does not know the
-        object of the call, the link to the called abstract method follows.
+        initialiser of a constant, or a function outside classes. If no object of the call is known,
+        the link to the called abstract method follows.
         """
         callers = []
         for name, through in method.called_by.items():
