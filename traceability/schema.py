@@ -38,13 +38,15 @@ class Param:
 
 @dataclass(frozen=True)
 class Call:
-    """A call in the source text. ``targets`` are the methods that the call can execute: one method
-    for a direct call, or several methods for a virtual call."""
+    """A call in the source text. ``targets`` are the called method and the methods that override it
+    in the classes of the objects that the products pass to the caller. If no such object is known,
+    ``wired`` is false, and ``targets`` contains all overriding methods."""
 
     target: str
     virtual: bool
     place: Place
     targets: Sequence[str] = field(default_factory=list)
+    wired: bool = True
 
 
 @dataclass(frozen=True)
@@ -111,7 +113,8 @@ class Method:
     )
     overrides: str | None = None
     calls: Sequence[Call] = field(default_factory=list)
-    called_by: Sequence[str] = field(default_factory=list)
+    # caller -> the abstract method that it calls, if the object of this call is not known
+    called_by: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

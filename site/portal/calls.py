@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from portal.links import Links
 from traceability.model.design_model import Model
@@ -21,13 +21,14 @@ MOST = 12
 
 @dataclass
 class End:
-    """A caller or a callee of a method of the module. ``virtual`` is true if the call is
-    virtual.
+    """A caller or a callee of a method of the module. ``virtual`` is true if the call is virtual.
+    If no object of the call is known, ``through`` is the called abstract method.
     """
 
     method: str
     virtual: bool
     link: str | None
+    through: str = ""
 
 
 @dataclass
@@ -112,7 +113,7 @@ class CallGraph:
         outside = f"{module.name}::"
         methods = {end.method for end in row.callers}
         row.callers += [
-            end
+            replace(end, through=method.called_by.get(end.method, ""))
             for end in self.callers.get(method.id, [])
             if not end.method.startswith(outside)
             and end.method not in methods

@@ -466,15 +466,17 @@ class Portal:
 
     def callers(self, method: Method) -> list[Markup]:
         """Returns links to the callers of a method. A caller can also be a nested class, the
-        initialiser of a constant, or a function outside classes.
+        initialiser of a constant, or a function outside classes. If no object of the call is known,
+        the link to the called abstract method follows.
         """
         callers = []
-        for name in method.called_by:
+        for name, through in method.called_by.items():
             module, _, rest = name.partition("::")
+            end = Markup(" (through {})").format(self.names.meth(through)) if through else ""
             if name in self.links.methods or name in self.model.functions:
-                callers.append(self.names.meth(name))
+                callers.append(self.names.meth(name) + end)
             elif module in self.model.modules:
-                callers.append(Markup("{} ({})").format(self.names.mod(module), rest))
+                callers.append(Markup("{} ({}){}").format(self.names.mod(module), rest, end))
         return callers
 
     def computed_from(self, constant: str) -> list[Markup]:

@@ -361,12 +361,10 @@ def _with_calls(model: Model, facts: Facts) -> Model:
     functions: dict[str, Function] = {}
     # (method, file of its function body, first source line of this body) -> calls in the body
     made: dict[tuple[str, str, int], list[Call]] = {}
-    callers: dict[str, dict[str, None]] = {}
+    # method -> its callers -> the abstract method that the caller calls, if its object is not known
+    callers: dict[str, dict[str, str]] = {}
     for body in facts.syntax.bodies:
-        calls = [
-            Call(call.target, call.virtual, call.place, facts.targets(call.target, call.virtual))
-            for call in body.calls
-        ]
+        calls = [_call(call, body, facts) for call in body.calls]
         caller = body.id
         if not body.owner:
             module = facts.user("", body.place)
@@ -377,14 +375,18 @@ def _with_calls(model: Model, facts: Facts) -> Model:
             if not module and logic_of(body.place.file) in model.logic_modules and not stored:
                 functions[body.id] = Function(body.id, body.place, calls)
         made[body.id, body.place.file, body.place.line] = calls
-        for target in {target for call in calls for target in call.targets} - {body.id}:
-            callers.setdefault(target, {})[caller] = None
+        for call in calls:
+            for target in call.targets:
+                if target != body.id:
+                    through = "" if call.wired or target == call.target else call.target
+                    before = callers.setdefault(target, {}).get(caller, through)
+                    callers[target][caller] = before and through
     for fact in facts.syntax.initial:
-        callers.setdefault(fact.target, {})[fact.name] = None
+        callers.setdefault(fact.target, {})[fact.name] = ""
 
     def called(method: Method) -> Method:
         calls = made[method.id, method.body.file, method.body.line] if method.body else []
-        return replace(method, calls=calls, called_by=list(callers.get(method.id, {})))
+        return replace(method, calls=calls, called_by=callers.get(method.id, {}))
 
     uses, used_by, named_by = _users(model, facts)
     modules = {
@@ -398,6 +400,12 @@ def _with_calls(model: Model, facts: Facts) -> Model:
         for name, module in model.modules.items()
     }
     return replace(model, modules=modules, functions=functions)
+
+
+def _call(call: CallFact, body: BodyFact, facts: Facts) -> Call:
+    wired = facts.products.wired_targets(call, body.owner)
+    targets = [call.target, *wired] if wired else facts.targets(call.target, call.virtual)
+    return Call(call.target, call.virtual, call.place, list(dict.fromkeys(targets)), bool(wired))
 
 
 def _constants(syntax: Syntax) -> dict[str, Constant]:

@@ -19,7 +19,7 @@ from traceability.schema import Place
 from traceability.sources import DESIGN, files_below, hash_of
 from traceability.whole_file import write_whole
 
-INPUTS = (*DESIGN, "tests", "requirements")
+INPUTS = (*DESIGN, "sim/host", "tests", "requirements")
 DOXYFILE = Path("traceability/doxygen/Doxyfile")
 # Warnings with these words are ignored, because the reader of comments checks the ids of
 # requirements and the names of tags.

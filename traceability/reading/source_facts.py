@@ -115,6 +115,11 @@ class Facts:
         return References(self, lambda file: file.startswith(f"{SRC}/"))
 
     @functools.cached_property
+    def products(self) -> References:
+        """The references in the firmware of all products."""
+        return References(self, lambda _: True)
+
+    @functools.cached_property
     def robot(self) -> References:
         """The references in the firmware of the product ``DEFAULT``."""
         replaced = replaced_files(self)
@@ -376,6 +381,16 @@ class References:
         family = {owner, *self.facts.subclasses.get(owner, [])}
         reached = {item.kind for place in call.on for item in self._own(place, kind, frozenset())}
         return self._methods(reached & family, call.target) or self.targets(call)
+
+    def wired_targets(self, call: CallFact, owner: str) -> list[str]:
+        """Returns the methods that a call in a method of the class ``owner`` may execute. The
+        object of the calling method has the class ``owner`` or a subclass. Returns an empty list if
+        no object to which the reference in the call may refer is known."""
+        if call.virtual and call.on and not self.objects(call.on, call.target.rpartition("::")[0]):
+            return []
+        family = [owner, *self.facts.subclasses.get(owner, [])]
+        kinds = [kind for kind in family if kind in self.constructed] or [owner]
+        return list(dict.fromkeys(m for kind in kinds for m in self.own_targets(call, kind)))
 
     def _own(self, place: str, kind: str, asked: frozenset[str]) -> set[Object]:
         """Returns the objects to which a place may refer. If the place belongs to a base class of

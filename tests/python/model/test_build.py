@@ -57,7 +57,7 @@ def test_calls_reach_all_overriders(model: Model) -> None:
     assert call.virtual
     assert call.targets == ["Mode::newMessage", "PC::newMessage", "RC::newMessage"]
     change = next(m for m in model.modules["MainController"].methods if m.name == "changeOpState")
-    assert change.called_by == ["Waiting::actionNoMsg", "Working::actionNoMsg"]
+    assert list(change.called_by) == ["Waiting::actionNoMsg", "Working::actionNoMsg"]
 
 
 def test_roles_stand_at_their_lines(model: Model, tree: Path) -> None:

@@ -18,7 +18,7 @@ def model() -> Model:
     model.modules["Mode"] = replace(model.modules["Mode"], named_by=["MainController"])
     for name in ("Mode", "RC"):
         methods = model.modules[name].methods
-        methods[0] = replace(methods[0], called_by=["MainController::read"])
+        methods[0] = replace(methods[0], called_by={"MainController::read": ""})
     return model
 
 

@@ -110,3 +110,14 @@ def test_a_virtual_call_of_the_own_object_executes_the_method_of_its_class() -> 
     follow = CallFact("Part::follow", True, Place("src/Stage.cpp", 1))
     assert chain().own_targets(follow, "Inner") == ["Inner::follow"]
     assert chain().constructed == {"Outer", "Inner", "Robot"}
+
+
+@pytest.mark.parametrize("on", ["field Stage::wrapped", "result Stage::next"])
+def test_an_override_is_wired_only_to_callers_that_refer_to_its_object(on: str) -> None:
+    follow = call("src/Stage.cpp", on, "Part::follow")
+    assert chain().wired_targets(follow, "Outer") == ["Inner::follow"]
+    assert chain().wired_targets(follow, "Stage") == ["Inner::follow", "Robot::follow"]
+    own = CallFact("Part::follow", True, Place("src/Stage.cpp", 1))
+    assert chain().wired_targets(own, "Stage") == ["Outer::follow", "Inner::follow"]
+    unknown = call("src/Stage.cpp", "param Stage::end 0", "Part::follow")
+    assert chain().wired_targets(unknown, "Outer") == []
