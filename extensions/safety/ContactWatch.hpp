@@ -25,8 +25,8 @@ class ContactWatch final {
   ContactWatch& operator=(const ContactWatch&) = delete;
 
   /// @brief Reads the contact. Records an opening if the contact was open at three successive
-  /// ticks, and if it was closed at a tick or at a call of opened() before. The handler of each tick
-  /// calls this function.
+  /// ticks, and if it was closed at a tick or at a call of opened() before. The handler of each
+  /// tick calls this function.
   /// @satisfies FR-271
   /// @isr{yes}
   void sample();

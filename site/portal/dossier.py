@@ -8,9 +8,10 @@ from typing import Any
 
 from portal.names import VERDICTS
 from portal.portal import Page, Portal
+from portal.requirement_pages import outside_tree, played_scenarios
 from traceability.model.report import Verdict
 from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
-from traceability.schema import Requirement, Test, TreeNode
+from traceability.schema import FaultScenario, Requirement, Test, TreeNode
 
 
 @dataclass
@@ -20,6 +21,8 @@ class Sheet:
     requirement: Requirement
     verdict: Verdict
     nodes: list[tuple[int, TreeNode]]
+    outside_tree: list[str]  # methods that satisfy the requirement, but are not in the tree
+    scenarios: dict[str, list[FaultScenario]]  # targets -> fault scenarios played on them
     tests: list[Test]
     changes: list[str]  # texts that have changed since their baseline
 
@@ -29,6 +32,8 @@ def sheet_of(portal: Portal, requirement: Requirement) -> Sheet:
         requirement,
         portal.report.requirements[requirement.id],
         portal.flat(requirement.tree) if requirement.tree else [],
+        outside_tree(portal.model, requirement),
+        played_scenarios(portal.model, requirement),
         [
             portal.model.tests[name]
             for name in requirement.verified_by

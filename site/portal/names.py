@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 
 from portal.links import ID_OR_CODE, Links
 from traceability.model.design_model import Model
+from traceability.model.report import words_of
 from traceability.schema import Method, Module, Place, Test
 
 VIEWS = [
@@ -24,14 +25,15 @@ VIEWS = [
     ("S", "source", "Source"),
     ("T", "tests", "Tests"),
 ]
-VERDICTS = {
-    "verified": ("ok", "verified"),
-    "partly": ("warn", "partly verified"),
-    "suspect": ("warn", "suspect"),
-    "failed": ("bad", "failed"),
-    "stale": ("warn", "stale"),
-    "unverified": ("none", "not verified"),
+KINDS = {
+    "verified": "ok",
+    "partly": "warn",
+    "suspect": "warn",
+    "failed": "bad",
+    "stale": "warn",
+    "unverified": "none",
 }
+VERDICTS = {state: (kind, words_of(state)) for state, kind in KINDS.items()}
 RESULTS = {
     "passed": ("ok", "passed"),
     "failed": ("bad", "failed"),

@@ -426,8 +426,9 @@ class Portal:
 
     def targets_of(self, requirement: Requirement) -> str:
         """Returns the targets on which a test of the requirement passed in this run."""
-        targets = targets_of(self.model, requirement)
-        return f"{', '.join(targets) or 'none in this run'}; real board: none yet"
+        none = "none in this run" if requirement.verified_by else "no test, see Evidence"
+        targets = ", ".join(targets_of(self.model, requirement)) or none
+        return f"{targets}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
         """Returns the number of test runs that passed. Returns ``None`` if there are no results of

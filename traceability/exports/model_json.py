@@ -11,7 +11,7 @@ from typing import Any
 
 from traceability import schema
 from traceability.model.design_model import Model
-from traceability.model.report import Report
+from traceability.model.report import Report, words_of
 
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
@@ -51,13 +51,14 @@ def _verdict(record: object, report: Report) -> dict[str, Any]:
         case Model():
             fields["findings"] = report.findings
         case schema.Requirement():
-            fields = _fields(report.requirements[record.id])
+            verdict = report.requirements[record.id]
+            fields = {"state": words_of(verdict.state), "reasons": verdict.reasons}
         case schema.SafetyGoal():
             fields = _fields(report.goals[record.id])
         case schema.Evidence():
             fields["value"] = report.measured[record.figure]
         case schema.FaultScenario():
-            fields["state"] = report.scenarios[record.name]
+            fields["state"] = words_of(report.scenarios[record.name])
         case schema.PatternApplication():
             fields["clauses"] = report.clauses[record.id]
     return fields

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from traceability.model.design_model import Model
-from traceability.model.report import Report
+from traceability.model.report import Report, words_of
 
 REQUIREMENT, TEST, METHOD = "requirement", "test", "method"
 
@@ -50,7 +50,7 @@ def _requirements(model: Model, report: Report) -> list[TraceItem]:
             REQUIREMENT,
             item.id,
             item.text,
-            report.requirements[item.id].state,
+            words_of(report.requirements[item.id].state),
             item.place.file,
             item.place.line,
             {

@@ -12,7 +12,7 @@ from typing import Any
 
 from traceability.exports.model_json import schema_of
 from traceability.model.design_model import Model
-from traceability.model.report import Report
+from traceability.model.report import Report, words_of
 from traceability.reading.results import RESULTS
 from traceability.reading.traces import nodes_of
 from traceability.schema import LineGap, MethodCoverage, Place, Requirement
@@ -123,7 +123,7 @@ def row(model: Model, report: Report, requirement: Requirement) -> VerifiedRequi
     return VerifiedRequirement(
         id=requirement.id,
         section=requirement.section,
-        state=verdict.state,
+        state=words_of(verdict.state),
         level=requirement.level,
         products=requirement.products,
         method=requirement.method,
@@ -167,7 +167,7 @@ def junit(model: Model, report: Report) -> ET.Element:
         if verdict.state != "verified":
             texts = [*verdict.reasons, *filter(None, [requirement.partly])]
             texts += [f"{s.name} {s.text}" for s in requirement.suspicions]
-            failure = ET.SubElement(case, "failure", message=verdict.state)
+            failure = ET.SubElement(case, "failure", message=words_of(verdict.state))
             failure.text = "\n".join(texts)
     for suite in [*sections.values(), top]:
         suite.set("tests", str(len(list(suite.iter("testcase")))))

@@ -71,6 +71,12 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
             "not part of this build.",
             "build_evidence",
         ),
+        (
+            "Branch coverage is measured only on the host, without the code for the K64. MC/DC is "
+            "not measured.",
+            "virtual_k64",
+        ),
+        *_products(model),
         *_beliefs(model),
         *_stale(model),
         *_static_analysis(model),
@@ -85,6 +91,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
         *_drives(model),
         *_campaigns(model),
         *_lasts(model),
+        *_release(model),
     ]
     return [NotShown(*parts) for parts in texts]
 
@@ -117,6 +124,16 @@ def _stale(model: Model) -> Iterator[tuple[str, str]]:
             "Number of files that differ from the commit of this build: "
             f"{len(model.build.changed)}.",
             "build_evidence",
+        )
+
+
+def _products(model: Model) -> Iterator[tuple[str, str]]:
+    if model.safety.goals:
+        yield (
+            "Not all evidence is from all products. The section “Tested products” names the "
+            "products with which the fault scenarios were played, and the product of each "
+            "calculation and measurement.",
+            "safety",
         )
 
 
@@ -346,16 +363,26 @@ def _last(name: str, last: LastRecord | None) -> str:
     if last.current:
         missed = last.tried - last.found - last.justified
         return f"{NAMES[name]} missed {missed} of {_count(last.tried, 'fault')}." if missed else ""
-    commit = f"commit {last.commit[:7]}" if last.commit else "an unknown commit"
     justified = (
         f" For {last.justified} others, a justification states that no test can find them."
         if last.justified
         else ""
     )
     return (
-        f"{NAMES[name]} was not run in this build. Its last run, at {commit} on {last.date}, "
-        f"found {last.found} of {_count(last.tried, 'fault')}.{justified}"
+        f"{NAMES[name]} was not run in this build. Its last run, at {_commit(last)} on "
+        f"{last.date}, found {last.found} of {_count(last.tried, 'fault')}.{justified}"
     )
+
+
+def _release(model: Model) -> Iterator[tuple[str, str]]:
+    last = model.last.get("release")
+    if last is None or not last.current:
+        run = f" Its last run was at {_commit(last)} on {last.date}." if last else ""
+        yield f"./wr release --verify was not run in this build.{run}", "build_evidence"
+
+
+def _commit(last: LastRecord) -> str:
+    return f"commit {last.commit[:7]}" if last.commit else "an unknown commit"
 
 
 def _count(number: int, noun: str) -> str:

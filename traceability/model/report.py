@@ -8,6 +8,14 @@ from dataclasses import dataclass, field
 
 from traceability.schema import Clause, Finding
 
+# State of a requirement or of a fault scenario -> its words, if they differ from the state.
+WORDS = {"partly": "partly verified", "unverified": "not verified"}
+
+
+def words_of(state: str) -> str:
+    """Returns the words for a state on the pages and in the exported files."""
+    return WORDS.get(state, state)
+
 
 @dataclass(frozen=True)
 class Verdict:

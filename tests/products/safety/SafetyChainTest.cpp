@@ -345,8 +345,8 @@ TEST_F(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
 }
 
 /// @brief The watch reports an opening between two cycles once, and each further opening again: an
-/// opening that the last cycle did not find, and a second opening after a cycle that found the first
-/// opening.
+/// opening that the last cycle did not find, and a second opening after a cycle that found the
+/// first opening.
 /// @verifies FR-271
 TEST_F(ContactWatchTest, FR271_EachOpeningBetweenTwoCyclesIsReported) {
   ticks(true, 3);

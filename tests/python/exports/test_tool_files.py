@@ -19,11 +19,14 @@ from reqif.parser import ReqIFParser
 from tests.python.portal.fixture import REPORT, make_model
 from traceability.checks.registry import CHECKS
 from traceability.exports.junit_tests import junit_text
+from traceability.exports.model_json import model_text
 from traceability.exports.requirement_files import csv_text, needs_text, reqif_text
 from traceability.exports.sarif import sarif
 from traceability.exports.tool_files import FILES, available
 from traceability.exports.trace_items import trace_items
+from traceability.exports.verification_table import junit, table
 from traceability.model.design_model import Model
+from traceability.model.report import Verdict
 from traceability.schema import BindingResult, Finding, Place, Test
 
 pytestmark = pytest.mark.reads("docs/other_tools.rst")
@@ -40,6 +43,20 @@ def model() -> Model:
         requirement, text='Below <5 km/h & "above",\nsecond line; ü', verified_by=["T.A"]
     )
     return replace(model, requirements={**model.requirements, "FR-15": hard})
+
+
+def test_the_files_use_the_words_of_the_pages_for_a_verdict() -> None:
+    model = make_model()
+    verdicts = {**REPORT.requirements, "FR-15": Verdict("partly")}
+    report = replace(REPORT, requirements=verdicts)
+    (row,) = (one for one in table(model, report)["requirements"] if one["id"] == "FR-15")
+    (failure,) = junit(model, report).findall(".//testcase[@name='FR-15']/failure")
+    exported = json.loads(model_text(model, report))["requirements"]["FR-15"]
+    states = {row["state"], failure.get("message"), exported["state"]}
+    assert states == {"partly verified"}
+    assert all(
+        "partly verified" in make(model, report) for make in (csv_text, needs_text, reqif_text)
+    )
 
 
 # ---- ReqIF -----------------------------------------------------------------------

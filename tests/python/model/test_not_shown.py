@@ -61,6 +61,12 @@ def test_drivers_of_extensions_without_measured_lines_are_listed(tmp_path: Path)
     assert text.endswith("are not measured: extensions/safety/k64/pool.cpp.")
 
 
+def test_evidence_of_single_products_and_unmeasured_coverage_are_listed(tmp_path: Path) -> None:
+    found = texts(tmp_path)
+    assert [text for text in found if "The section “Tested products” names" in text]
+    assert [text for text in found if text.endswith("MC/DC is not measured.")]
+
+
 def test_campaigns_that_were_not_repeated_are_listed(tmp_path: Path) -> None:
     counts = {"silent": 3, "late": 4, "hung": 0, "stopped": 5}
     record = Published("", "aab5f7d322", "2026", {"cases": 100, "outcomes": counts})
@@ -99,6 +105,14 @@ def test_the_requirements_of_each_state_and_the_findings_are_counted(tmp_path: P
 def test_a_run_that_was_not_repeated_names_its_commit(tmp_path: Path) -> None:
     write_case(tmp_path)
     last = LastRecord("mutate", "aab5f7d322", 8, 9, False, "2026")
-    model = replace(make_model(tmp_path), last={"mutation": last, "drift": last})
-    commits = {one.page: one.commit for one in not_shown(model, report_of(model))}
+    model = replace(
+        make_model(tmp_path), last=dict.fromkeys(("mutation", "drift", "release"), last)
+    )
+    found = not_shown(model, report_of(model))
+    commits = {one.page: one.commit for one in found}
     assert (commits["mutation"], commits["drift"]) == ("aab5f7d322", "")
+    release = "./wr release --verify was not run in this build."
+    assert f"{release} Its last run was at commit aab5f7d on 2026." in [one.text for one in found]
+    assert release in texts(tmp_path)
+    current = {"release": replace(last, current=True)}
+    assert not [text for text in texts(tmp_path, last=current) if "release" in text]

@@ -12,6 +12,7 @@ import pytest
 from lxml.html import fromstring
 
 from portal import diagrams, search
+from portal.dossier import dossier_page
 from portal.highlight import highlighted_lines
 from portal.links import Links, slug
 from portal.measured_pages import driver_coverage, missed_lines
@@ -182,12 +183,17 @@ def test_a_check_leads_to_the_values_that_it_examines(portal: Portal) -> None:
     assert read_page(page.body).links["@/execution.html#stack"] == "Execution: stack"
 
 
-def test_the_methods_outside_of_a_tree() -> None:
-    model = make_model()
+def test_the_methods_outside_of_a_tree(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
     requirement = replace(
         model.requirements["FR-15"], satisfied_by=["RC::read", "RC::tick", "Other::read"]
     )
     assert outside_tree(model, requirement) == ["RC::tick", "Other::read"]
+    requirements = {**model.requirements, "FR-15": requirement}
+    portal = Portal(tmp_path, replace(model, requirements=requirements), REPORT, [])
+    sheet = read_page(dossier_page(portal, requirement).body).text
+    assert "RC::tick (not in the tree)" in sheet
+    assert "RC::read (not in the tree)" not in sheet
     assert outside_tree(model, replace(requirement, tree=None)) == []
     abstract = TreeNode("Mode::read", "Mode", "read", None, "root", Place("a.tree", 1))
     assert "RC::read" not in outside_tree(model, replace(requirement, tree=abstract))

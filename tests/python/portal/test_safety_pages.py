@@ -128,8 +128,9 @@ def test_the_page_of_a_requirement_lists_the_scenarios_that_its_tests_play(tmp_p
     requirement = model.requirements["FR-1"]
     assert played_scenarios(model, requirement) == {"host, virtual K64": [scenario]}
     assert played_scenarios(model, model.requirements["FR-15"]) == {}
-    page = pages(Portal(tmp_path, model, portal.report, []))["requirements/FR-1"]
-    assert "@/safety/SG-1.html#lost" in page.links
+    found = pages(Portal(tmp_path, model, portal.report, []))
+    assert "@/safety/SG-1.html#lost" in found["requirements/FR-1"].links
+    assert "lost: host, virtual K64" in found["dossier/FR-1"].text
 
 
 @pytest.mark.parametrize(
