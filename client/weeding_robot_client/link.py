@@ -26,6 +26,7 @@ from weeding_robot_client.messages import (
     MessageError,
     Order,
     Report,
+    Start,
     ToMcu,
     Welcome,
     from_frame,
@@ -85,6 +86,7 @@ class Link:
         self.damaged = 0
         self.capture = Capture(None)
         self.incompatible: str | None = None
+        self.unreported: Start | None = None  # start of a robot that sent no report after a Welcome
         self.handshake_ms: int | None = None  # time from Hello to Welcome
         self._clock = clock
         self._line: serial.Serial | None = open_line(path)
@@ -116,6 +118,7 @@ class Link:
             elif self.welcome:
                 self._heard_at = self._clock()
                 self.connected = True
+                self.unreported = None
                 reports.append(self._timed(message))
         self._keep_up()
         return reports
@@ -169,6 +172,7 @@ class Link:
         self._heard_at = self._sent_at = self._hello_at = float("-inf")
         self.connected = False
         self.welcome = None
+        self.unreported = None
 
     def _keep_up(self) -> None:
         """Opens the serial port again, begins a handshake, or sends a keep-alive, if the time for
@@ -180,8 +184,9 @@ class Link:
             except OSError:
                 return
             self._begin()
-        if now - self._heard_at >= SILENT_AFTER_S:
+        if self.connected and now - self._heard_at >= SILENT_AFTER_S:
             self.connected = False
+            self.welcome = None
         if self.connected:
             if now - self._sent_at >= KEEP_ALIVE_AFTER_S:
                 self._send(KeepAlive())
@@ -195,6 +200,7 @@ class Link:
     def _send(self, message: ToMcu) -> bool:
         if isinstance(message, Hello):
             self._sequence = 0
+            self.unreported = self.welcome.start if self.welcome else self.unreported
             self.welcome = None
         sent = self._write(encode(to_frame(message, self._sequence)))
         if sent:

@@ -10,6 +10,7 @@ from weeding_robot_client import exit_codes
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import WHEELS, Report
 from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, positive
+from weeding_robot_client.orders import not_connected
 from weeding_robot_client.reasons import conditions, faults, latched
 
 DESCRIPTION = """\
@@ -42,12 +43,12 @@ def run(options: argparse.Namespace) -> int:
         return link
     table = sys.stdout.isatty() and not options.lines
     count = 0
-    state: tuple[bool, str | None] | None = None
+    state: tuple[bool, str] | None = None
     with link, recording, capture as link.capture:
         while options.reports is None or count < options.reports:
             reports = link.service(PATIENCE_S)
-            if state != (link.connected, link.incompatible):
-                state = (link.connected, link.incompatible)
+            if state != (link.connected, not_connected(link)):
+                state = (link.connected, not_connected(link))
                 print(status(link), file=sys.stderr)
             for report in reports:
                 recording.add(report)
@@ -60,10 +61,8 @@ def run(options: argparse.Namespace) -> int:
 
 def status(link: Link) -> str:
     """Returns the state of the connection, with the time of day."""
-    text = f"no connection on {link.path}, trying: check the power, the cable and --link"
-    if link.incompatible:
-        text = link.incompatible
-    elif link.connected and link.welcome:
+    text = not_connected(link)
+    if link.connected and link.welcome:
         text = f"connected to {firmware(link)}; last reset: {link.welcome.start}"
         text += f"\n{link.welcome.schema_note}" if link.welcome.schema_note else ""
     return f"{time.strftime('%H:%M:%S')} {text}"

@@ -86,10 +86,12 @@ def not_connected(link: Link) -> str:
     """Returns the reason for the missing connection, and the next action."""
     if link.incompatible:
         return link.incompatible
-    return (
-        f"No answer on {link.path}. Check that the robot has power and that this is its port "
-        "(./wr monitor --link PATH)."
-    )
+    if link.unreported:
+        return (
+            f"The robot on {link.path} answers, but sends no reports. Last reset: "
+            f"{link.unreported}. If its light flashes red, the firmware restarts repeatedly."
+        )
+    return f"No answer on {link.path}. Check the power, the cable and --link."
 
 
 def arm(

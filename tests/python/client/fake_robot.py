@@ -63,6 +63,7 @@ class FakeRobot:
     more: bytes = b""  # bytes that a later protocol version appends to Report and Welcome
     noise: bytes = b""
     silent: bool = False
+    restarts: bool = False  # restarts after each Welcome, before its first report
     has_safety: bool = True
     angle: int = 0  # position of the steering [0.01 degree]
     steering_speed: int = 50  # greatest turn in a cycle [0.01 degree]
@@ -159,7 +160,7 @@ class FakeRobot:
         elif frame.version != self.versions[1]:
             return
         elif frame.kind == 0x02 and frame.payload[0] == self.session:
-            self.connected = True
+            self.connected = not self.restarts
         elif frame.kind == 0x04 and self.connected:
             self._order, self._order_at, self._unread = frame.payload, time.monotonic(), True
 

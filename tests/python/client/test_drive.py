@@ -407,6 +407,21 @@ def test_the_monitor_shows_the_fault_before_the_last_start(
         assert told in monitor.as_table(next(link.reports(5.0)), link)
 
 
+def test_the_monitor_shows_the_last_reset_of_a_robot_that_sends_no_reports(mcu: Any) -> None:
+    mcu.restarts = True
+    mcu.start = (4, 0, 0, 0)
+    with Link(mcu.path) as link:
+        assert "No answer" in monitor.status(link)
+        assert next(link.reports(1.5), None) is None
+        assert "sends no reports. Last reset: watchdog. If" in monitor.status(link)
+        mcu.restarts = False
+        next(link.reports(5.0))
+        assert "connected to firmware" in monitor.status(link)
+        mcu.silent = True
+        list(link.reports(1.5))
+        assert "No answer" in monitor.status(link)
+
+
 @pytest.mark.parametrize(("start", "told"), [((4, 0, 0, 0), False), ((4, 7, 2, 0), True)])
 def test_driving_by_keyboard_tells_a_fault_once(
     mcu: Any, capsys: pytest.CaptureFixture[str], start: tuple[int, ...], told: bool
