@@ -8,7 +8,7 @@ namespace wr::platform {
 /// tick permits one step, and checkForever() executes the step.
 extern ProgramCheck programCheck;
 
-/// @brief Switches on the light that shows that control cycles run, and checks the program between
+/// @brief Switches on the light that shows that the start has ended, and checks the program between
 /// the interrupts. Never returns.
 /// @satisfies FR-309
 /// @isr{no}

@@ -56,7 +56,7 @@ extern K64Timebase::EntryTime rcEdgeTime;
 /// @brief Contact of the emergency stop. Its level is low while the emergency stop is released.
 extern K64Port emergencyStopContact;
 
-/// @brief Light that is on from the reset until control cycles run. After this time the product
+/// @brief Light that is on from the reset until the start has ended. After this time the product
 /// may use the light.
 extern K64Gpio redLight;
 
@@ -105,7 +105,7 @@ void startDevices();
 /// @isr{no}
 void enableInterrupts();
 
-/// @brief Switches the red light off and the green light on: control cycles run.
+/// @brief Switches the red light off and the green light on: the start has ended.
 /// @isr{no}
 void showRunning();
 

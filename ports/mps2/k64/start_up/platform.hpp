@@ -71,7 +71,7 @@ void startDevices();
 /// @isr{no}
 void enableInterrupts();
 
-/// @brief Switches on the light that shows that control cycles run, and sleeps between the
+/// @brief Switches on the light that shows that the start has ended, and sleeps between the
 /// interrupts. Never returns.
 /// @isr{no}
 [[noreturn]] void sleepForever();
