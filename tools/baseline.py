@@ -132,8 +132,8 @@ def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str
 
 
 def costs_by_part(root: Path, measured: dict[str, Any], design: str) -> dict[str, list[float]]:
-    """Returns for each part of the robot the size of its instructions and of its virtual method
-    tables [bytes], and the average number of instructions that it executes in a cycle."""
+    """Returns two numbers for each part of the robot: the size of its instructions and virtual
+    method tables [bytes], and the average number of instructions that it executes in a cycle."""
     part_of = PartOfLine(root, read_parts(root))
     executed = {int(at): sum(times) for at, times in measured["profile"].items()}
     cycles = len(measured["instructions"])

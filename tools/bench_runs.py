@@ -71,9 +71,9 @@ def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
     record[paper.name] = BenchScenario(runs, profile(counted, root))
     normal, slow, speed = runs[MANUAL].report_ms, runs[SLOW].report_ms, runs[MANUAL].speed
     return (
-        f"{normal.average:.3f} ms, at most {normal.maximum:.3f}; "
-        f"slow flash {slow.average:.3f} and {slow.maximum:.3f}; "
-        f"{speed} times real time"
+        f"report after {normal.average:.3f} ms on average, at most {normal.maximum:.3f} ms; "
+        f"with slow flash {slow.average:.3f} ms, at most {slow.maximum:.3f} ms; "
+        f"the simulation ran {speed} times as fast as real time"
     )
 
 

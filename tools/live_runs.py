@@ -172,7 +172,7 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
     summary = (
         f"{len(scenarios)} scenarios gave the same bytes in {' and '.join(engines) or 'no engine'}"
     )
-    return Outcome(f"{summary}, {speed} times real time" if speed else summary)
+    return Outcome(f"{summary}, {speed} times as fast as real time" if speed else summary)
 
 
 def _wrong(

@@ -88,7 +88,7 @@ def _python(root: Path) -> Iterable[Component]:
     """Returns the packages of the tools. They are not part of a firmware image."""
     packages = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
     if not packages:
-        raise FailureError(f"{LOCK} names no package")
+        raise FailureError(f"{LOCK} names no package; restore it from git")
     for name, version in packages:
         yield Component(
             name=name,

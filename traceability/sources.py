@@ -18,8 +18,8 @@ TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 
 def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()) -> list[Path]:
-    """Returns all files below the named folders, and the named files themselves. The result is
-    sorted. Files in Python caches are left out."""
+    """Returns the named files, and the files below the named folders, sorted. If there are
+    ``suffixes``, a file of a folder must have one of them. Files in Python caches are left out."""
     files: list[Path] = []
     for name in names:
         start = root / name

@@ -22,12 +22,12 @@
 
 namespace wr {
 
-/// @brief Memories of the stop commands, one memory for each source of orders. A reset does not
+/// @brief Memories of the stop orders, one memory for each source of orders. A reset does not
 /// clear these memories.
 /// @datatype
 struct BluetoothStops {
-  StopMemory& pc;      ///< stop command of the PC
-  StopMemory& device;  ///< stop command of the Bluetooth device
+  StopMemory& pc;      ///< stop order of the PC
+  StopMemory& device;  ///< stop order of the Bluetooth device
 };
 
 /// @brief The devices and the data that a Bluetooth connection needs.
@@ -38,7 +38,7 @@ struct BluetoothDevices {
   RandomSource& random;  ///< returns the random number that identifies this start of the firmware
   const Timebase& timebase;  ///< returns the present time
   const StartRecord& start;  ///< cause of the last reset
-  BluetoothStops stops;      ///< memories of the stop commands
+  BluetoothStops stops;      ///< memories of the stop orders
 };
 
 /// @brief The two reading modes of a robot that receives orders from the PC and a Bluetooth device.
@@ -71,8 +71,8 @@ struct BluetoothModes {
   PcConnection connection;    ///< connection to the device; it uses the handshake of the PC link
   BasicMode basicPc;          ///< reads the orders of the PC
   BasicMode basicBluetooth;   ///< reads the orders of the device
-  PersistentStop stopOfPc;    ///< keeps a stop command of the PC in force after a reset
-  PersistentStop stopOfBluetooth;  ///< keeps a stop command of the device in force after a reset
+  PersistentStop stopOfPc;    ///< keeps a stop order of the PC in force after a reset
+  PersistentStop stopOfBluetooth;  ///< keeps a stop order of the device in force after a reset
   PC pc;                           ///< the reading mode PC
   Bluetooth bluetooth;             ///< the reading mode Bluetooth
   std::array<Mode*, 2> all;        ///< both reading modes

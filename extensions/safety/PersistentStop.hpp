@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief A mode that keeps a stop command of its source in force after a reset.
+/// @brief A mode that keeps a stop order of its source in force after a reset.
 ///
 /// @function When a stop begins or ends, stores this change in a memory that a reset does not
 /// clear. A stop that was in force before a reset stays in force until the source sends neutral

@@ -7,7 +7,7 @@
 
 namespace wr {
 
-/// @brief The stop command of a source, stored in memory that a reset does not change.
+/// @brief The stop order of a source, stored in memory that a reset does not change.
 ///
 /// @function Stores whether a stop is in force, with a check word. Power-on clears the stop. If the
 /// content fails its check after any other reset, it counts as a stop.

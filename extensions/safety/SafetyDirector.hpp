@@ -33,7 +33,7 @@ class SafetyDirector final {
   struct Devices {
     const Timebase& timebase;  ///< returns the present time
     const Timebase& edgeTime;  ///< returns the time of an edge of the remote control
-    StopMemory& memory;        ///< memory of a stop command of the PC
+    StopMemory& memory;        ///< memory of a stop order of the PC
     EdgeInput& enablePin;      ///< pin of the enable switch
     Pipe<Velocity>& velocity;  ///< position of the velocity stick
     Pipe<Angle>& direction;    ///< position of the direction stick

@@ -23,7 +23,7 @@ struct SafetyModes {
   /// @param rcReader reader of the remote control's orders
   /// @param connection link to the PC
   /// @param signals signals of the remote control
-  /// @param memory memory of a stop command of the PC
+  /// @param memory memory of a stop order of the PC
   SafetyModes(Reader& pcReader, Reader& rcReader, PcConnection& connection,
               const EnableSwitch::Signals& signals, StopMemory& memory)
       : basicPc(pcReader),
@@ -37,7 +37,7 @@ struct SafetyModes {
 
   BasicMode basicPc;              ///< reads orders of the PC
   BasicMode basicRc;              ///< reads orders of the remote control
-  PersistentStop persistentStop;  ///< keeps a stop command of the PC in force after a reset
+  PersistentStop persistentStop;  ///< keeps a stop order of the PC in force after a reset
   SteeringGeometry geometry;      ///< computes the velocity of each wheel in a curve
   EnableSwitch enableSwitch;      ///< adds the enable switch to the remote control
   PC pc;                          ///< the reading mode PC

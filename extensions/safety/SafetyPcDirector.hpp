@@ -24,7 +24,7 @@ class SafetyPcDirector final {
  public:
   /// @param poolBuilder builds the control systems, with their safety functions
   /// @param controllerBuilder builds the main controller
-  /// @param memory memory of a stop command of the PC
+  /// @param memory memory of a stop order of the PC
   SafetyPcDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
                    StopMemory& memory);
 

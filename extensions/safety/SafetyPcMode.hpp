@@ -18,7 +18,7 @@ struct SafetyPcMode {
   /// @brief Connects the mode to the PC.
   /// @param pcReader reader of the PC's orders
   /// @param connection link to the PC
-  /// @param memory memory of a stop command of the PC
+  /// @param memory memory of a stop order of the PC
   SafetyPcMode(Reader& pcReader, PcConnection& connection, StopMemory& memory)
       : basicPc(pcReader),
         persistentStop(basicPc, memory),
@@ -26,7 +26,7 @@ struct SafetyPcMode {
         all{&pc} {}
 
   BasicMode basicPc;              ///< reads orders of the PC
-  PersistentStop persistentStop;  ///< keeps a stop command of the PC in force after a reset
+  PersistentStop persistentStop;  ///< keeps a stop order of the PC in force after a reset
   PC pc;                          ///< the reading mode PC
   std::array<Mode*, 1> all;       ///< the only reading mode
 };

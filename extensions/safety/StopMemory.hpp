@@ -2,7 +2,7 @@
 
 namespace wr {
 
-/// @brief A memory for the stop command of one source. A reset does not clear this memory.
+/// @brief A memory for the stop order of one source. A reset does not clear this memory.
 ///
 /// @function Stores whether a stop is in force.
 ///

@@ -64,7 +64,7 @@ class Clock {
   __extension__ using Wide = unsigned __int128;
   static constexpr std::uint64_t kSecond = 1'000'000'000'000;
 
-  // Returns (value * factor + more) / divisor. A product that fits into 64 bits is divided with
+  // Returns (value * factor + more) / divisor. If the dividend fits into 64 bits, the division uses
   // 64-bit arithmetic, which is much faster.
   static std::uint64_t scale(std::uint64_t value, std::uint64_t factor, std::uint64_t more,
                              std::uint64_t divisor) {

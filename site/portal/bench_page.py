@@ -78,8 +78,8 @@ class Range:
 
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
-    """Returns for each timing model the longest time from a clock pulse to its report [ms], in all
-    scenarios."""
+    """Returns the longest time from a clock pulse to its report in all scenarios [ms], for each
+    timing model."""
     times = [
         (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
     ]

@@ -15,7 +15,7 @@ from traceability.schema import Constant
 
 
 def constant_links(model: Model, links: Links, root: Path) -> dict[str, str]:
-    """Returns for each constant its text in HTML, and also for each formula on a page in ``docs``.
+    """Returns the text in HTML of each constant, and of each formula on a page in ``docs``.
 
     The module ``formulas`` describes the parts of a formula.
     """

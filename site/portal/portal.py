@@ -529,9 +529,7 @@ class Portal:
         return STALE if check in DYNAMIC and self.model.results_stale else HOLDS
 
     def checks_by_state(self) -> dict[str, int]:
-        """Returns for each state of a check the number of the checks in this state, if there are
-        any.
-        """
+        """Returns the number of checks in each state. A state without checks is left out."""
         counts = Counter(map(self._state_of, self.checks))
         return {state: counts[state] for state in (HOLDS, FOUND, STALE, AFTER) if counts[state]}
 

@@ -151,7 +151,7 @@ def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:
 
 
 def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
-    """Returns for each filter all values that occur, sorted. The page offers these values."""
+    """Returns all values that occur for each filter, sorted. The page offers these values."""
     values: dict[str, set[str]] = defaultdict(set)
     for facet in all_facets:
         for name, own in facet.items():

@@ -28,7 +28,7 @@ class RcBuffer {
   RcBuffer(const RcBuffer&) = delete;
   RcBuffer& operator=(const RcBuffer&) = delete;
 
-  /// @brief Processes an edge of the signal. A falling edge ends a pulse. The value of this pulse
+  /// @brief Records an edge of the signal. A falling edge ends a pulse. The value of this pulse
   /// is stored if three conditions are met: the period is 15 to 30 ms, the pulse is shorter than
   /// the period, and the function accepts the width of the pulse. The period is the time between
   /// the beginnings of the previous pulse and of this pulse.

@@ -37,7 +37,7 @@ class DirSystem final : public ControlSystem {
 
   /// @brief Checks whether two conditions are met: the order of a cycle was passed to the steering,
   /// and the steering still executes its ticks.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @return true if the last order was passed in this cycle, and the status of the steering was at
   /// most 20 ms old when it was read.
   /// @isr{no}
@@ -72,7 +72,7 @@ class DirSystem final : public ControlSystem {
   void release() override;
 
   /// @brief Passes the recorded order to the controller of the steering.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @satisfies FR-115
   void activate(std::uint32_t cycle) override;
 

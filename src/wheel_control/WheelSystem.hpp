@@ -51,7 +51,7 @@ class WheelSystem final : public ControlSystem {
   void start();
 
   /// @brief Checks whether the orders of a cycle were executed.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @return true if the last executed orders are the orders of this cycle
   /// @satisfies FR-5
   /// @satisfies FR-74

@@ -273,7 +273,7 @@ TEST_F(BuilderDeathTest, FR78_ControllerNeedsItsModes) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
-/// @brief The controller needs the link to the PC, even when a mode of the test is passed to the
+/// @brief buildController() needs the link to the PC, even when the test passes its own mode to the
 /// builder.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ControllerNeedsTheLink) {

@@ -200,8 +200,8 @@ TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   EXPECT_EQ(this->robot.report().source, kRc);
 }
 
-/// @brief A stop order and an order that releases the stop come before the same cycle. This cycle
-/// holds the robot, and the next cycle does not.
+/// @brief A stop order and an order that releases the stop come before the same cycle. The robot is
+/// held in this cycle, and no longer in the next cycle.
 TYPED_TEST(Behaviour, StopHoldsInTheCycleThatReceivesIt) {
   this->robot.commandByPc();
   this->robot.order({.id = 9, .stop = true});

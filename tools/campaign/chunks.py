@@ -18,7 +18,9 @@ from typing import Any
 from tools.lock import BusyError
 
 FOLDER = Path("build/campaign")
-SEEDS = 1 << 20  # greatest number of chunks of a campaign, because each chunk has its own seed
+# Greatest number of chunks of a campaign. The seed of a chunk is the seed of the campaign times
+# SEEDS, plus the number of the chunk.
+SEEDS = 1 << 20
 
 
 @dataclass(frozen=True)

@@ -252,8 +252,8 @@ class Justifications:
         self.lines: dict[str, list[str]] = {}
 
     def reasons_of(self, mutants: Iterable[Mutant]) -> list[str]:
-        """Returns for each mutant the reason why no test can find it. The reason is empty if the
-        mutant has no justification.
+        """Returns the reason why no test can find a mutant, for each mutant. The reason is empty if
+        the mutant has no justification.
 
         Each change that an entry lists belongs to one mutant. If a source line can have the same
         change at several places, the entry lists the change once for each place at which no test

@@ -659,8 +659,8 @@ _FIXED = [
     ),
     Check(
         "fsm-seen",
-        "Each transition is made in a test",
-        "Each transition was made in a test on the host that passed. The recorded calls of the "
+        "Each transition occurs in a test",
+        "Each transition occurred in a test on the host that passed. The recorded calls of the "
         "test show the transition: the Context calls the operation of the old state, and then "
         "calls methods of the new state. Of all states, only the new state has all these methods. "
         "For each requirement that a transition names, a test of the requirement makes the "
@@ -816,7 +816,7 @@ _FIXED = [
         "requirement. If the method is measurement or analysis, the requirement has @evidence, or "
         "the @verifies of a test names it.",
         "The check cannot judge whether the method suits the requirement. It does not find parts "
-        "that remain unverified although the requirement has no @partly.",
+        "that are not verified although the requirement has no @partly.",
         "write the attribute, or correct its value.",
     ),
     Check(

@@ -121,11 +121,13 @@ def _wrong_products(requirement: Requirement) -> list[str]:
     named = set(PRODUCTS) if "all" in requirement.products else set(requirement.products)
     contained = {name: {m for m in modules if m not in DIFFERENT or m in HAS[name]} for name in HAS}
     return [
-        f"no @product {name}, which contains all modules that satisfy it"
+        f"no @product {name}, but this product contains all modules that satisfy "
+        f"{requirement.id}; add it to @product"
         for name in sorted(HAS.keys() - named)
         if contained[name] == modules
     ] + [
-        f"the @product {name}, which contains no module that satisfies it"
+        f"the @product {name}, but this product contains no module that satisfies "
+        f"{requirement.id}; remove it from @product"
         for name in sorted(HAS.keys() & named)
         if not contained[name]
     ]

@@ -600,8 +600,9 @@ def _covered(module: Module, coverage: Coverage) -> Module:
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
-    """Returns for each source line of the K64 drivers true if the tests on the virtual K64 executed
-    it. Returns None if these tests did not run with the present sources.
+    """Returns true for each source line of the K64 drivers that the tests on the virtual K64
+    executed, and false for each missed line. Returns None if these tests did not run with the
+    present sources.
     """
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None

@@ -10,8 +10,8 @@ from traceability.reading.machine_code import REFILL, Block, Code, Instruction
 
 
 def longest_locks(codes: Mapping[str, Code]) -> dict[int, tuple[str, float]]:
-    """Returns for each instruction that blocks the interrupts the symbol of its function, and the
-    longest time [cycle] until no lock blocks the interrupts.
+    """Returns two values for each instruction that blocks the interrupts: the symbol of its
+    function, and the longest time [cycle] until no lock blocks the interrupts.
 
     The time is infinite if a loop or a call is executed in this time, because the computation has
     no bound for them. Functions that end the firmware are left out.

@@ -38,7 +38,8 @@ STATES = {
     "suspect": "suspect requirements (a text on which their verdict depends has changed since the "
     "baseline)",
     "failed": "requirements with a failed test",
-    "unverified": "unverified requirements (evidence is missing, or a value is out of its bound)",
+    "unverified": "requirements that are not verified (evidence is missing, or a value is out of "
+    "its bound)",
 }
 OLD_DRIVES = "last played at commit"  # words of a known exception about drives that were played
 

@@ -225,7 +225,7 @@ def cycle_response(contexts: Iterable[TimeBound], locked: int = 0, *, noise: boo
 
 
 def _waits(contexts: Sequence[TimeBound], locked: int, *, noise: bool) -> dict[str, float]:
-    """Returns for each interrupt the longest time [cycle] from a request to the end of its
+    """Returns the longest time [cycle] from a request of each interrupt to the end of its
     handler."""
     waits: dict[str, float] = {bound.context: 0 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):

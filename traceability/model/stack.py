@@ -83,9 +83,9 @@ def objects_in_chains(classes: set[str], facts: Facts) -> dict[str, int]:
 
 
 def inner_classes(robot: References, classes: Sequence[str]) -> dict[str, frozenset[str]]:
-    """Returns for each class of a chain the classes of all later objects in the chain: the
-    constructor of each object gets the next object. Leaves out a class whose object can get itself
-    in this way."""
+    """Returns the classes of all later objects in the chain, for each class of a chain. In a chain,
+    the constructor of each object gets the next object. Leaves out a class whose object can get
+    itself in this way."""
     inner = {name: robot.arguments(name).intersection(classes) for name in classes}
     for _ in classes:
         inner = {
@@ -107,8 +107,8 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Returns for each method of the classes in chains of objects how many calls of this method can
-    be nested. The chains are the objects in the applications of the Decorator pattern, and the
+    """Returns the greatest number of nested calls for each method of the classes in chains of
+    objects. The chains are the objects in the applications of the Decorator pattern, and the
     chains that ``design/stack.toml`` declares."""
     entries = {
         method.id: most
@@ -219,8 +219,8 @@ class Prover:
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
         """Returns true if a further nested call of a method is impossible. This is true in two
-        cases: each object with this method in the chain is already executing it, or an object
-        further inside the chain is already executing a method."""
+        cases: all objects of the chain that have this method already execute it, or a later object
+        of the chain already executes one of its methods."""
         method = short_name(self.graph[symbol].name)
         if method not in self.most:
             return False

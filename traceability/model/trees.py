@@ -210,8 +210,8 @@ def _is_activated(callees: set[str], facts: Facts) -> bool:
 
 
 def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
-    """Returns for each pair of modules the requirements whose invocation trees contain a call from
-    the first module of the pair to the second module.
+    """Returns the requirements for each pair of modules. The invocation trees of these requirements
+    contain a call from the first module of the pair to the second module.
     """
     edges: Edges = {}
     for requirement, tree in trees.items():

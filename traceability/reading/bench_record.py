@@ -189,8 +189,8 @@ def spread(values: Sequence[float], digits: int) -> Spread:
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
-    """Returns for each priority the longest time from an interrupt request to the start of the
-    handler, and the name of this interrupt."""
+    """Returns the longest time from an interrupt request to the start of the handler, and the name
+    of this interrupt, for each priority."""
     requested = [(int(number), latency) for number, latency in raw.items() if latency["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
     longest = {}

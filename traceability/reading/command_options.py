@@ -101,7 +101,7 @@ def _python(root: Path, part: str) -> Iterator[tuple[Path, str]]:
 
 
 def _imported(tree: ast.Module) -> dict[str, str]:
-    """Returns for each name that a file imports the name of the file that defines it."""
+    """Returns the name of the defining file, for each name that a file imports."""
     return {
         alias.asname or alias.name: (node.module or "").rpartition(".")[2]
         for node in ast.walk(tree)

@@ -66,8 +66,8 @@ def repeated_tests(root: Path, folders: Iterable[str]) -> list[str]:
 
 
 def long_tests(root: Path) -> dict[str, int]:
-    """Returns for each file with long tests the number of its test functions that contain a long
-    test."""
+    """Returns the number of test functions with a long test, for each file that has such
+    functions."""
     files = sorted((root / TESTS_OF_TOOLS).glob("*/test_*.py"))
     counts = {str(file.relative_to(root)): sum(_long(file)) for file in files}
     return {file: count for file, count in counts.items() if count}

@@ -5,7 +5,7 @@
 
 namespace wr::platform {
 
-/// @brief The stop command of the PC, stored in memory that a reset does not change.
+/// @brief The stop order of the PC, stored in memory that a reset does not change.
 extern RetainedStop stopMemory;
 
 /// @brief The protective stop, stored in memory that a reset does not change.

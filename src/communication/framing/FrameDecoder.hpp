@@ -34,7 +34,7 @@ class FrameDecoder final {
   /// @isr{no}
   [[nodiscard]] std::span<std::uint8_t> storage();
 
-  /// @brief Processes the bytes that the caller has written to the beginning of the storage. Only
+  /// @brief Decodes the bytes that the caller has written to the beginning of the storage. Only
   /// the last of these bytes may be zero.
   /// @param number number of these bytes, at least 1
   /// @return whether these bytes end a frame, and whether this frame has an error

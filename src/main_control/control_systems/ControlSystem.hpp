@@ -28,23 +28,23 @@ class ControlSystem {
 
   /// @brief Orders the system to measure, to follow the set-points and to start its work.
   /// @param setPoints set-points of all control systems; the system uses its own set-point
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @isr{no}
   void control(const SetPoints& setPoints, std::uint32_t cycle);
 
   /// @brief Orders the system to measure, to stand still and to start its work.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @isr{no}
   void hold(std::uint32_t cycle);
 
   /// @brief Orders the system to measure, to release latched faults, to stand still and to start
   /// its work.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @isr{no}
   void acknowledge(std::uint32_t cycle);
 
   /// @brief Checks whether the system has completed the work that was ordered in a cycle.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @return true if the work that was completed last is the work of this cycle.
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;

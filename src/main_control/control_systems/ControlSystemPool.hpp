@@ -38,22 +38,22 @@ class ControlSystemPool {
 
   /// @brief Orders all control systems to follow the set-points.
   /// @param setPoints set-points of the control systems
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @isr{no}
   void control(const SetPoints& setPoints, std::uint32_t cycle);
 
   /// @brief Orders all control systems to stand still.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @isr{no}
   void hold(std::uint32_t cycle);
 
   /// @brief Orders all control systems to stand still and to release latched faults.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @isr{no}
   void acknowledge(std::uint32_t cycle);
 
   /// @brief Checks whether all control systems have completed the work of a cycle.
-  /// @param cycle number of the control cycle, from 1
+  /// @param cycle number of the control cycle; the first cycle has the number 1
   /// @return true if every control system has completed its work, or if the pool is empty.
   /// @satisfies FR-5
   /// @isr{no}

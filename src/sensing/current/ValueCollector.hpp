@@ -48,8 +48,8 @@ class ValueCollector final {
   ValueCollector(const ValueCollector&) = delete;
   ValueCollector& operator=(const ValueCollector&) = delete;
 
-  /// @brief Processes a sample. The mean of the first 64 samples is the zero of the sensor. If the
-  /// zero differs from the middle of the range by more than 5 % of the range, all later samples are
+  /// @brief Adds a sample. The mean of the first 64 samples is the zero of the sensor. If the zero
+  /// differs from the middle of the range by more than 5 % of the range, all later samples are
   /// ignored. Otherwise each later sample is added to the record. A sample is too high if it is
   /// beyond 15 A or at an end of the range.
   /// @param raw present sample [1/4096 of the range, 0 to 4095]

@@ -41,7 +41,8 @@ class InstantCollector {
   InstantCollector(const InstantCollector&) = delete;
   InstantCollector& operator=(const InstantCollector&) = delete;
 
-  /// @brief Processes an edge.
+  /// @brief Updates the values of this collector, and of the collectors that it wraps, with an
+  /// edge.
   /// @param edge the edge; not earlier than the previous edge
   /// @isr{yes}
   virtual void collect(const Edge& edge) = 0;

@@ -46,7 +46,7 @@ class PiRegulator final {
   PiRegulator(const PiRegulator&) = delete;
   PiRegulator& operator=(const PiRegulator&) = delete;
 
-  /// @brief Processes the error of the cycle that ends.
+  /// @brief Computes the voltage from the error of the cycle that ends, and updates the integral.
   /// @param error expected value minus measured value, in the unit of the gains, -65535 to 65535
   /// @return voltage that works against the error [mV], rounded towards zero
   /// @post The magnitude of the integral is at most the supply voltage.

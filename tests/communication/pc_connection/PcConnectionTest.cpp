@@ -370,8 +370,8 @@ TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief At the end of the connection, the newest order is dropped. This order cannot be read,
-/// even if it is not too old.
+/// @brief The end of the connection drops the newest order. After the end, this order cannot be
+/// read, even if it is not too old.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   handshake();

@@ -252,8 +252,8 @@ TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
   EXPECT_NEAR(rpm(), 100, 5);
 }
 
-/// @brief The PC sends a stop, and a neutral order before the next cycle. This cycle halts and
-/// disarms the robot. The robot then moves only after five neutral orders.
+/// @brief The PC sends a stop and then a neutral order, both before the next cycle. The next cycle
+/// halts and disarms the robot. The robot then moves only after five neutral orders.
 /// @verifies FR-240
 /// @verifies FR-280
 TEST_F(SafeRobot, FR240_AStopThatIsReleasedInTheSameCycleHalts) {

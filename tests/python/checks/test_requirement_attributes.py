@@ -58,18 +58,27 @@ def test_an_attribute_has_a_known_value(
         (
             ["Wheel::set"],
             sorted(PRODUCTS.keys() - {"weeding_robot_pc"}),
-            ["no @product weeding_robot_pc, which contains all modules that satisfy it"],
+            [
+                "no @product weeding_robot_pc, but this product contains all modules that satisfy "
+                "FR-1; add it to @product"
+            ],
         ),
         (["RC::read"], ["weeding_robot", "weeding_robot_paper", "weeding_robot_warning"], []),
         (
             ["RC::read"],
             ["weeding_robot", "weeding_robot_paper"],
-            ["no @product weeding_robot_warning, which contains all modules that satisfy it"],
+            [
+                "no @product weeding_robot_warning, but this product contains all modules that "
+                "satisfy FR-1; add it to @product"
+            ],
         ),
         (
             ["EnableSwitch::read"],
             ["weeding_robot", "weeding_robot_pc"],
-            ["the @product weeding_robot_pc, which contains no module that satisfies it"],
+            [
+                "the @product weeding_robot_pc, but this product contains no module that satisfies "
+                "FR-1; remove it from @product"
+            ],
         ),
         (["EnableSwitch::read", "RC::read", "Wheel::set"], ["weeding_robot"], []),
         ([], ["weeding_robot"], []),

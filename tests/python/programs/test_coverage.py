@@ -73,8 +73,9 @@ def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: C
 
 
 def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
-    """The test compares only source files. Functions of headers are in several object files, and
-    gcov counts their branches separately.
+    """Compares the branches that gcov counted with the branches in the records of the tests, only
+    in source files. Functions of headers are in several object files, and gcov counts their
+    branches separately.
 
     A source line that several functions share is left out. For this line, gcov reports either the
     branches of each function or no branches.

@@ -1,4 +1,4 @@
-"""Git returns the last commit of each file, and the changes since a commit."""
+"""The last commit of each file, and the changes since a commit, read from git."""
 
 from __future__ import annotations
 

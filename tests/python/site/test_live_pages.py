@@ -229,8 +229,8 @@ process.stdout.write(JSON.stringify(lines.map((line) => frames.partsOf(line, lay
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
-    """The test compares the order of the bytes and the number in each field, for all frames of a
-    drive."""
+    """In each frame of a drive, the parts contain the bytes of the frame in their order. Each part
+    contains the number that the client decodes from the field with the same name."""
     play = {"do": "play", "folder": "live/", "modules": [], "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, play], 20)
     lines = [frame["bytes"] for shown in sent for frame in shown.get("frames", ())]

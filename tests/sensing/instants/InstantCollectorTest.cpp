@@ -97,8 +97,7 @@ TEST(InstantCollector, FR121_CountIsTheSumOfDirections) {
   EXPECT_EQ(known(count).last, Instant(1));
 }
 
-/// @brief If several decorators are wrapped around each other, the value of each decorator is
-/// available.
+/// @brief If several decorators are nested, the value of each decorator is available.
 /// @verifies FR-52
 /// @verifies FR-55
 /// @verifies FR-121

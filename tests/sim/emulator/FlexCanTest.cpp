@@ -154,7 +154,7 @@ TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
 }
 
 /// @brief If the buffer is unlocked first, a frame that waits sets the flag that the program then
-/// clears. This order causes a finding, also if no frame waits.
+/// clears. A program that unlocks first causes a finding, also if no frame waits.
 TEST_F(CanOfTheBoard, FindsABufferThatIsUnlockedBeforeItsFlagIsCleared) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});

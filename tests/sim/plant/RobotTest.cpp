@@ -468,8 +468,8 @@ TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   EXPECT_EQ(degrees(3), 0);
 }
 
-// A robot that drives a curve to the left, with a steering angle of 32 degrees. A velocity
-// controller of the test controls each wheel.
+// A robot that drives a curve to the left, with a steering angle of 32 degrees. The fixture
+// controls the velocity of each wheel.
 class CurveTest : public RobotTest {
  protected:
   CurveTest() {
