@@ -41,7 +41,8 @@ class Row:
 @dataclass
 class Followed:
     """A chain of steps with its rows. If the recording does not contain the whole chain, there are
-    no rows, and ``missing`` names the first step that was not found.
+    no rows, and ``missing`` names the first step that was not found. Without a recording, there are
+    no rows either.
     """
 
     chain: Chain
@@ -52,12 +53,11 @@ class Followed:
 def follow_bytes(portal: Portal) -> dict[str, Any]:
     recordings = recordings_of(portal) or {}
     chains = [
-        _followed(portal, chain, recordings[chain.recording])
+        _followed(portal, chain, recordings.get(chain.recording))
         for chain in declared_chains(portal.root)
-        if chain.recording in recordings
     ]
     return {
-        "found": chains,
+        "chains": chains,
         "windows": windows_of(portal),
         "command": COMMAND,
         "time": shown_time,
@@ -65,7 +65,9 @@ def follow_bytes(portal: Portal) -> dict[str, Any]:
     }
 
 
-def _followed(portal: Portal, chain: Chain, recording: Recording) -> Followed:
+def _followed(portal: Portal, chain: Chain, recording: Recording | None) -> Followed:
+    if recording is None:
+        return Followed(chain, [])
     steps = follow(chain, recording)
     if steps is None:
         return Followed(chain, [], first_missing(chain, recording))

@@ -87,10 +87,11 @@ class CycleMessages:
 
 @dataclass
 class Drawn:
-    """A sequence with its recordings from this build and its diagram."""
+    """A sequence with its recordings and its diagram."""
 
     declared: DeclaredSequence
     windows: list[Window]
+    recorded: bool  # this build contains all recordings
     cycles: list[CycleMessages]
     diagram: Diagram | None
     methods: list[
@@ -288,16 +289,13 @@ def _arrow(message: Message, links: Links) -> str:
 
 
 def drawn_sequences(portal: Portal) -> list[Drawn]:
-    """Returns the declared sequences whose recordings exist in this build."""
-    recordings = recordings_of(portal)
-    if recordings is None:
-        return []
+    """Returns the declared sequences. Those without their recordings have no cycles."""
+    recordings = recordings_of(portal) or {}
     windows = windows_of(portal)
     trees = requirements_by_method(portal)
     return [
         _drawn(portal, sequence, recordings, windows, trees)
         for sequence in declared_sequences(portal.root)
-        if all(name in recordings for name in sequence.recordings)
     ]
 
 
@@ -313,8 +311,9 @@ def _drawn(
         for method, ids in trees.items()
     }
     methods = frozenset(method for method, ids in lines.items() if ids)
+    recorded = all(name in recordings for name in sequence.recordings)
     cycles: list[CycleMessages] = []
-    for name in sequence.recordings:
+    for name in sequence.recordings if recorded else ():
         recording = recordings[name]
         cycles += cycles_of(recording, messages_of(portal, recording, methods, sequence.by_logic))
     called = dict.fromkeys(
@@ -323,6 +322,7 @@ def _drawn(
     return Drawn(
         sequence,
         [windows[name] for name in sequence.recordings],
+        recorded,
         cycles,
         sequence_diagram(sequence, cycles, portal.links) if cycles else None,
         [(method, lines[method]) for method in called],
