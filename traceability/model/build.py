@@ -317,8 +317,7 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
     """Returns the body of the overload that ``fact`` declares. ``bodies`` contains the bodies of
     all overloads of the method. If a body begins on the source line of the declaration, returns
-    this body. Otherwise, returns the first body in ``bodies``, or None if ``bodies`` is empty.
-    """
+    this body. Otherwise, returns the first body in ``bodies``, or None if ``bodies`` is empty."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
@@ -328,8 +327,7 @@ def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
 def _specified(method: Method, modules: dict[str, Module]) -> Method:
     """Returns the method with its specification. If the method has no comment, the specification is
     the comment of the overridden method. If that method has no comment either, the search continues
-    in the next base class.
-    """
+    in the next base class."""
     upper = None if method.documented else method.overrides
     while upper is not None:
         owner = modules.get(upper.rsplit("::", 1)[0])
@@ -410,8 +408,7 @@ def _call(call: CallFact, body: BodyFact, facts: Facts) -> Call:
 
 def _constants(syntax: Syntax) -> dict[str, Constant]:
     """Returns the constants by their names. A name is left out if the code defines constants of
-    this name with different numbers or units.
-    """
+    this name with different numbers or units."""
     by_name: dict[str, list[Constant]] = {}
     for fact in syntax.values:
         if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
@@ -430,8 +427,7 @@ Named = dict[str, dict[str, None]]  # module -> other modules, in the order of t
 def _users(model: Model, facts: Facts) -> tuple[Named, Named, Named]:
     """Returns three maps. The first map contains for each module the modules that it names. The
     second map contains for each module the modules that name it. Both maps leave out value types.
-    The third map is the second map with the value types.
-    """
+    The third map is the second map with the value types."""
     uses: Named = {}
     used_by: Named = {}
     named_by: Named = {}
@@ -517,8 +513,7 @@ def _requirement(part: Comment, sections: dict[str, str]) -> Requirement:
 
 def logic_of(file: str) -> str:
     """Returns the id of the logic module that contains a file. The id is the path of the folder of
-    this file, without ``src/`` at its beginning.
-    """
+    this file, without ``src/`` at its beginning."""
     return str(Path(file).parent).removeprefix(f"{SRC}/")
 
 
@@ -576,8 +571,7 @@ def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> M
 
 def _covered(module: Module, coverage: Coverage) -> Module:
     """Returns the module with the coverage of its header and of its ``.cpp`` file: the numbers of
-    source lines and branches, and the numbers of source lines and branches that tests executed.
-    """
+    source lines and branches, and the numbers of source lines and branches that tests executed."""
     whole, covered = coverage.whole, coverage.all
     files = [
         file for file in (module.header, module.source) if file is not None and file in whole.lines
@@ -601,8 +595,7 @@ def _covered(module: Module, coverage: Coverage) -> Module:
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
     """Returns for each source line of the K64 drivers true if the tests on the virtual K64 executed
-    it. Returns None if these tests did not run with the present sources.
-    """
+    it. Returns None if these tests did not run with the present sources."""
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None
     covered = coverage.all

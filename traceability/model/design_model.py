@@ -2,8 +2,7 @@
 
 The model contains facts from the comments, the syntax tree, the declarations in ``design/``, the
 test results, the recorded calls, the coverage and the sizes of the modules. Each run of a command
-builds the model once (``traceability.model.build``).
-"""
+builds the model once (``traceability.model.build``)."""
 
 from __future__ import annotations
 
@@ -152,8 +151,7 @@ class Model:
 
     def stale_on(self, binding: str) -> bool:
         """Returns true if a target has no test results, or if its test results do not belong to the
-        present sources.
-        """
+        present sources."""
         return self.results_hashes.get(binding) != self.sources_hash
 
     @property
@@ -163,7 +161,6 @@ class Model:
 
     def mutants_of(self, requirement: str) -> list[Mutant]:
         """Returns the mutants on which the tests of a requirement were tried. These mutants are in
-        the methods of the requirement's invocation tree.
-        """
+        the methods of the requirement's invocation tree."""
         tried = self.mutation.tried if self.mutation else []
         return [mutant for mutant in tried if requirement in mutant.own]

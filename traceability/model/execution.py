@@ -4,8 +4,7 @@ contexts share.
 An execution context is code that the hardware starts: an interrupt handler, the command of a
 thread, or the program after a reset. To find the methods of a context, this module follows all
 calls in the syntax tree. A call of a virtual method is followed to the classes of those objects
-that the builders passed to the caller.
-"""
+that the builders passed to the caller."""
 
 from __future__ import annotations
 
@@ -72,8 +71,7 @@ def _idle(context: ExecutionContext, facts: Facts) -> dict[str, str]:
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
     """Returns the methods at which a context enters the modules. For a thread, this is the
     method of its command. For another context, these are the methods that its handlers call.
-    Methods of builders are left out, because a builder only passes on a reference to a module.
-    """
+    Methods of builders are left out, because a builder only passes on a reference to a module."""
     if context.body:
         return [context.body]
     begin = [m for m, caller in reached.items() if caller in context.handlers]
@@ -84,8 +82,7 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
     """Returns for each interrupt handler the numbers of its interrupt lines, from the vector table.
     This table consists of lists of handlers. For each list, a constant contains the interrupt line
-    of the first handler, and each further handler has the next interrupt line.
-    """
+    of the first handler, and each further handler has the next interrupt line."""
     lines: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
         for number, handler in enumerate(handlers):
@@ -96,8 +93,7 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 def _vectors(facts: Facts) -> dict[str, list[str]]:
     """Returns the lists of handlers in the vector table. The key of a list is the name of the
     constant that contains the interrupt line of its first handler. Each further handler has the
-    next interrupt line.
-    """
+    next interrupt line."""
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
@@ -111,8 +107,7 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 def silent_lines(facts: Facts) -> dict[int, str]:
     """Returns the interrupt lines that have a handler but are enabled by no call in the firmware:
     number of the interrupt line -> name of the handler. Of each list of handlers in the vector
-    table, only the first interrupt line is examined.
-    """
+    table, only the first interrupt line is examined."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]
@@ -123,8 +118,7 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 def line_priorities(facts: Facts) -> dict[int, str]:
     """Returns for each interrupt line the name of the constant that contains its priority. This
-    constant is an argument of the call that enables the interrupt line.
-    """
+    constant is an argument of the call that enables the interrupt line."""
     priorities = _enabling(facts)
     # A loop in the firmware enables interrupt lines that no constant names. Such a line has the
     # same priority as the nearest interrupt line with a lower number and a known priority.
@@ -138,8 +132,7 @@ def line_priorities(facts: Facts) -> dict[int, str]:
 
 def _enabling(facts: Facts) -> dict[int, str]:
     """Returns the priorities of those interrupt lines that a call of ``K64Thread::enable`` names by
-    a constant: number of the interrupt line -> name of the constant with its priority.
-    """
+    a constant: number of the interrupt line -> name of the constant with its priority."""
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
@@ -162,8 +155,7 @@ def _enabling(facts: Facts) -> dict[int, str]:
 
 def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
     """Returns all pipes of the robot. For each pipe, the result contains the methods that write or
-    read the pipe, and the execution contexts that may execute each of these methods.
-    """
+    read the pipe, and the execution contexts that may execute each of these methods."""
     members = {
         member.name
         for places in facts.robot.known.values()
@@ -196,8 +188,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
     """Returns the methods to which the use of a pipe in the function ``user`` belongs. If ``user``
     is a method of a module, the result is this method. If ``user`` is a function outside classes,
-    the result contains the functions in the same file that pass the pipe to ``user``.
-    """
+    the result contains the functions in the same file that pass the pipe to ``user``."""
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
     return sorted(
@@ -233,8 +224,7 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
 
     A data member of a value type such as Velocity is left out. Instead, the result contains the
     member in which a module stores the value. References are left out, because they are set before
-    the interrupts are enabled.
-    """
+    the interrupts are enabled."""
     fields = {
         f"{fact.name}::{member.name}": member
         for fact in facts.syntax.classes

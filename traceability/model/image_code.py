@@ -56,8 +56,7 @@ class ImageCode:
 
 def read_image_code(root: Path) -> ImageCode | None:
     """Returns the code of the firmware image. Returns None if the image was not built from the
-    present sources.
-    """
+    present sources."""
     elf = root / image_of(DEFAULT, ".elf")
     if read_image(root) is None or not elf.exists():
         return None

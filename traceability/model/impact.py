@@ -4,8 +4,7 @@ change, and the requirements, patterns, tests and safety goals to review again.
 A change of a module or value type may affect the modules and value types that name it, call it or
 derive from it. In the same way, each affected module may affect further modules. A module that
 names only an abstract base class of a changed module does not count as affected. If it can call a
-method of the changed module through this class, ``callers`` lists it.
-"""
+method of the changed module through this class, ``callers`` lists it."""
 
 from __future__ import annotations
 
@@ -22,8 +21,7 @@ from traceability.schema import Requirement
 class Reached:
     """An affected element and the reason why it is affected. The distance of a changed module is 0.
     If a module B depends directly on an affected module A, the distance of B is the distance of A
-    plus 1.
-    """
+    plus 1."""
 
     id: str
     distance: int
@@ -73,8 +71,7 @@ class Impacts:
 
     def _next(self, name: str) -> dict[str, str]:
         """Returns the modules that a change of the module ``name`` may affect directly, with the
-        reason for each module.
-        """
+        reason for each module."""
         module = self.model.modules[name]
         reasons: dict[str, str] = {}
         for subclass in module.subclasses:
@@ -98,8 +95,7 @@ class Impacts:
 
     def _calls(self, owner: str, method: str) -> bool:
         """Returns true if the module ``owner`` calls exactly this method. A call of the abstract
-        method that this method overrides does not count.
-        """
+        method that this method overrides does not count."""
         calls = (call for method in self.model.modules[owner].methods for call in method.calls)
         return any(call.target == method for call in calls)
 
@@ -163,8 +159,7 @@ class Impacts:
 
     def of_files(self, subject: str, paths: Sequence[str]) -> Impact:
         """Returns the effects of a change of several files. ``unfollowed`` lists the files for
-        which the model contains no affected element.
-        """
+        which the model contains no affected element."""
         joined = Impact(subject, "commits" if ".." in subject else "file", "")
         parts = [self._of_file(path) for path in paths if path in self.model.files]
         followed = {part.subject for part in parts if not part.is_empty()}
@@ -252,6 +247,5 @@ class Impacts:
 
 def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
     """Records an affected element. If ``reached`` already contains the element, does nothing,
-    because the first record of an element has its shortest distance.
-    """
+    because the first record of an element has its shortest distance."""
     reached.setdefault(name, Reached(name, distance, why))

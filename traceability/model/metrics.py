@@ -66,8 +66,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 def sizes(root: Path) -> dict[str, int]:
     """Returns three numbers of lines: in the Python files of the tools, in the Python tests, and in
-    the TOML files of the design.
-    """
+    the TOML files of the design."""
     parts = {
         "tools.python_lines": (("traceability", "site", "tools"), ".py"),
         "tools.python_test_lines": (("tests/python",), ".py"),
@@ -81,8 +80,7 @@ def sizes(root: Path) -> dict[str, int]:
 
 def changes(model: Model) -> dict[str, Any]:
     """Returns the number of made changes for which all tests passed. Returns no metric if a test of
-    a made change did not run with the present sources.
-    """
+    a made change did not run with the present sources."""
     made = [change.made for change in model.changes.values()]
     ran = all(test.result for change in made if change for test in change.tests)
     return {"changes.proven": sum(map(proven, made))} if ran else {}
@@ -90,8 +88,7 @@ def changes(model: Model) -> dict[str, Any]:
 
 def coverage(root: Path) -> dict[str, Any]:
     """Returns the coverage of the last test run on the host. Returns no metric if gcovr did not
-    count the coverage of this run.
-    """
+    count the coverage of this run."""
     totals = read_totals(root)
     if totals is None:
         return {}
@@ -100,8 +97,7 @@ def coverage(root: Path) -> dict[str, Any]:
 
 def drift(model: Model) -> dict[str, Any]:
     """Returns the number of seeded faults, and the number of seeded faults that a check found.
-    Returns no metric if files have changed since the faults were seeded.
-    """
+    Returns no metric if files have changed since the faults were seeded."""
     if model.outcomes is None:
         return {}
     return {
@@ -112,8 +108,7 @@ def drift(model: Model) -> dict[str, Any]:
 
 def image(root: Path) -> dict[str, Any]:
     """Returns the flash and RAM sizes of the firmware image in bytes. Returns no metric if the
-    firmware image was not built from the present sources.
-    """
+    firmware image was not built from the present sources."""
     record = read_image(root)
     if record is None:
         return {}
@@ -220,8 +215,7 @@ def with_others(record: LastRecord) -> dict[str, Any]:
 
 def recorded_metric(proofs: Proofs) -> dict[str, Any]:
     """Returns the number of proofs for which this build used the record of an earlier run. The
-    metric also contains the command, the commit and the date of the earlier run.
-    """
+    metric also contains the command, the commit and the date of the earlier run."""
     if not proofs.recorded:
         return {}
     first = proofs.recorded[0]
@@ -232,8 +226,7 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
 def _proven_times(model: Model) -> dict[str, Any]:
     """Returns three kinds of metrics: the upper bound of the time of a cycle with noise at all
     inputs, the upper bounds of the times of the paths, and the ratios of the bounds of a cycle to
-    the longest measured times.
-    """
+    the longest measured times."""
     proof = model.times if model.times and model.times.proven else None
     drives = model.campaigns.get(LOADS)
     outcomes = drives.result["outcomes"] if drives else {}
@@ -262,16 +255,14 @@ def _proven_times(model: Model) -> dict[str, Any]:
 
 def _is_executed(requirement: Requirement) -> bool:
     """Returns true if a recorded test contains all calls of the requirement's invocation tree. The
-    result is false for a tree with only one node, because such a tree has no call to record.
-    """
+    result is false for a tree with only one node, because such a tree has no call to record."""
     tree = requirement.tree
     return bool(requirement.runs and tree is not None and tree.children)
 
 
 def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
     """Counts the safety goals and the fault scenarios, and how many of them this run verified. Also
-    returns the number of existing lines that were edited for safety functions.
-    """
+    returns the number of existing lines that were edited for safety functions."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())
     return {
@@ -285,8 +276,7 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
 
 def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
     """Returns the number of requirements for each method of verification, the number of partly
-    verified requirements, and the number of requirements that a person has reviewed.
-    """
+    verified requirements, and the number of requirements that a person has reviewed."""
     listed = list(requirements)
     counts = Counter(item.method for item in listed)
     return {
@@ -298,7 +288,6 @@ def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
 
 def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
     """Returns the percentage of source lines that tests executed, with one decimal place. Returns
-    None if there is no source line.
-    """
+    None if there is no source line."""
     hits = [hit for lines in (files or {}).values() for hit in lines.values()]
     return round(100 * sum(hits) / len(hits), 1) if hits else None

@@ -49,8 +49,7 @@ class NotShown:
 
     ``query`` contains the values of the filters that select these details on the page. ``commit``
     is the commit of a run that this build did not repeat, if changes of the firmware can make its
-    result untrue.
-    """
+    result untrue."""
 
     text: str
     page: str  # id of the page in the navigation

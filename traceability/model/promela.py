@@ -3,8 +3,7 @@
 Each machine of ``design/fsm`` becomes a variable and an inline function. The variable contains the
 present state. The function is the step of the machine: it receives an event, and executes the first
 transition whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets the
-guards, calls the steps and reads the actions.
-"""
+guards, calls the steps and reads the actions."""
 
 from __future__ import annotations
 

@@ -3,8 +3,7 @@ requirement.
 
 The baseline contains a hash of each text on which the verdict of a requirement depends. If the hash
 of the present text is different, the text has changed. The texts themselves are in git. A review is
-the judgement of a person who wrote none of these texts.
-"""
+the judgement of a person who wrote none of these texts."""
 
 from __future__ import annotations
 

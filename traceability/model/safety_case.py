@@ -30,8 +30,7 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
     If the file of a parameterised test names the folder of the scenarios, the test may execute each
     scenario. The recordings of the test show which scenarios the test executed. Such a test without
-    recordings counts as a test of all scenarios.
-    """
+    recordings counts as a test of all scenarios."""
     case = facts.declared.safety
     if not case.goals:
         return case

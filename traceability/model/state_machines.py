@@ -3,8 +3,7 @@ that the tests made.
 
 The files in ``design/fsm`` declare the machines. The states of a machine are the Concrete States in
 an application of the State pattern. This module finds the changes of state in the methods of the
-state classes and in the recorded calls of the tests.
-"""
+state classes and in the recorded calls of the tests."""
 
 from __future__ import annotations
 
@@ -154,8 +153,7 @@ class _Changes:
 
         Each result consists of the new state, the place of the change, the called methods on the
         path to the change, a truth value, and the operands of the conditions before the change. The
-        truth value is true if the change is conditional.
-        """
+        truth value is true if the change is conditional."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [
@@ -236,8 +234,7 @@ class Watcher:
 
     Only the calls inside a method of the Context are examined, because the Context calls only the
     present state. After a change of state, all states are possible at first. Each further call
-    excludes the states that do not have the called method, until only one state is left.
-    """
+    excludes the states that do not have the called method, until only one state is left."""
 
     def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
         self.code = code
@@ -358,8 +355,7 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
 
     Several transitions may have the same source, event and target. If the code has the same number
     of such changes, the first transition gets the first change, the second transition gets the
-    second change, and so on. Otherwise, each of these transitions gets all these changes.
-    """
+    second change, and so on. Otherwise, each of these transitions gets all these changes."""
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
     rows = [

@@ -1,8 +1,7 @@
 """Upper bounds of the execution times of the functions of the firmware image.
 
 The bound of a function is the cost of the longest path through its instructions. The cost includes
-the bounds of the functions that it calls.
-"""
+the bounds of the functions that it calls."""
 
 from __future__ import annotations
 
@@ -44,8 +43,7 @@ class Spread:
     in all calls that one call of ``within`` causes.
 
     If ``counter`` is empty, the limit is the number ``rounds``. Otherwise, ``counter`` is the name
-    of the sum, and the declared facts about ``within`` limit this sum.
-    """
+    of the sum, and the declared facts about ``within`` limit this sum."""
 
     method: str
     within: str
@@ -136,8 +134,7 @@ class Times:
 
         The maximum cost of a call is a concave function of its number of iterations, because this
         cost is the optimum of a linear program. The straight line through the costs of one and of
-        two iterations is therefore an upper bound.
-        """
+        two iterations is therefore an upper bound."""
         costs = []
         for rounds in (1, 2):
             self.rounds = rounds
@@ -228,8 +225,7 @@ class Times:
 
         The compiled code compares the target of the call with the method that the compiler expects.
         If both are equal, the inlined code is executed, and otherwise the call. If no other method
-        is possible, the call is never executed.
-        """
+        is possible, the call is never executed."""
         function = self.prover.graph.get(code.symbol)
         for one in block.instructions:
             place = self._place(one.address)
@@ -342,8 +338,7 @@ class Times:
 
         A counter on the left side becomes the sum of one block of each copy, because no block is
         executed more often than its source line. The result contains a fact for each choice of
-        these blocks. A counter on the right side becomes the sum of all blocks.
-        """
+        these blocks. A counter on the right side becomes the sum of all blocks."""
         most = one.most - one.factors.get(ENTRIES, 0)
         right: dict[int | str, int] = {}
         left: list[list[tuple[int | str, int]]] = []
@@ -370,8 +365,7 @@ class Times:
         source lines.
 
         If a source line consists only of inlined calls, its copy contains the blocks of these
-        calls.
-        """
+        calls."""
         found: dict[str, dict[tuple[Place, ...], dict[int, list[int]]]] = {}
         for start, block in code.blocks.items():
             for one in block.instructions:

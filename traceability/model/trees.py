@@ -178,8 +178,7 @@ def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: 
     ``before`` is returned. Otherwise returns an empty text.
 
     Calls in a loop to another module are accepted, because a loop over objects of different classes
-    may alternate between their methods.
-    """
+    may alternate between their methods."""
     for body in bodies:
         first, second = (
             _calls_of(body, accepted(child, facts) | {child.resolved or ""}, facts)
@@ -211,8 +210,7 @@ def _is_activated(callees: set[str], facts: Facts) -> bool:
 
 def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
     """Returns for each pair of modules the requirements whose invocation trees contain a call from
-    the first module of the pair to the second module.
-    """
+    the first module of the pair to the second module."""
     edges: Edges = {}
     for requirement, tree in trees.items():
         for node in nodes_of(tree):
@@ -282,8 +280,7 @@ class Search:
         Returns the first recording that contains the whole tree, or None.
 
         Also returns how many nodes were found in the order of the tree. If the numbers in the
-        recordings differ, returns the largest number.
-        """
+        recordings differ, returns the largest number."""
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}
         furthest = 0

@@ -134,8 +134,7 @@ class NameFact:
     is type, member, construct or base.
 
     For a member of a namespace, ``member`` contains the namespace and the name, because a namespace
-    is not a class.
-    """
+    is not a class."""
 
     by: str
     target: str

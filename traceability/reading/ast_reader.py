@@ -245,8 +245,7 @@ class Reader:
         """Records a declaration if it has no comment although other files can use it.
 
         An enumerator needs a comment only if another enumerator of the same type has a comment. A
-        constructor without parameters needs no comment.
-        """
+        constructor without parameters needs no comment."""
         if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
             return
         name = "::".join(filter(None, (namespace_of(cursor), class_name(cursor.lexical_parent))))

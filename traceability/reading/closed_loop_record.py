@@ -135,8 +135,7 @@ def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
     For a true value of the simulated robot, the time is the time at which the value was read. For a
-    value that the robot reported, it is the time of the clock pulse.
-    """
+    value that the robot reported, it is the time of the clock pulse."""
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
     ]

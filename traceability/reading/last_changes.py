@@ -28,8 +28,7 @@ def last_changes(root: Path) -> dict[str, str]:
 def changed_since(root: Path, commit: str) -> int | None:
     """Returns the number of files of the firmware whose code has changed since a commit. A change
     of comments or of the layout does not count. Returns ``None`` if the commit is unknown, for
-    example because the history was not cloned.
-    """
+    example because the history was not cloned."""
     if not commit or not git(root, "rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}"):
         return None
     names = git(root, "diff", "--name-only", "--no-renames", commit, "--", *DESIGN).splitlines()

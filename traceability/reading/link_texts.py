@@ -2,8 +2,7 @@
 are left out.
 
 Each text is looked up in its file by its name and not by a line number. The same name therefore
-also finds the earlier text in an earlier version of the file.
-"""
+also finds the earlier text in an earlier version of the file."""
 
 from __future__ import annotations
 
@@ -94,8 +93,7 @@ def support(text: str) -> str:
     """Returns the text of a test file outside its tests: fixtures, computed expected values,
     helpers and lists of parameters.
 
-    If the file contains no tests, returns the whole text without comments.
-    """
+    If the file contains no tests, returns the whole text without comments."""
     rest = text
     for case in read_tests(text):
         rest = rest.replace(case.body, "", 1)

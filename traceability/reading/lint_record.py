@@ -33,8 +33,7 @@ def files_hash(root: Path) -> str:
 def write_lint(root: Path, steps: Mapping[str, str], commit: str, files: str) -> None:
     """Writes the result of each step. ``files`` is the hash of the files before the first step. If
     the files have changed since, no result is valid and the record is removed. A step that did not
-    run keeps its earlier result for the same files.
-    """
+    run keeps its earlier result for the same files."""
     if files != files_hash(root):
         (root / RECORD).unlink(missing_ok=True)
         return

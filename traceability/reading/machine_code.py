@@ -3,8 +3,7 @@ into blocks, and finds the jumps, calls and loops.
 
 The cycles are counted as on the virtual board (``sim/emulator/Timing.hpp``), from tables 3-1 and
 7-1 of the Cortex-M4 manual. If the manual states a range, the greatest number is used. The flash
-memory is assumed to be slow and to have no cache.
-"""
+memory is assumed to be slow and to have no cache."""
 
 from __future__ import annotations
 

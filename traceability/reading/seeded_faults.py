@@ -47,8 +47,7 @@ class Fault:
     matches.
 
     Without ``at``, the finding must be on the line where the first edit begins. A finding about a
-    folder has no line.
-    """
+    folder has no line."""
 
     name: str
     check: str

@@ -230,8 +230,7 @@ class References:
 
     An object is a member or a variable whose type is a class of the project. The references to an
     object are followed through constructors, parameters, members and results, in all files for
-    which ``contains`` returns true.
-    """
+    which ``contains`` returns true."""
 
     def __init__(self, facts: Facts, contains: Callable[[str], bool]) -> None:
         self.facts = facts
@@ -371,8 +370,7 @@ class References:
     def own_targets(self, call: CallFact, kind: str) -> list[str]:
         """Returns the methods that a call may execute, if the calling method is a method of an
         object of exactly the class ``kind``. A member that a base class declares then refers only
-        to objects that the constructors of ``kind`` pass to the base class.
-        """
+        to objects that the constructors of ``kind`` pass to the base class."""
         owner = call.target.rpartition("::")[0]
         if not call.virtual:
             return [call.target]
@@ -432,8 +430,7 @@ class References:
 
         ``within`` maps a virtual method to an overriding method. A call of such a virtual method
         counts as a call of only this overriding method. Calls inside the methods in ``ends`` are
-        not followed.
-        """
+        not followed."""
         callers = dict.fromkeys(start, "")
         work = list(callers)
         while work:

@@ -85,8 +85,7 @@ def _long(file: Path) -> Iterator[bool]:
 
 def read_tool_tests(root: Path) -> dict[str, Counts | None]:
     """Returns the counts for each folder of tests. They are None if the tests did not run on the
-    present files. The result leaves out the folders ``AFTER_PAGES`` and ``LONG``.
-    """
+    present files. The result leaves out the folders ``AFTER_PAGES`` and ``LONG``."""
     folders = sorted({path.parent.name for path in (root / TESTS_OF_TOOLS).glob("*/test_*.py")})
     return {
         folder: junit_counts(path)

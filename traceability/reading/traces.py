@@ -49,8 +49,7 @@ class Row:
     this call, or calls of interrupts.
 
     Each execution of an interrupt has a different ``activation``. The code outside interrupts has
-    the activation 0.
-    """
+    the activation 0."""
 
     depth: int
     method: str
@@ -87,8 +86,7 @@ class Traces:
 
         ``turning`` contains addresses of functions. If a repeated sequence of calls contains no
         call of these functions, it is yielded only once. It can be yielded again after the next
-        call of one of these functions.
-        """
+        call of one of these functions."""
         events = self.events(test)
         calls = {address: [(name, True)] for address, name in names.items()}
         calls |= {address | EXIT: [(name, False)] for address, name in names.items()}
@@ -241,8 +239,7 @@ def function_of(symbol: str) -> str:
 
 def free_function_of(symbol: str) -> str:
     """Returns ``part`` for ``int wr::(anonymous namespace)::part<4>(int)``. The result is empty for
-    other symbols.
-    """
+    other symbols."""
     pattern = r"(?:[^()]* )?wr::(?:\(anonymous namespace\)::)?(\w+)(?:<.*>)?\("
     match = None if "{lambda" in symbol else re.match(pattern, symbol)
     return match[1] if match else ""
@@ -263,8 +260,7 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
 
     If an interrupt occurs during the call of the parent, the calls by this interrupt do not count
     as calls of the parent. After a post, the posted method may run later, and in another
-    activation.
-    """
+    activation."""
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}
     reached = tree

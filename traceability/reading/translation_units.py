@@ -2,8 +2,7 @@
 
 A header and the source file of the same name are one translation unit. A header without a source
 file is a separate unit. Files below ``src/k64`` and in the folder ``k64`` of an extension are
-parsed for the K64, with the standard library of the K64 compiler.
-"""
+parsed for the K64, with the standard library of the K64 compiler."""
 
 from __future__ import annotations
 
