@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from traceability.reading.build_evidence import git
-from traceability.sources import DESIGN
+from traceability.sources import DESIGN, text_of
 
 FIRMWARE = re.compile(r"\.(cpp|hpp|ld)$")
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\s+", re.DOTALL)  # comments and white space
@@ -33,13 +33,9 @@ def changed_since(root: Path, commit: str) -> int | None:
         return None
     names = git(root, "diff", "--name-only", "--no-renames", commit, "--", *DESIGN).splitlines()
     return sum(
-        _code(git(root, "show", f"{commit}:{name}")) != _code(_text(root / name))
+        _code(git(root, "show", f"{commit}:{name}")) != _code(text_of(root / name))
         for name in filter(FIRMWARE.search, names)
     )
-
-
-def _text(path: Path) -> str:
-    return path.read_text(encoding="utf-8") if path.exists() else ""
 
 
 def _code(text: str) -> str:

@@ -19,6 +19,7 @@ from traceability.reading.ast_facts import (
 )
 from traceability.reading.comments import NO_COMMENT, Comment, Comments
 from traceability.reading.declared import Declared
+from traceability.reading.graphs import reached_from
 from traceability.reading.products import is_of_default
 from traceability.schema import Place
 from traceability.sources import DESIGN, SRC
@@ -159,14 +160,11 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
     overriders: dict[str, list[str]] = {}
     methods = {method.id: method for fact in syntax.classes for method in fact.methods}
     for fact in syntax.classes:
-        above, visited = list(fact.bases), set()
-        while above:
-            base = above.pop()
-            if base in visited:
-                continue
-            visited.add(base)
+        bases = reached_from(
+            fact.bases, lambda base: classes[base].bases if base in classes else ()
+        )
+        for base in bases:
             subclasses.setdefault(base, []).append(fact.name)
-            above += classes[base].bases if base in classes else []
     for method in methods.values():
         upper = method.overrides
         while upper is not None:

@@ -7,13 +7,13 @@ import functools
 import hashlib
 import os
 import re
-import subprocess
 from array import array
 from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.reading.products import PAPER, recorded_image_of
+from traceability.reading.programs import output_of
 from traceability.reading.result_cache import cached_result, code_of
 from traceability.reading.results import RESULTS, RUNS
 from traceability.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
@@ -167,9 +167,8 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
     for binding, source in SOURCES.items():
         traces = Traces(root / source.folder)
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
-        done = (
-            root / RESULTS / f"{RUNS[binding]}.json"
-        ).exists()  # If there are no results, the tests are still running.
+        # If there are no results, the tests are still running.
+        done = (root / RESULTS / f"{RUNS[binding]}.json").exists()
         if tests and done and (root / source.executable).exists():
             cached = cache / f"symbols-{source.names}.pickle"
             traces.state = _state(traces.folder, root / source.executable)
@@ -197,10 +196,9 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
 
 
 def _symbols(executable: Path, names: str) -> dict[int, str]:
-    run = subprocess.run([names, "-C", str(executable)], capture_output=True, text=True, check=True)
     symbols: dict[int, str] = {}
     even = 0 if names == "nm" else 1
-    for line in run.stdout.splitlines():
+    for line in output_of(names, "-C", executable).splitlines():
         match = re.match(r"([0-9a-f]+) [tTwWuV] (.*)", line)
         name = match and (
             method_of(match[2]) or function_of(match[2]) or free_function_of(match[2])

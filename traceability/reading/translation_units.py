@@ -14,6 +14,7 @@ from pathlib import Path
 
 from clang import cindex
 
+from traceability.reading.programs import output_of
 from traceability.sources import DESIGN, files_below
 
 BOARD = re.compile(r"(src|extensions/\w+)/k64/")
@@ -45,10 +46,7 @@ def clang_arguments(board: bool) -> list[str]:
         target = ["--target=thumbv7em-none-eabihf", *BOARD_FLAGS, "-nostdinc", "-nostdinc++"]
         return [*common, *target, *folders]
     compiler = shutil.which("g++") or "g++"
-    answer = subprocess.run(
-        [compiler, "-print-file-name=include"], capture_output=True, text=True, check=True
-    )
-    return [*common, "-isystem", answer.stdout.strip()]
+    return [*common, "-isystem", output_of(compiler, "-print-file-name=include").strip()]
 
 
 def _board_folders() -> list[str]:
