@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
 from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,6 +16,7 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.model.design_texts import page_facts, reasons, safety_sections
 from traceability.model.trees import accepted
+from traceability.reading.build_evidence import git
 from traceability.reading.comments import code_of
 from traceability.reading.link_texts import (
     FINDERS,
@@ -28,7 +28,7 @@ from traceability.reading.link_texts import (
 )
 from traceability.reading.source_facts import Facts
 from traceability.reading.support_files import SupportFiles
-from traceability.reading.toml_reader import Entries, Keys, Problem
+from traceability.reading.toml_reader import Entries, Problem
 from traceability.reading.traces import nodes_of
 from traceability.schema import (
     Baseline,
@@ -76,16 +76,7 @@ DESIGN = "design"  # key for texts without a requirement; other keys are ids of 
 OF_DESIGN = ("reason", "facts", "page", "function")
 EVIDENCE = ("sim/plant", "sim/scenario")  # folders of code on which the results of tests depend
 LINKS = "links"  # the table of the baseline with the texts of each requirement
-NEEDS: Keys = {
-    "requirement": str,
-    "reviewer": str,
-    "email": str,
-    "date": str,
-    "commit": str,
-    "state": str,
-    "remark": str,
-    "answers": dict,
-}
+TEXTS_OF_REVIEW = ("requirement", "reviewer", "email", "date", "commit", "state", "remark")
 DATE = r"\d{4}-[01]\d-[0-3]\d"
 QUESTIONS = {
     "text": "Is the requirement clear and complete, and does it contradict no other requirement?",
@@ -323,14 +314,8 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
     before = read_baseline(root)
     links = {name: before.links[name] for name in (*ids, DESIGN) if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
-    hashes = {
-        **before.hashes,
-        **{
-            text.key: text.hash
-            for requirement_texts in texts.values()
-            for text in requirement_texts
-        },
-    }
+    hashes = dict(before.hashes)
+    hashes |= {text.key: text.hash for listed in texts.values() for text in listed}
     parts = [BASELINE_HEADING, f"\n[{LINKS}]\n"]
     named = sorted(links.keys() - {DESIGN}, key=_order)
     parts += [f"{name} = {json.dumps(sorted(links[name]))}\n" for name in named]
@@ -346,12 +331,11 @@ def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
     """Returns the reviews that have all keys. Records a problem for each review with a missing key
     or with a date in another form."""
     entries = entries or Entries(root)
-    reviews = []
-    for entry, place in entries.tables(root / REVIEWS, "review", NEEDS):
-        if not re.fullmatch(DATE, entry["date"]):
+    reviews = entries.records(root / REVIEWS, "review", Review)
+    for review in reviews:
+        if not re.fullmatch(DATE, review.date):
             text = "the date of the review must have the form 2026-01-31"
-            entries.problems.append(Problem(place, text, "review the requirement again"))
-        reviews.append(Review(**entry, place=place))
+            entries.problems.append(Problem(review.place, text, "review the requirement again"))
     return reviews
 
 
@@ -359,8 +343,10 @@ def add_review(root: Path, review: Review) -> None:
     """Appends a review to the file of reviews."""
     path = root / REVIEWS
     before = path.read_text(encoding="utf-8") if path.exists() else REVIEWS_HEADING
-    keys = [name for name in NEEDS if name != "answers"]
-    lines = [f"{key} = {json.dumps(getattr(review, key), ensure_ascii=False)}\n" for key in keys]
+    lines = [
+        f"{key} = {json.dumps(getattr(review, key), ensure_ascii=False)}\n"
+        for key in TEXTS_OF_REVIEW
+    ]
     answers = ", ".join(f'{key} = "{answer}"' for key, answer in review.answers.items())
     entry = f"\n[[review]]\n{''.join(lines)}answers = {{ {answers} }}\n"
     write_whole(path, before + entry)
@@ -395,9 +381,8 @@ def authors(root: Path, place: Place) -> set[str]:
     """Returns the authors of the source lines of a place, according to git. The result contains
     their names and e-mail addresses in lower case."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
-    command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    words = re.findall(r"^author(?:-mail)? (.*)$", run.stdout, re.MULTILINE)
+    blame = git(root, "blame", "-w", "--line-porcelain", *lines, "--", place.file)
+    words = re.findall(r"^author(?:-mail)? (.*)$", blame, re.MULTILINE)
     return {word.strip("<>").casefold() for word in words}
 
 
@@ -458,9 +443,8 @@ def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tu
     if kind == "method" and methods:
         return methods[0].place, f"has lost the tag @satisfies {requirement.id} since the baseline"
     if kind == "test" and name in model.tests:
-        return model.tests[
-            name
-        ].place, f"has lost the tag @verifies {requirement.id} since the baseline"
+        place = model.tests[name].place
+        return place, f"has lost the tag @verifies {requirement.id} since the baseline"
     if kind == "body" and methods:
         return methods[0].place, "is no longer in the requirement's tree, and has no @satisfies"
     return requirement.place, "was removed since the baseline"
