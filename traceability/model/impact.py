@@ -64,8 +64,6 @@ class Impacts:
         self.affected = {name: self._next(name) for name in model.modules}
         self.trees = {
             name: {node.module for node in nodes_of(requirement.tree)}
-            if requirement.tree
-            else set()
             for name, requirement in model.requirements.items()
         }
 
@@ -124,7 +122,7 @@ class Impacts:
             method.partition("::")[0]: f"satisfies it in {method}"
             for method in requirement.satisfied_by
         }
-        for node in nodes_of(requirement.tree) if requirement.tree else []:
+        for node in nodes_of(requirement.tree):
             if node.module in self.model.modules:
                 start.setdefault(node.module, f"its tree calls {node.label}")
         impact = Impact(requirement.id, "requirement", requirement.text)

@@ -86,10 +86,7 @@ def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
         requirement.id
         for requirement in model.requirements.values()
         if any(method.partition("::")[0] in modules for method in requirement.satisfied_by)
-        or any(
-            node.module in modules
-            for node in (nodes_of(requirement.tree) if requirement.tree else [])
-        )
+        or any(node.module in modules for node in nodes_of(requirement.tree))
     ]
 
 

@@ -255,10 +255,7 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
     if goals:
         yield f"These safety goals are not verified: {', '.join(goals)}.", "safety"
-    short = sum(
-        requirement.tree is not None and len(nodes_of(requirement.tree)) == 1
-        for requirement in requirements
-    )
+    short = sum(len(nodes_of(requirement.tree)) == 1 for requirement in requirements)
     if short:
         yield (
             f"Number of invocation trees with only one node: {short}. Such a tree shows that a "

@@ -240,7 +240,7 @@ class LinkTexts:
 
     def _methods(self, requirement: Requirement) -> set[str]:
         """Returns the methods that satisfy a requirement or are in its invocation tree."""
-        nodes = nodes_of(requirement.tree) if requirement.tree else []
+        nodes = nodes_of(requirement.tree)
         accepted_names = {method for node in nodes for method in accepted(node, self.facts)}
         return accepted_names.union(requirement.satisfied_by)
 

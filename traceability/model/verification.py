@@ -50,7 +50,7 @@ def _covered_methods(
 ) -> list[MethodCoverage]:
     coverages: list[MethodCoverage] = []
     whole = measured.whole
-    nodes = nodes_of(requirement.tree) if requirement.tree else []
+    nodes = nodes_of(requirement.tree)
     for method in dict.fromkeys(name for node in nodes for name in sorted(accepted(node, facts))):
         for body in facts.bodies.get(method, []):
             lines = lines_of(body, whole.lines.get(body.place.file, set()))
@@ -85,7 +85,7 @@ class Owners:
         self.trees: dict[str, set[str]] = {}
         self.tags: dict[str, set[str]] = {}
         for requirement in model.requirements.values():
-            for node in nodes_of(requirement.tree) if requirement.tree else []:
+            for node in nodes_of(requirement.tree):
                 for method in accepted(node, facts):
                     self.trees.setdefault(method, set()).add(requirement.id)
             for method in requirement.satisfied_by:

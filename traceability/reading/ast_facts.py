@@ -27,7 +27,6 @@ class MethodFact:
     end: int
     virtual: bool = False
     pure: bool = False
-    final: bool = False
     deleted: bool = False
     defaulted: bool = False
     overrides: str | None = None

@@ -641,7 +641,6 @@ class Reader:
             end=cursor.extent.end.line,
             virtual=virtual,
             pure=pure,
-            final=any(part.kind == CursorKind.CXX_FINAL_ATTR for part in cursor.get_children()),
             deleted=cursor.is_deleted_method(),
             defaulted=cursor.is_default_method(),
             overrides=function_id(above) if above is not None else None,

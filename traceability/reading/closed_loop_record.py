@@ -21,7 +21,6 @@ from traceability.schema import (
     LoopPlot,
     LoopRun,
     LoopScenario,
-    Place,
 )
 
 PRODUCT = PAPER  # the product that runs the scenarios
@@ -69,7 +68,7 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
                     entry, entries.line_in(place, f'"{entry.get("title", "")}"'), needs, others
                 )
             ]
-    return [item for item, _ in scenarios]
+    return [{**item, "place": place} for item, place in scenarios]
 
 
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
@@ -90,7 +89,7 @@ def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> LoopSce
         item["title"],
         item["says"],
         str(EXAMPLES / f"{name}.scenario"),
-        _place(root, name),
+        item["place"],
         [_plot(plot, rows) for plot in item.get("plot", [])],
         [_figure(figure, rows) for figure in item.get("figure", [])],
         {
@@ -98,12 +97,6 @@ def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> LoopSce
             for binding, run in runs.items()
         },
     )
-
-
-def _place(root: Path, name: str) -> Place:
-    lines = (root / DECLARED).read_text(encoding="utf-8").splitlines()
-    number = lines.index(f'name = "{name}"')
-    return Place(str(DECLARED), max(n for n in range(number) if lines[n] == "[[scenario]]") + 1)
 
 
 def read_rows(path: Path) -> Rows:

@@ -182,12 +182,11 @@ def read_declared(root: Path, constants: Constants | None = None) -> Declared:
     _patterns(design, entries, declared)
     declared.blocks = entries.records(design / "register_owners.toml", "block", Block, "name")
     _execution(design / "execution.toml", entries, declared)
-    findings = entries.records(design / "board_findings.toml", "finding", BoardFinding, "id")
-    declared.board_findings = {each.id: each for each in findings}
+    findings = design / "board_findings.toml"
+    declared.board_findings = entries.named(findings, "finding", BoardFinding, "id")
     beliefs = design / "board_beliefs.toml"
-    sources = entries.records(beliefs, "source", BeliefSource, "id")
-    declared.belief_sources = {each.id: each for each in sources}
-    outside = {each.id for each in sources if each.outside}
+    sources = declared.belief_sources = entries.named(beliefs, "source", BeliefSource, "id")
+    outside = {each.id for each in sources.values() if each.outside}
     declared.beliefs = [
         replace(belief, shared=belief.source not in outside)
         for belief in entries.records(beliefs, "belief", BoardBelief, shared=False)
@@ -247,13 +246,11 @@ def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
 
 
 def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
-    applications = entries.records(
+    declared.applications = entries.named(
         design / "applications.toml", "application", KnownApplication, "id", may=["replaces"]
     )
-    declared.applications = {each.id: each for each in applications}
     clauses = design / "clauses.toml"
-    texts = entries.records(clauses, "clause", ClauseText, "id")
-    declared.clauses = {each.id: each for each in texts}
+    declared.clauses = entries.named(clauses, "clause", ClauseText, "id")
     declared.patterns = entries.records(clauses, "pattern", KnownPattern, "name")
 
 
@@ -272,9 +269,8 @@ def _machines(root: Path, entries: Entries, declared: Declared) -> None:
         machine = _machine(Place(str(path.relative_to(root)), 1), path, entries)
         if machine is not None and machine.id in declared.machines:
             text = f"{declared.machines[machine.id].place.file} already has a machine {machine.id}"
-            entries.problems.append(
-                Problem(machine.place, text, "give each machine a different id")
-            )
+            fix = "give each machine a different id"
+            entries.problems.append(Problem(machine.place, text, fix))
         elif machine is not None:
             declared.machines[machine.id] = machine
 
@@ -301,10 +297,8 @@ def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
 def _execution(path: Path, entries: Entries, declared: Declared) -> None:
     declared.ends = entries.value(path, "ends", [])
     may, keys = ["body", "idle", "intended"], {"intended": "priority"}
-    contexts = entries.records(path, "context", ExecutionContext, "id", may=may, keys=keys)
-    declared.contexts = {each.id: each for each in contexts}
-    pipes = entries.records(path, "pipe", PipeText, "object")
-    declared.pipes = {each.object: each for each in pipes}
+    declared.contexts = entries.named(path, "context", ExecutionContext, "id", may=may, keys=keys)
+    declared.pipes = entries.named(path, "pipe", PipeText, "object")
     for item, place in entries.tables(
         path, "shared", {"members": list, "protection": str, "why": str}
     ):
@@ -325,28 +319,25 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         if re.fullmatch(r"N?FR-\d+", words):
             current, stack = words, []
             if words in declared.trees:
-                text = f"{_told(declared.trees[words][0])} already has a tree of {words}"
+                first = declared.trees[words][0]
+                text = f"{first.file}:{first.line} already has a tree of {words}"
                 declared.tree_errors.append((place, text, "remove one of the two trees"))
             declared.trees[current] = (place, None)
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
+            text = "this line is neither the id of a requirement nor a method of a tree"
             fix = "write 'FR-n', or an indented 'Class::method'; only ? or * may follow it"
-            declared.tree_errors.append(
-                (
-                    place,
-                    "this line is neither the id of a requirement nor a method of a tree",
-                    fix,
-                )
-            )
+            declared.tree_errors.append((place, text, fix))
             continue
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
-            text = f"{label} is indented too far"
-            declared.tree_errors.append(
-                (place, text, "indent the method by two blanks more than its caller")
+            text, fix = (
+                "is indented too far",
+                "indent the method by two blanks more than its caller",
             )
+            declared.tree_errors.append((place, f"{label} {text}", fix))
         while stack and stack[-1][0] >= depth:
             stack.pop()
         kind = "root" if not stack else "post" if match[2] else "call"
@@ -365,7 +356,3 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             declared.tree_errors.append((place, text, "keep only one root in the tree"))
             continue
         stack.append((depth, children))
-
-
-def _told(place: Place) -> str:
-    return f"{place.file}:{place.line}"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from traceability.reading.formulas import value_of
 from traceability.reading.toml_reader import Entries
@@ -25,7 +25,6 @@ from traceability.schema import (
 )
 from traceability.sources import files_below
 
-T = TypeVar("T", SafeState, Assumption, SafetyGoal, Hazard)
 FILE = Path("design/safety_case.toml")
 SCENARIOS = Path("sim/scenario/safety")
 GOAL_LINE = re.compile(r"#\s*goals?:?\s+(SG-\d+(?:[\s,]+SG-\d+)*)\s*$")
@@ -42,10 +41,7 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
     item: dict[str, Any] = entries.value(path, "item", {})
     risk: dict[str, Any] = entries.value(path, "risk", {})
 
-    def read(name: str, kind: type[T], may: Sequence[str] = ()) -> dict[str, T]:
-        records = entries.records(path, name, kind, "id", may=may)
-        return {record.id: record for record in records}
-
+    of_goal = ["exceptions", "open_points", "parts", "velocity"]
     return linked(
         SafetyCase(
             base=str(entries.value(path, "base", "")),
@@ -59,10 +55,10 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
             priorities=dict(risk.get("priority", {})),
             data_sheets=list(entries.value(path, "data_sheets", [])),
             scenarios=read_scenarios(root),
-            safe_states=read("safe_state", SafeState),
-            assumptions=read("assumption", Assumption),
-            goals=read("goal", SafetyGoal, ["exceptions", "open_points", "parts", "velocity"]),
-            hazards=read("hazard", Hazard, ["scenarios"]),
+            safe_states=entries.named(path, "safe_state", SafeState, "id"),
+            assumptions=entries.named(path, "assumption", Assumption, "id"),
+            goals=entries.named(path, "goal", SafetyGoal, "id", may=of_goal),
+            hazards=entries.named(path, "hazard", Hazard, "id", may=["scenarios"]),
             corrections=entries.records(path, "correction", Correction, may=["for_safety"]),
         )
     )
@@ -81,12 +77,12 @@ def linked(case: SafetyCase) -> SafetyCase:
     for name, goal in case.goals.items():
         names = [hazard.id for hazard in hazards.values() for word in hazard.goals if word == name]
         level = highest(case, [hazards[name].level for name in names])
-        computed = value_of(goal.formula, {})
-        scenarios = [
-            scenario.name for scenario in case.scenarios.values() if name in scenario.goals
-        ]
         goals[name] = replace(
-            goal, hazards=names, computed=computed, level=level, scenarios=scenarios
+            goal,
+            hazards=names,
+            computed=value_of(goal.formula, {}),
+            level=level,
+            scenarios=[each.name for each in case.scenarios.values() if name in each.goals],
         )
     assumptions = {
         name: replace(

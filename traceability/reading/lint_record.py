@@ -41,7 +41,6 @@ def write_lint(root: Path, steps: Mapping[str, str], commit: str, files: str) ->
     kept = earlier["steps"] if isinstance(earlier, dict) and earlier["files"] == files else {}
     results = {name: kept.get(name, how) if how == NOT_RUN else how for name, how in steps.items()}
     content = {"commit": commit, "files": files, "steps": results}
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     write_whole(root / RECORD, json.dumps(content, indent=1))
 
 

@@ -41,16 +41,5 @@ def read_mutation(root: Path, sources: str) -> Mutation | None:
 
 
 def _mutation(data: dict[str, Any]) -> Mutation:
-    tried = [
-        Mutant(
-            Place(item["file"], item["line"]),
-            item["method"],
-            item["kind"],
-            item["change"],
-            item["killed_by"],
-            item["own"],
-            item.get("why", ""),
-        )
-        for item in data["tried"]
-    ]
+    tried = [Mutant(Place(item.pop("file"), item.pop("line")), **item) for item in data["tried"]]
     return Mutation(data["seed"], data["minutes"], data["total"], tried)

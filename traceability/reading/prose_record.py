@@ -8,6 +8,7 @@ from pathlib import Path
 
 from traceability.reading.results import RESULTS, read_json
 from traceability.sources import DESIGN, files_below, hash_of
+from traceability.whole_file import write_whole
 
 RECORD = RESULTS / "prose.json"
 FOLDERS = (
@@ -24,8 +25,7 @@ def texts_hash(root: Path) -> str:
 def write_prose(root: Path, findings: int) -> None:
     """Writes the number of findings and the hash of the texts."""
     content = {"findings": findings, "texts": texts_hash(root)}
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
-    (root / RECORD).write_text(json.dumps(content), encoding="utf-8")
+    write_whole(root / RECORD, json.dumps(content))
 
 
 def read_prose(root: Path) -> int | None:

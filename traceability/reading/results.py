@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import re
 import time
-from dataclasses import dataclass, field
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
 import cattrs
 
 from traceability.reading import task_record
-from traceability.schema import HOST, VIRTUAL_K64, DriverFault
+from traceability.schema import HOST, VIRTUAL_K64, BindingResult, DriverFault
 from traceability.sources import file_hash, source_hash
 
 T = TypeVar("T")
@@ -37,20 +37,6 @@ HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
 # Only the comparison of the two designs runs the tests in this folder.
 COMPARED = "tests/usual_design/"
-
-
-@dataclass
-class Result:
-    result: str  # "passed", "failed", "skipped"
-    milliseconds: float
-    message: str
-    # names of the files with the recorded calls
-    recordings: list[str] = field(default_factory=list)
-    measured: str = ""  # text of the property "measured" that the test reports
-    # for a parameterised test: name of the instance -> result of the instance
-    instances: dict[str, str] = field(default_factory=dict)
-    # products whose firmware images the test executed
-    images: list[str] = field(default_factory=list)
 
 
 def read_times(root: Path) -> dict[str, float]:
@@ -151,42 +137,37 @@ def read_results_hash(root: Path, binding: str) -> str | None:
     return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"
 
 
-def read_results(root: Path, binding: str) -> dict[str, Result]:
+def read_results(root: Path, binding: str) -> dict[str, BindingResult]:
     """Returns the test results of a target by ``Suite.Name``. All instances of a parameterised test
     have one common result."""
     return results_in(read_json(root / RESULTS / f"{RUNS[binding]}.json") or {})
 
 
-def results_in(data: dict[str, Any]) -> dict[str, Result]:
+def results_in(data: dict[str, Any]) -> dict[str, BindingResult]:
     """Returns the test results from the content of a GoogleTest result file."""
-    results: dict[str, Result] = {}
+    results: dict[str, BindingResult] = {}
     for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
             name = plain_name(suite["name"], test["name"])
-            result = _result(test)
             own = f"{suite['name']}.{test['name']}".replace("/", "_")
-            result.recordings.append(own)
-            if "/" in test["name"] or TYPE.search(suite["name"]):
-                result.instances[own] = result.result
+            is_instance = "/" in test["name"] or TYPE.search(suite["name"]) is not None
+            result = _result(test, own, is_instance)
             results[name] = _together(results[name], result) if name in results else result
     return results
 
 
-def _together(earlier: Result, result: Result) -> Result:
+def _together(earlier: BindingResult, result: BindingResult) -> BindingResult:
     """Combines two results of one test: results of two instances, or of runs with two firmware
     images. The combined result is "failed" if one of the two results is "failed"."""
     worst = earlier if earlier.result == "failed" else result
-    failed = {
-        name: instance for name, instance in earlier.instances.items() if instance == "failed"
-    }
-    return Result(
-        worst.result,
-        earlier.milliseconds + result.milliseconds,
-        worst.message,
-        list(dict.fromkeys(earlier.recordings + result.recordings)),
-        result.measured,
-        earlier.instances | result.instances | failed,
-        sorted({*earlier.images, *result.images}),
+    failed = {name: "failed" for name, each in earlier.instances.items() if each == "failed"}
+    return replace(
+        worst,
+        milliseconds=round((earlier.milliseconds or 0) + (result.milliseconds or 0), 3),
+        recordings=list(dict.fromkeys([*earlier.recordings, *result.recordings])),
+        measured=result.measured,
+        instances={**earlier.instances, **result.instances, **failed},
+        images=sorted({*earlier.images, *result.images}),
     )
 
 
@@ -197,16 +178,19 @@ def plain_name(suite: str, name: str) -> str:
     return f"{whole.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
 
 
-def _result(test: dict[str, Any]) -> Result:
-    milliseconds = 1000 * float(re.sub("s$", "", str(test.get("time", "0"))))
-    images = [str(test["image"])] if "image" in test else []
+def _result(test: dict[str, Any], name: str, is_instance: bool) -> BindingResult:
     failures = [str(item.get("failure", "")) for item in test.get("failures", [])]
-    if failures:
-        return Result("failed", milliseconds, failures[0], images=images)
-    if test.get("status") != "RUN" or test.get("result") == "SKIPPED":
-        return Result("skipped", milliseconds, "")
-    measured = str(test.get("measured", ""))
-    return Result("passed", milliseconds, "", measured=measured, images=images)
+    ran = test.get("status") == "RUN" and test.get("result") != "SKIPPED"
+    result = "failed" if failures else "passed" if ran else "skipped"
+    return BindingResult(
+        result,
+        round(1000 * float(str(test.get("time", "0")).removesuffix("s")), 3),
+        failures[0] if failures else "",
+        recordings=[name],
+        measured=str(test.get("measured", "")) if result == "passed" else "",
+        instances={name: result} if is_instance else {},
+        images=[str(test["image"])] if "image" in test and result != "skipped" else [],
+    )
 
 
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:

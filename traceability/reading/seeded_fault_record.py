@@ -12,6 +12,7 @@ from traceability.reading.results import RESULTS, day_of, read_fresh, read_json
 from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
 from traceability.schema import LastRecord
 from traceability.sources import DESIGN
+from traceability.whole_file import write_whole
 
 RECORD = RESULTS / "drift.json"
 SOURCES = (
@@ -44,9 +45,7 @@ def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str
         "left_out": left_out,
         "outcomes": [asdict(outcome) for outcome in outcomes],
     }
-    path = root / RECORD
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(record, indent=1), encoding="utf-8")
+    write_whole(root / RECORD, json.dumps(record, indent=1))
 
 
 def last_seeded(root: Path) -> LastRecord | None:

@@ -128,6 +128,13 @@ class Entries:
             records.append(record(**{**absent, **fixed, **values, "place": place}))
         return records
 
+    def named(
+        self, path: Path, name: str, record: type[T], own: str, **options: Any
+    ) -> dict[str, T]:
+        """Returns the entries like ``records``, by the value of their key ``own``."""
+        entries = self.records(path, name, record, own, **options)
+        return {getattr(entry, own): entry for entry in entries}
+
     def _places(self, path: Path, name: str, count: int) -> list[Place]:
         header = re.compile(rf"\s*\[\[\s*{re.escape(name)}\s*\]\]")
         lines = path.read_text(encoding="utf-8").splitlines() if count else []

@@ -295,11 +295,11 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
     return Embedding(matched, None) if matched is not None else Embedding({}, reached)
 
 
-def nodes_of(tree: TreeNode) -> list[TreeNode]:
-    nodes = [tree]
-    for child in tree.children:
-        nodes += nodes_of(child)
-    return nodes
+def nodes_of(tree: TreeNode | None) -> list[TreeNode]:
+    """Returns the nodes of an invocation tree, beginning at the root."""
+    if tree is None:
+        return []
+    return [tree, *(node for child in tree.children for node in nodes_of(child))]
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
