@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from traceability.model.design_model import Model
+from traceability.model.execution import way_to
 from traceability.reading.source_facts import Facts
 from traceability.schema import Connection
 
@@ -76,7 +77,7 @@ def shortest(facts: Facts, starts: list[str], stop: str) -> list[str]:
                 continue
             before[target] = caller
             if target == stop or target.startswith(f"{stop}::"):
-                return way_back(target, before)
+                return way_to(target, before)
             work.append(target)
     return []
 
@@ -98,10 +99,3 @@ def called(facts: Facts, method: str) -> list[str]:
             f"{body.kind}::execute" for body in bodies if body.kind.startswith(f"{own}::")
         )
     return methods
-
-
-def way_back(target: str, before: dict[str, str]) -> list[str]:
-    way = [target]
-    while before[way[0]]:
-        way.insert(0, before[way[0]])
-    return way

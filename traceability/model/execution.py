@@ -8,7 +8,7 @@ that the builders passed to the caller."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact, FieldFact
@@ -24,28 +24,23 @@ DISPATCH = "Command::execute"  # operation that the handler of a thread calls
 ENABLE = "K64Thread::enable"  # method with the arguments: interrupt line, priority of this line
 
 
-@dataclass
-class Code:
-    """Facts from the code about the interrupt handlers and the execution contexts."""
-
-    # handler -> numbers of its interrupt lines
-    lines: dict[str, list[int]] = field(default_factory=dict)
-    # context -> method that the context may execute while the other contexts run -> first caller
-    # of this method that was found
-    reached: dict[str, dict[str, str]] = field(default_factory=dict)
+# context -> method that the context may execute while the other contexts run -> first caller of
+# this method that was found
+Methods = dict[str, dict[str, str]]
 
 
 def with_execution(model: Model, facts: Facts) -> Model:
-    code = Code(handler_lines(facts))
+    lines_of = handler_lines(facts)
+    methods: Methods = {}
     priorities = line_priorities(facts)
     contexts: dict[str, ExecutionContext] = {}
     for name, context in facts.declared.contexts.items():
-        lines = sorted({n for handler in context.handlers for n in code.lines.get(handler, [])})
+        lines = sorted({n for handler in context.handlers for n in lines_of.get(handler, [])})
         names = {priorities[line] for line in lines if line in priorities}
         numbers = {facts.syntax.constants[name] for name in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.robot.reached(context.handlers, narrowed, facts.declared.ends)
-        code.reached[context.id] = reached if context.kind != START else _idle(context, facts)
+        methods[context.id] = reached if context.kind != START else _idle(context, facts)
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
         contexts[name] = replace(
             context,
@@ -57,8 +52,8 @@ def with_execution(model: Model, facts: Facts) -> Model:
     return replace(
         model,
         contexts=contexts,
-        pipes=pipes_of(model, facts, code),
-        shared=shared_members(model, facts, code),
+        pipes=pipes_of(model, facts, methods),
+        shared=shared_members(model, facts, methods),
     )
 
 
@@ -153,7 +148,7 @@ def _enabling(facts: Facts) -> dict[int, str]:
 # ---- pipes ---------------------------------------------------------------------
 
 
-def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
+def pipes_of(model: Model, facts: Facts, methods: Methods) -> list[SharedPipe]:
     """Returns all pipes of the robot. For each pipe, the result contains the methods that write or
     read the pipe, and the execution contexts that may execute each of these methods."""
     members = {
@@ -174,7 +169,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
             for item in facts.robot.objects(call.on, PIPE):
                 users = (writers if operation == "write" else readers)[item.name]
                 for user in users_of(body, item, model, facts):
-                    users[user] = contexts_of(user, code)
+                    users[user] = [name for name, reached in methods.items() if user in reached]
     pipes: list[SharedPipe] = []
     for name in sorted(members):
         declared = facts.declared.pipes.get(name)
@@ -201,25 +196,19 @@ def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[s
     )
 
 
-def contexts_of(method: str, code: Code) -> list[str]:
-    return [name for name, reached in code.reached.items() if method in reached]
-
-
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
     """Returns the place of the declaration of a variable or data member, and its type."""
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")
-        fact = next(
-            member_fact for member_fact in facts.classes[owner].fields if member_fact.name == member
-        )
+        fact = next(each for each in facts.classes[owner].fields if each.name == member)
     return fact.place, fact.type
 
 
 # ---- members that contexts share --------------------------------------------------
 
 
-def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
+def shared_members(model: Model, facts: Facts, methods: Methods) -> list[SharedMember]:
     """Returns the data members that one context changes and that another context reads or changes.
 
     A data member of a value type such as Velocity is left out. Instead, the result contains the
@@ -231,7 +220,7 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
         for member in fact.fields
     }
     touched: dict[str, dict[str, bool]] = {}
-    for name, reached in code.reached.items():
+    for name, reached in methods.items():
         for method in reached:
             owner, _, short = method.rpartition("::")
             if short == owner.rpartition("::")[2]:
@@ -261,9 +250,8 @@ def shared_member(
     member: str, fact: FieldFact, users: dict[str, bool], facts: Facts
 ) -> SharedMember:
     owner = member.rpartition("::")[0]
-    declared = facts.declared.protections.get(member) or facts.declared.protections.get(
-        f"{owner}::*"
-    )
+    protections = facts.declared.protections
+    declared = protections.get(member) or protections.get(f"{owner}::*")
     if declared is not None:
         protection, why = declared.protection, declared.why
     elif any(kind == PIPE for kind in fact.classes):

@@ -163,7 +163,7 @@ def _together(earlier: BindingResult, result: BindingResult) -> BindingResult:
     failed = {name: "failed" for name, each in earlier.instances.items() if each == "failed"}
     return replace(
         worst,
-        milliseconds=round((earlier.milliseconds or 0) + (result.milliseconds or 0), 3),
+        milliseconds=round((earlier.milliseconds or 0.0) + (result.milliseconds or 0.0), 3),
         recordings=list(dict.fromkeys([*earlier.recordings, *result.recordings])),
         measured=result.measured,
         instances={**earlier.instances, **result.instances, **failed},
