@@ -22,10 +22,20 @@ from traceability.reading.live_record import live_metrics
 from traceability.reading.products import HAS, intruders
 from traceability.reading.proof_record import PROVE
 from traceability.reading.prose_record import read_prose
+from traceability.reading.published import Published
 from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_times, read_totals
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, Clause, LastRecord, Proofs, Requirement, SafetyCase
+from traceability.schema import (
+    HOST,
+    Clause,
+    LastRecord,
+    PatternApplication,
+    Proofs,
+    Requirement,
+    SafetyCase,
+    TimeProof,
+)
 from traceability.sources import file_hash, files_below
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
@@ -37,7 +47,8 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
     "portal.search_unseen_first_hit",
     *("site.pages", "site.dead_links", "build.first_page_s"),
-    "changes.proven",
+    *("changes.proven", "bench.wcet_cycle_ms", "bench.wcet_ratio", "bench.longest_lock_us"),
+    *("bench.wcet_cycle_with_noise_ms", "bench.wcet_ratio_with_noise", "bench.paths_ms"),
     *("build.cold_s", "build.edit_s", "build.ci_s", "release.reproducible"),
     *("tools.python_lines", "tools.python_test_lines", "tools.design_lines"),
     *(f"live.{key}" for key in LIVE),
@@ -122,16 +133,14 @@ def forbidden(model: Model) -> dict[str, Any]:
     products = model.products
     if products is None:
         return {}
-    needless = {name: intruders(product.modules, HAS[name]) for name, product in products.items()}
+    images = products.values()
     return {
-        "firmware.forbidden_parts": sum(len(product.forbidden) for product in products.values()),
-        "firmware.needless_modules": sum(len(modules) for modules in needless.values()),
-        "firmware.largest_flash_bytes": max(
-            (product.flash for product in products.values()), default=None
+        "firmware.forbidden_parts": sum(len(image.forbidden) for image in images),
+        "firmware.needless_modules": sum(
+            len(intruders(image.modules, HAS[name])) for name, image in products.items()
         ),
-        "firmware.largest_ram_bytes": max(
-            (product.ram for product in products.values()), default=None
-        ),
+        "firmware.largest_flash_bytes": max((image.flash for image in images), default=None),
+        "firmware.largest_ram_bytes": max((image.ram for image in images), default=None),
     }
 
 
@@ -156,19 +165,16 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
     runs = [run for test in model.tests.values() for run in test.results.values() if run.result]
     applications = list(model.patterns.values())
     decided = all(clauses.get(application.id) for application in applications)
+
+    def conforms(application: PatternApplication) -> bool:
+        return all(clause.holds for clause in clauses[application.id])
+
     return {
         "modules.design": len(designs),
         "modules.extensions": len(written) - len(designs),
         "modules.with_secret": sum(1 for module in designs if module.secret),
         "patterns.applications": len(applications),
-        "patterns.conforming": (
-            sum(
-                all(clause.holds for clause in clauses[application.id])
-                for application in applications
-            )
-            if decided
-            else None
-        ),
+        "patterns.conforming": sum(map(conforms, applications)) if decided else None,
         "changes.total": len(model.changes),
         "changes.existing_lines_touched": sum(
             change.made.outside_lines for change in model.changes.values() if change.made
@@ -187,11 +193,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "patterns.price": {name: asdict(price) for name, price in model.prices.items()} or None,
-        "bench.wcet_cycle_ms": (
-            round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
-        ),
         "bench.seen_cycle_ms": model.times.seen_ms if model.times else None,
-        **_proven_times(model),
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
         "mutation.justified": model.mutation.justified if model.mutation else None,
@@ -203,6 +205,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
             **recorded_metric(model.proofs),
         },
         **dict.fromkeys(OF_OTHER_STEPS),
+        **_proven_times(model.times, model.campaigns.get(LOADS)),
         **model.measured,
     }
 
@@ -223,33 +226,29 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
     return {"proofs.proven": {**record, "value": len(proofs.recorded)}}
 
 
-def _proven_times(model: Model) -> dict[str, Any]:
-    """Returns three kinds of metrics: the upper bound of the time of a cycle with noise at all
-    inputs, the upper bounds of the times of the paths, and the ratios of the bounds of a cycle to
-    the longest measured times."""
-    proof = model.times if model.times and model.times.proven else None
-    drives = model.campaigns.get(LOADS)
+def _proven_times(proof: TimeProof | None, drives: Published | None) -> dict[str, Any]:
+    """Returns the upper bounds of the times of a cycle without and with noise at all inputs and of
+    the times of the paths, and the ratios of the bounds of a cycle to the longest measured
+    times."""
+    if proof is None or not proof.proven:
+        return {}
     outcomes = drives.result["outcomes"] if drives else {}
-    longest = max(proof.seen_ms or 0, outcomes.get("longest_ms") or 0) if proof else 0
+    longest = max(proof.seen_ms or 0, outcomes.get("longest_ms") or 0)
     noisy = outcomes.get("noise_ms")
+    paths = {
+        path.name: {
+            "bound": round(path.ms, 3),
+            "seen": None if path.seen_ms is None else round(path.seen_ms, 3),
+        }
+        for path in proof.paths
+    }
     return {
-        "bench.wcet_ratio": round(proof.cycle_ms / longest, 2) if proof and longest else None,
-        "bench.longest_lock_us": round(1000 * proof.locked / CLOCK, 2) if proof else None,
-        "bench.wcet_cycle_with_noise_ms": round(proof.noise_ms, 3) if proof else None,
-        "bench.wcet_ratio_with_noise": (
-            round(proof.noise_ms / noisy, 2) if proof and noisy else None
-        ),
-        "bench.paths_ms": (
-            {
-                path.name: {
-                    "bound": round(path.ms, 3),
-                    "seen": None if path.seen_ms is None else round(path.seen_ms, 3),
-                }
-                for path in proof.paths
-            }
-            if proof
-            else None
-        ),
+        "bench.wcet_cycle_ms": round(proof.cycle_ms, 3),
+        "bench.wcet_ratio": round(proof.cycle_ms / longest, 2) if longest else None,
+        "bench.longest_lock_us": round(1000 * proof.locked / CLOCK, 2),
+        "bench.wcet_cycle_with_noise_ms": round(proof.noise_ms, 3),
+        "bench.wcet_ratio_with_noise": round(proof.noise_ms / noisy, 2) if noisy else None,
+        "bench.paths_ms": paths,
     }
 
 

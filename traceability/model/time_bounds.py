@@ -262,18 +262,17 @@ class Times:
 
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
-        if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # The bound of ``Limit.within`` includes this call.
-        if home not in self.codes or self.prover.is_full(home, entered):
+        function = self.prover.graph.get(home)
+        name = short_name(function.name) if function else ""
+        # The bound of ``Limit.within`` includes the calls of the methods in ``limited``.
+        if name in self.limited or name in self.without or home not in self.codes:
             return 0
-        if home in self.prover.graph:
-            name = short_name(self.prover.graph[home].name)
-            if name in self.without:
-                return 0
-            for within in self.inside:
-                if (within, name) in self.spread:
-                    # The bound of ``Spread.within`` includes the iterations.
-                    return self._round(self.spread[within, name])[0]
+        if self.prover.is_full(home, entered):
+            return 0
+        for within in self.inside:
+            if (within, name) in self.spread:
+                # The bound of ``Spread.within`` includes the iterations.
+                return self._round(self.spread[within, name])[0]
         return self.of(home, entered)
 
     def _count(self, symbol: str, block: Block, call: Instruction) -> int:
