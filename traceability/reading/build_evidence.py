@@ -13,7 +13,7 @@ from pathlib import Path
 from traceability.reading.image_record import read_image
 from traceability.reading.lint_record import read_exemptions, read_lint
 from traceability.reading.products import PRODUCTS, image_of
-from traceability.reading.results import RESULTS, RUNS, read_json
+from traceability.reading.results import RESULTS, RUNS, read_object
 from traceability.reading.tool_tests import (
     failed_tests,
     long_tests,
@@ -128,9 +128,8 @@ def _package(name: str) -> str:
 def read_run(root: Path, name: str) -> TestRun | None:
     """Returns the time of the first test in a run, and the seeds of the run. Returns None without
     results."""
-    record = read_json(root / RESULTS / f"{name}.json")
-    suites = record["testsuites"] if isinstance(record, dict) else []
-    cases = [case for suite in suites for case in suite["testsuite"]]
+    record = read_object(root / RESULTS / f"{name}.json")
+    cases = [case for suite in record.get("testsuites", []) for case in suite["testsuite"]]
     if not cases:
         return None
     date = min(case.get("timestamp", "") for case in cases)

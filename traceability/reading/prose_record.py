@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from traceability.reading.results import RESULTS, read_json
+from traceability.reading.results import RESULTS, read_object
 from traceability.sources import DESIGN, files_below, hash_of
 from traceability.whole_file import write_whole
 
@@ -31,7 +31,6 @@ def write_prose(root: Path, findings: int) -> None:
 def read_prose(root: Path) -> int | None:
     """Returns the number of findings in the present texts. Returns None if the texts changed since
     the linter read them."""
-    record = read_json(root / RECORD)
-    if not isinstance(record, dict) or record.get("texts") != texts_hash(root):
-        return None
-    return int(record["findings"])
+    record = read_object(root / RECORD)
+    fresh = record and record.get("texts") == texts_hash(root)
+    return int(record["findings"]) if fresh else None

@@ -40,8 +40,7 @@ COMPARED = "tests/usual_design/"
 
 
 def read_times(root: Path) -> dict[str, float]:
-    times = read_json(root / TIMES)
-    return times if isinstance(times, dict) else {}
+    return read_object(root / TIMES)
 
 
 def read_json(path: Path) -> Any:
@@ -52,11 +51,18 @@ def read_json(path: Path) -> Any:
         return None
 
 
+def read_object(path: Path) -> dict[str, Any]:
+    """Returns the object in a JSON file. Returns an empty object if the file is missing or
+    incomplete, or contains another value."""
+    content = read_json(path)
+    return content if isinstance(content, dict) else {}
+
+
 def read_fresh(root: Path, path: Path, task: str) -> dict[str, Any] | None:
     """Returns the content of the JSON file that a task writes. Returns None if the file is missing
     or incomplete, or if the inputs of the task have changed since."""
-    content = read_json(root / path)
-    return content if isinstance(content, dict) and task_record.is_fresh(root, task) else None
+    content = read_object(root / path)
+    return content if content and task_record.is_fresh(root, task) else None
 
 
 def day_of(record: Path) -> str:
@@ -67,7 +73,7 @@ def day_of(record: Path) -> str:
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
     """Returns the numbers that the tests of a target reported in a property. Only tests that ran
     the named firmware image count."""
-    content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
+    content = read_object(root / RESULTS / f"{RUNS[binding]}.json")
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
     return [int(test[name]) for test in tests if name in test and test.get("image") == image]
 
@@ -75,9 +81,9 @@ def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[in
 def read_record(path: Path, kind: type[T]) -> T | None:
     """Returns the content of a JSON file as an object of a type. Returns None if the file is
     missing or incomplete, or does not fit the type."""
-    content = read_json(path)
+    content = read_object(path)
     try:
-        return RECORDS.structure(content, kind) if isinstance(content, dict) else None
+        return RECORDS.structure(content, kind) if content else None
     except cattrs.BaseValidationError:
         return None
 
@@ -102,8 +108,8 @@ def cost_of(root: Path, run_name: str) -> Path:
 def read_recording_factor(root: Path, sources: str) -> float | None:
     """Returns how many times longer the tests took with recordings than without. Returns None if
     one of the two runs used other sources than ``sources``."""
-    costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
-    if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
+    costs = [read_object(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
+    if any(cost.get("sources") != sources for cost in costs):
         return None
     recorded, plain = (float(cost["seconds"]) for cost in costs)
     return round(recorded / plain, 2)
@@ -123,8 +129,8 @@ def read_totals(root: Path) -> dict[str, float] | None:
 
 def count_totals(root: Path) -> dict[str, float] | None:
     """Returns the totals of gcovr. Returns None if gcovr found no source line of the design."""
-    record = read_json(root / COVERAGE)
-    if not isinstance(record, dict) or not record["line_total"]:
+    record = read_object(root / COVERAGE)
+    if not record or not record["line_total"]:
         return None
     return {name: record[name] for name in ("line_percent", "branch_percent")}
 
@@ -140,7 +146,7 @@ def read_results_hash(root: Path, binding: str) -> str | None:
 def read_results(root: Path, binding: str) -> dict[str, BindingResult]:
     """Returns the test results of a target by ``Suite.Name``. All instances of a parameterised test
     have one common result."""
-    return results_in(read_json(root / RESULTS / f"{RUNS[binding]}.json") or {})
+    return results_in(read_object(root / RESULTS / f"{RUNS[binding]}.json"))
 
 
 def results_in(data: dict[str, Any]) -> dict[str, BindingResult]:
@@ -196,19 +202,16 @@ def _result(test: dict[str, Any], name: str, is_instance: bool) -> BindingResult
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
     """Returns the results of the faults that a test inserted in the drivers. Returns None if the
     test used other sources than ``sources``."""
-    data = read_json(root / RESULTS / "driver_faults.json")
-    if not isinstance(data, dict) or data.get("sources") != sources:
+    data = read_object(root / RESULTS / "driver_faults.json")
+    if data.get("sources") != sources:
         return None
     return [DriverFault(**item) for item in data["faults"]]
 
 
 def read_sizes(root: Path) -> dict[str, tuple[int, int]]:
     """Returns the size of each module in the firmware image: flash and RAM [byte]."""
-    data = read_json(root / RESULTS / "size_k64.json")
-    if not isinstance(data, dict):
-        return {}
     return {
         name: (int(size["flash"]), int(size["ram"]))
-        for name, size in data.items()
+        for name, size in read_object(root / RESULTS / "size_k64.json").items()
         if isinstance(size, dict) and "flash" in size
     }

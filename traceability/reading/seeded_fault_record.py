@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from traceability.reading.published import last_score
-from traceability.reading.results import RESULTS, day_of, read_fresh, read_json
+from traceability.reading.results import RESULTS, day_of, read_fresh, read_object
 from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
 from traceability.schema import LastRecord
 from traceability.sources import DESIGN
@@ -50,8 +50,8 @@ def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str
 
 def last_seeded(root: Path) -> LastRecord | None:
     """Returns the result of the last run, even if files have changed since."""
-    record = read_json(root / RECORD)
-    if not isinstance(record, dict):
+    record = read_object(root / RECORD)
+    if not record:
         return last_score(root, "drift")
     caught = sum(outcome["caught"] for outcome in record["outcomes"])
     tried, current = len(record["outcomes"]), is_fresh(root, SEEDED_FAULTS)
