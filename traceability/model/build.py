@@ -41,7 +41,7 @@ from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
 from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
-from traceability.reading.plain_constants import plain_constants
+from traceability.reading.plain_constants import plain_constants, unambiguous
 from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
 from traceability.reading.published import last_score
@@ -407,18 +407,14 @@ def _call(call: CallFact, body: BodyFact, facts: Facts) -> Call:
 
 
 def _constants(syntax: Syntax) -> dict[str, Constant]:
-    """Returns the constants by their names. A name is left out if the code defines constants of
-    this name with different numbers or units."""
-    by_name: dict[str, list[Constant]] = {}
-    for fact in syntax.values:
-        if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
-            constant = Constant(fact.number, fact.unit, fact.place)
-            by_name.setdefault(fact.name, []).append(constant)
-    return {
-        name: ones[0]
-        for name, ones in sorted(by_name.items())
-        if len({(value.number, value.unit) for value in ones}) == 1
-    }
+    """Returns the constants of the design by their names."""
+    folders = tuple(f"{name}/" for name in DESIGN)
+    constants = unambiguous(
+        (fact.name, Constant(fact.number, fact.unit, fact.place))
+        for fact in syntax.values
+        if fact.place.file.startswith(folders)
+    )
+    return dict(sorted(constants.items()))
 
 
 Named = dict[str, dict[str, None]]  # module -> other modules, in the order of their first use

@@ -75,9 +75,7 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 
 
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
-    """Returns for each interrupt handler the numbers of its interrupt lines, from the vector table.
-    This table consists of lists of handlers. For each list, a constant contains the interrupt line
-    of the first handler, and each further handler has the next interrupt line."""
+    """Returns for each interrupt handler the numbers of its interrupt lines."""
     lines: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
         for number, handler in enumerate(handlers):
