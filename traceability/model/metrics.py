@@ -9,6 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from traceability import schema
 from traceability.model.design_model import Model
 from traceability.model.made_changes import proven
 from traceability.model.report import Report
@@ -26,16 +27,6 @@ from traceability.reading.published import Published
 from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_times, read_totals
 from traceability.reading.traces import nodes_of
-from traceability.schema import (
-    HOST,
-    Clause,
-    LastRecord,
-    PatternApplication,
-    Proofs,
-    Requirement,
-    SafetyCase,
-    TimeProof,
-)
 from traceability.sources import file_hash, files_below
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
@@ -59,7 +50,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
 def read_measured(root: Path, model: Model) -> dict[str, Any]:
     """Reads the metrics that other steps measured with the present sources."""
     tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
-    if not model.stale_on(HOST):
+    if not model.stale_on(schema.HOST):
         tests |= coverage(root)
     times: dict[str, Any] = {"bench.scenarios": bench_metrics(model.bench)}
     if model.bench is not None:
@@ -155,7 +146,7 @@ def metrics(model: Model, report: Report) -> dict[str, Any]:
     }
 
 
-def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, Any]:
+def figures(model: Model, clauses: Mapping[str, Sequence[schema.Clause]]) -> dict[str, Any]:
     """Returns the metrics that do not depend on verdicts of requirements."""
     written = [module for module in model.modules.values() if not module.datatype]
     designs = [module for module in written if not module.extension]
@@ -166,7 +157,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
     applications = list(model.patterns.values())
     decided = all(clauses.get(application.id) for application in applications)
 
-    def conforms(application: PatternApplication) -> bool:
+    def conforms(application: schema.PatternApplication) -> bool:
         return all(clause.holds for clause in clauses[application.id])
 
     return {
@@ -210,13 +201,13 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
     }
 
 
-def with_others(record: LastRecord) -> dict[str, Any]:
+def with_others(record: schema.LastRecord) -> dict[str, Any]:
     """Returns a record with the number of faults that the tests did not find, and with a sentence
     that states whether the run tried all possible faults."""
     return {**asdict(record), "others": record.tried - record.found, "extent": record.extent}
 
 
-def recorded_metric(proofs: Proofs) -> dict[str, Any]:
+def recorded_metric(proofs: schema.Proofs) -> dict[str, Any]:
     """Returns the number of proofs for which this build used the record of an earlier run. The
     metric also contains the command, the commit and the date of the earlier run."""
     if not proofs.recorded:
@@ -226,7 +217,7 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
     return {"proofs.proven": {**record, "value": len(proofs.recorded)}}
 
 
-def _proven_times(proof: TimeProof | None, drives: Published | None) -> dict[str, Any]:
+def _proven_times(proof: schema.TimeProof | None, drives: Published | None) -> dict[str, Any]:
     """Returns the upper bounds of the times of a cycle without and with noise at all inputs and of
     the times of the paths, and the ratios of the bounds of a cycle to the longest measured
     times."""
@@ -252,14 +243,14 @@ def _proven_times(proof: TimeProof | None, drives: Published | None) -> dict[str
     }
 
 
-def _is_executed(requirement: Requirement) -> bool:
+def _is_executed(requirement: schema.Requirement) -> bool:
     """Returns true if a recorded test contains all calls of the requirement's invocation tree. The
     result is false for a tree with only one node, because such a tree has no call to record."""
     tree = requirement.tree
     return bool(requirement.runs and tree is not None and tree.children)
 
 
-def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
+def safety(case: schema.SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
     """Counts the safety goals and the fault scenarios, and how many of them this run verified. Also
     returns the number of existing lines that were edited for safety functions."""
     goals = Counter(goal.state for goal in report.goals.values())
@@ -273,7 +264,7 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
     }
 
 
-def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
+def methods(requirements: Iterable[schema.Requirement]) -> dict[str, Any]:
     """Returns the number of requirements for each method of verification, the number of partly
     verified requirements, and the number of requirements that a person has reviewed."""
     listed = list(requirements)

@@ -14,13 +14,7 @@ from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.safety_cost import read_cost
 from traceability.reading.source_facts import Facts
-from traceability.schema import (
-    BindingResult,
-    FaultScenario,
-    SafetyCase,
-    SafetyGoal,
-    Test,
-)
+from traceability.schema import BindingResult, FaultScenario, SafetyCase, SafetyGoal, Test
 from traceability.sources import text_of
 
 
