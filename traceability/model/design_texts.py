@@ -56,7 +56,7 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
     The texts of a table often state the reasons for the numbers in the table. Each text therefore
     ends with these numbers, so that a change of a number also requires a review. If a table has
     numbers and no sentence, the numbers are a text of their own."""
-    numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
+    numbers = [f"{key} = {value}" for key, value in table.items() if type(value) in (int, float)]
     has_reason = False
     for key, value in table.items():
         path = f"{above}{key}"
@@ -71,7 +71,7 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
                 yield from _sentences(item, f"{path}.{label}{number}.")
         elif key not in LABELS:
             texts = value if isinstance(value, list) else [value]
-            said = [text for text in texts if isinstance(text, str) and _is_prose(text)]
+            said = [text for text in texts if isinstance(text, str) and len(text.split()) > WORDS]
             if said:
                 has_reason = True
                 yield path, "\n".join((*said, *numbers))
@@ -87,14 +87,6 @@ def _label(item: Mapping[str, Any]) -> str:
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
     names += [str(listed[0]) for listed in lists if listed]
     return names[0] if names else ""
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def _is_prose(text: str) -> bool:
-    return len(text.split()) > WORDS
 
 
 def _line_of(text: str, source: str) -> int:

@@ -28,12 +28,7 @@ class Program:
 
 def read_program(elf: Path) -> Program:
     codes = read_code(elf)
-    addresses = [
-        instruction.address
-        for code in codes.values()
-        for block in code.blocks.values()
-        for instruction in block.instructions
-    ]
+    addresses = [one.address for code in codes.values() for one in code.instructions()]
     shared = {
         name: home
         for names in names_of_addresses(elf)

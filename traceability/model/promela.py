@@ -22,10 +22,7 @@ HEAD = """\
 """
 # The comments in robot.pml before and after the observing variables. An observing variable records
 # a fact at the end of each round of the model. The properties use these variables.
-OBSERVED, OBSERVED_END = (
-    "// ---- observed",
-    "// ---- environment",
-)
+OBSERVED, OBSERVED_END = "// ---- observed", "// ---- environment"
 WORD = re.compile(r"[a-z_]\w*")
 SIGNS = {"<": " below ", ">": " above ", "=": " is "}
 
@@ -77,9 +74,8 @@ def without(robot: str, formula: str) -> str:
     def hide(match: re.Match[str]) -> str:
         return match[0] if match["name"] in needed else f"hidden byte {match['name']}"
 
-    return (
-        head + mark + re.sub(r"^bool (?P<name>\w+)", hide, block, flags=re.MULTILINE) + end + rest
-    )
+    hidden = re.sub(r"^bool (?P<name>\w+)", hide, block, flags=re.MULTILINE)
+    return head + mark + hidden + end + rest
 
 
 def step_of(machine: StateMachine) -> str:

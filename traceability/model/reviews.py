@@ -179,7 +179,8 @@ class LinkTexts:
     def _own(self, requirement: Requirement) -> Iterator[LinkText]:
         name, place = requirement.id, requirement.place
         text = self.support.text(place.file)
-        end = text.find("@requirement", _offset(text, place.line + 1))
+        begin = sum(map(len, text.splitlines(keepends=True)[: place.line]))
+        end = text.find("@requirement", begin)
         last = text.count("\n", 0, end) if end >= 0 else len(text.splitlines())
         for source in list(FINDERS["requirement"](text, name))[:1]:
             yield LinkText("requirement", name, replace(place, end=last), source)
@@ -285,13 +286,6 @@ def _effect(machine: StateMachine, step: Transition) -> str:
     conditions = machine.guards.get(step.guard or step.event, ())
     called = machine.actions.get(step.action, ())
     return f"{step.guard} = {', '.join(conditions)} / {step.action} = {', '.join(called)}"
-
-
-def _offset(text: str, line: int) -> int:
-    at = 0
-    for _ in range(line - 1):
-        at = text.find("\n", at) + 1
-    return at
 
 
 def state_of(texts: Iterable[LinkText]) -> str:

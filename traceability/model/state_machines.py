@@ -115,13 +115,7 @@ def _storage(machine: StateMachine, facts: Facts) -> str:
 class _Changes:
     """The search in the code for the changes of state that the operations of a state can make."""
 
-    def __init__(
-        self,
-        machine: StateMachine,
-        base: str,
-        code: MachineCode,
-        facts: Facts,
-    ) -> None:
+    def __init__(self, machine: StateMachine, base: str, code: MachineCode, facts: Facts) -> None:
         self.base = base
         self.code = code
         self.facts = facts
@@ -358,12 +352,8 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
     second change, and so on. Otherwise, each of these transitions gets all these changes."""
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
-    rows = [
-        transition
-        for transition in machine.transitions
-        if (transition.source, transition.event, transition.target)
-        == (step.source, step.event, step.target)
-    ]
+    ends = (step.source, step.event, step.target)
+    rows = [row for row in machine.transitions if (row.source, row.event, row.target) == ends]
     if len(rows) == len(changes):
         return [changes[next(i for i, row in enumerate(rows) if row is step)]]
     return changes
@@ -382,13 +372,8 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
             if not runners.isdisjoint(traces.events(recording))
         }
 
-    parts = [
-        traces.state,
-        names,
-        sorted(turning),
-        watcher.known(),
-        *code_of("model/state_machines", "reading/traces"),
-    ]
+    code = code_of("model/state_machines", "reading/traces")
+    parts = [traces.state, names, sorted(turning), watcher.known(), *code]
     return cached_result(cache, parts, watch)
 
 

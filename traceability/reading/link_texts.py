@@ -79,7 +79,16 @@ def requirements(text: str) -> list[tuple[str, str]]:
 def specifications(text: str) -> list[tuple[range, str, str]]:
     """Returns each documentation comment with the declaration below it. Each result consists of the
     line numbers of both parts, the declaration, and one text that contains both parts."""
-    return list(_specifications(text))
+    lines = text.splitlines()
+    found = []
+    for comment in read_comments("", text):
+        first = comment.place.end or 0
+        last = next((n for n in range(first, len(lines)) if re.search(r"[;{]", lines[n])), first)
+        declaration = " ".join(line.strip() for line in lines[first : last + 1])
+        declaration = re.split(r"[;{]", declaration)[0].strip()
+        whole = "\n".join(filter(None, (comment.source(without=OF_LINKS), declaration)))
+        found.append((range(comment.place.line, last + 2), declaration, whole))
+    return found
 
 
 @functools.cache
@@ -107,17 +116,6 @@ def without_remarks(text: str) -> str:
     return "\n".join(
         f"{(len(line) - len(line.lstrip())) // 2} {line.strip()}" for line in lines if line
     )
-
-
-def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
-    lines = text.splitlines()
-    for comment in read_comments("", text):
-        first = comment.place.end or 0
-        last = next((n for n in range(first, len(lines)) if re.search(r"[;{]", lines[n])), first)
-        declaration = " ".join(line.strip() for line in lines[first : last + 1])
-        declaration = re.split(r"[;{]", declaration)[0].strip()
-        whole = "\n".join(filter(None, (comment.source(without=OF_LINKS), declaration)))
-        yield range(comment.place.line, last + 2), declaration, whole
 
 
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:

@@ -33,7 +33,7 @@ def junit_counts(results: Path) -> Counts:
     """Returns the counts in a result file of pytest."""
     passed = failed = skipped = 0
     for case in ET.parse(results).iter("testcase"):
-        if case.find("failure") is not None or case.find("error") is not None:
+        if _failed(case):
             failed += 1
         elif case.find("skipped") is not None:
             skipped += 1
@@ -44,11 +44,11 @@ def junit_counts(results: Path) -> Counts:
 
 def failed_tests(results: Path) -> list[str]:
     """Returns the names of the failed tests, in the form that pytest and ./wr debug use."""
-    return [
-        name_of(case)
-        for case in ET.parse(results).iter("testcase")
-        if case.find("failure") is not None or case.find("error") is not None
-    ]
+    return [name_of(case) for case in ET.parse(results).iter("testcase") if _failed(case)]
+
+
+def _failed(case: ET.Element) -> bool:
+    return case.find("failure") is not None or case.find("error") is not None
 
 
 def name_of(case: ET.Element) -> str:
