@@ -134,20 +134,14 @@ class _Changes:
         method = self.code.runs[state].get(operation)
         if method is None:
             return []
-        return [
-            Change(state, operation, target, place, path, sometimes, conditions)
-            for target, place, path, sometimes, conditions in self._below(method, (), {})
-        ]
+        changes = self._below(method, (), {})
+        return [replace(change, source=state, operation=operation) for change in changes]
 
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
-    ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
+    ) -> Iterator[Change]:
         """Yields the changes of state that a method makes itself or through other methods of the
-        state.
-
-        Each result consists of the new state, the place of the change, the called methods on the
-        path to the change, a truth value, and the operands of the conditions before the change. The
-        truth value is true if the change is conditional."""
+        state. Their source and their operation are empty."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [
@@ -155,13 +149,15 @@ class _Changes:
                 ]
                 if call.target in self.changers:
                     for target in self._targets(args[0] if args else []):
-                        yield target, call.place, path, call.sometimes, call.asked
+                        yield Change("", "", target, call.place, path, call.sometimes, call.asked)
                 elif self._is_own(call, body.place.file) and call.target not in path:
                     inner = {f"param {call.target} {k}": arg for k, arg in enumerate(args)}
-                    for target, place, way, rarely, conditions in self._below(
-                        call.target, (*path, call.target), inner
-                    ):
-                        yield target, place, way, rarely or call.sometimes, call.asked + conditions
+                    for change in self._below(call.target, (*path, call.target), inner):
+                        yield replace(
+                            change,
+                            sometimes=change.sometimes or call.sometimes,
+                            asked=call.asked + change.asked,
+                        )
 
     def _is_own(self, call: CallFact, file: str) -> bool:
         """Returns true if a call executes a method of the state object itself, and this method
