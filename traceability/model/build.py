@@ -407,7 +407,6 @@ def _call(call: CallFact, body: BodyFact, facts: Facts) -> Call:
 
 
 def _constants(syntax: Syntax) -> dict[str, Constant]:
-    """Returns the constants of the design by their names."""
     folders = tuple(f"{name}/" for name in DESIGN)
     constants = unambiguous(
         (fact.name, Constant(fact.number, fact.unit, fact.place))

@@ -110,7 +110,6 @@ class Model:
 
     @property
     def results_stale(self) -> bool:
-        """Returns true if ``stale_on`` is true for at least one target."""
         return any(self.stale_on(binding) for binding in self.results_hashes)
 
     def mutants_of(self, requirement: str) -> list[schema.Mutant]:

@@ -334,7 +334,6 @@ def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
 
 
 def add_review(root: Path, review: Review) -> None:
-    """Appends a review to the file of reviews."""
     path = root / REVIEWS
     before = path.read_text(encoding="utf-8") if path.exists() else REVIEWS_HEADING
     lines = [

@@ -112,7 +112,6 @@ def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str |
 
 
 def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Iterable[str]:
-    """Returns the reasons why a goal is not verified in this run."""
     yield from (f"known exception: {case}" for case in goal.exceptions)
     yield from (f"open point: {point}" for point in goal.open_points)
     if not goal.requirements:

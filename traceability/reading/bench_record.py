@@ -113,7 +113,6 @@ class Order:
 
 
 def orders_in(text: str) -> list[Order]:
-    """Returns the orders in the text of a bench scenario."""
     matches = (ORDER.match(line.strip()) for line in text.splitlines())
     periods = [map(int, match.groups(default="0")) for match in matches if match]
     return [

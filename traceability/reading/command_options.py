@@ -36,7 +36,6 @@ class _Function:
 
 
 def options_of_commands(root: Path) -> dict[str, set[str]]:
-    """Returns the options of each command of ./wr."""
     functions = _functions(root)
     options: dict[str, set[str]] = {}
     for name, function in functions.items():

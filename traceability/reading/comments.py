@@ -179,7 +179,6 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 
 
 def read_comments(file: str, text: str) -> Iterator[Comment]:
-    """Yields the documentation comments of a file."""
     block: list[str] = []
     # first line number of the block; true if the block is after its declaration
     start, behind = 0, False

@@ -64,8 +64,6 @@ class SharedFunctions:
 
 @dataclass
 class Block:
-    """A block of registers, and the modules that own it."""
-
     name: str
     owners: list[str]
     place: Place
@@ -73,8 +71,6 @@ class Block:
 
 @dataclass
 class PipeText:
-    """The name and the description of a pipe of the robot."""
-
     object: str  # Class::member
     name: str
     says: str
@@ -83,8 +79,6 @@ class PipeText:
 
 @dataclass
 class Protection:
-    """The protection of a member that several contexts share."""
-
     protection: str
     why: str
     place: Place

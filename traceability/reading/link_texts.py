@@ -119,7 +119,6 @@ def without_remarks(text: str) -> str:
 
 
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:
-    """Yields the complete text of the requirement with this id."""
     return (source for identifier, source in requirements(text) if identifier == name)
 
 

@@ -53,7 +53,6 @@ def read_lint(root: Path) -> LintRun | None:
 
 
 def tidied(root: Path, suffixes: tuple[str, ...]) -> list[Path]:
-    """Returns the files that clang-tidy reads."""
     files = files_below(root, TIDIED, suffixes)
     return [path for path in files if not NOT_TIDIED.match(str(path.relative_to(root)))]
 

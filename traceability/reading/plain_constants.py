@@ -66,7 +66,6 @@ def unambiguous(constants: Iterable[tuple[str, Constant]]) -> dict[str, Constant
 
 
 def constants_of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
-    """Yields the constants of a file with their names."""
     text = path.read_text(encoding="utf-8")
     folder = f"{path.parent.name}::{path.stem}::"
 

@@ -23,7 +23,6 @@ def texts_hash(root: Path) -> str:
 
 
 def write_prose(root: Path, findings: int) -> None:
-    """Writes the number of findings and the hash of the texts."""
     content = {"findings": findings, "texts": texts_hash(root)}
     write_whole(root / RECORD, json.dumps(content))
 

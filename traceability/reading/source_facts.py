@@ -85,11 +85,9 @@ class Facts:
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
     def comment(self, fact: ClassFact | MethodFact | FieldFact) -> Comment:
-        """Returns the comment of a declaration."""
         return self.comments.at(fact.place.file, fact.comment)
 
     def comment_of(self, name: str) -> Comment:
-        """Returns the comment of a class."""
         fact = self.classes.get(name)
         return self.comment(fact) if fact else NO_COMMENT
 

@@ -25,12 +25,10 @@ def python_task(folder: str) -> str:
 
 
 def results_of(folder: str) -> Path:
-    """Returns the path of the result file of the tests of a folder."""
     return RESULTS / f"pytest_{folder}.xml"
 
 
 def junit_counts(results: Path) -> Counts:
-    """Returns the counts in a result file of pytest."""
     passed = failed = skipped = 0
     for case in ET.parse(results).iter("testcase"):
         if _failed(case):
