@@ -118,7 +118,7 @@ Facets = dict[str, Sequence[str]]
 
 def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     names = [method.split("::")[0] for method in requirement.satisfied_by]
-    for node in nodes_of(requirement.tree) if requirement.tree else []:
+    for node in nodes_of(requirement.tree):
         names.append(node.module)
     modules = [model.modules[name] for name in dict.fromkeys(names) if name in model.modules]
     targets = targets_of(model, requirement)

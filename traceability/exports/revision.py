@@ -85,7 +85,7 @@ def _requirement(model: Model, name: str, report: Report | None) -> RequirementS
         requirement.text,
         requirement.rationale,
         report.requirements[name].state if report else "",
-        tuple(node.label for node in nodes_of(requirement.tree)) if requirement.tree else (),
+        tuple(node.label for node in nodes_of(requirement.tree)),
         tuple(requirement.verified_by),
         tuple(requirement.satisfied_by),
         tuple(f"{review.reviewer}, {review.date}" for review in requirement.reviews),

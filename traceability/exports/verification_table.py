@@ -119,7 +119,7 @@ def table(model: Model, report: Report) -> dict[str, Any]:
 
 def row(model: Model, report: Report, requirement: Requirement) -> VerifiedRequirement:
     verdict = report.requirements[requirement.id]
-    nodes = nodes_of(requirement.tree) if requirement.tree else []
+    nodes = nodes_of(requirement.tree)
     return VerifiedRequirement(
         id=requirement.id,
         section=requirement.section,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from traceability.model.design_model import Model
+from traceability.model.execution import way_to
 from traceability.reading.source_facts import Facts
 from traceability.schema import Connection
 
@@ -27,8 +28,7 @@ def way_of(model: Model, facts: Facts, connection: Connection) -> list[str]:
 
 def is_outside(connection: Connection) -> bool:
     """Returns true if the connection is physical, or if one of its ends is outside the
-    microcontroller.
-    """
+    microcontroller."""
     physical = connection.kind == "physical"
     outside = {"PC", "Remote control"} & {connection.source, connection.target}
     return physical or bool(outside)
@@ -36,8 +36,7 @@ def is_outside(connection: Connection) -> bool:
 
 def pipe_between(model: Model, connection: Connection) -> list[str]:
     """Returns two methods: a method of the source module that writes a pipe, and a method of the
-    target module that reads the same pipe. Returns an empty list without such a pipe.
-    """
+    target module that reads the same pipe. Returns an empty list without such a pipe."""
     for pipe in model.pipes:
         writers = [writer for writer in pipe.writers if writer.startswith(f"{connection.source}::")]
         readers = [reader for reader in pipe.readers if reader.startswith(f"{connection.target}::")]
@@ -50,8 +49,7 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
     """Returns a chain of calls from the source module of a connection to its target module, as a
     list of methods. The chain contains the methods in ``through``, and is the shortest between two
     of them. Returns an empty list without such a chain. A call of ``ControlThread::post`` is
-    followed to the command that the thread executes later.
-    """
+    followed to the command that the thread executes later."""
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
     starts = sorted(own - {begin + connection.source})
@@ -69,8 +67,7 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 
 def shortest(facts: Facts, starts: list[str], stop: str) -> list[str]:
     """Returns the shortest chain of calls from one of the methods ``starts`` to ``stop``, which is
-    a method or a module. Returns an empty list without such a chain.
-    """
+    a method or a module. Returns an empty list without such a chain."""
     before: dict[str, str] = dict.fromkeys(starts, "")
     work = list(before)
     while work:
@@ -80,7 +77,7 @@ def shortest(facts: Facts, starts: list[str], stop: str) -> list[str]:
                 continue
             before[target] = caller
             if target == stop or target.startswith(f"{stop}::"):
-                return way_back(target, before)
+                return way_to(target, before)
             work.append(target)
     return []
 
@@ -88,8 +85,7 @@ def shortest(facts: Facts, starts: list[str], stop: str) -> list[str]:
 def called(facts: Facts, method: str) -> list[str]:
     """Returns the methods that ``method`` calls. If ``method`` calls ``ControlThread::post``, the
     result also contains the ``execute`` method of each thread command that is declared in the same
-    module as ``method``.
-    """
+    module as ``method``."""
     methods = [
         target
         for body in facts.references.own_bodies(method)
@@ -103,10 +99,3 @@ def called(facts: Facts, method: str) -> list[str]:
             f"{body.kind}::execute" for body in bodies if body.kind.startswith(f"{own}::")
         )
     return methods
-
-
-def way_back(target: str, before: dict[str, str]) -> list[str]:
-    way = [target]
-    while before[way[0]]:
-        way.insert(0, before[way[0]])
-    return way

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
+from traceability import schema
 from traceability.model.architecture import connections_of
 from traceability.model.design_model import Model
 from traceability.model.dictionary import with_dictionary
@@ -41,7 +42,7 @@ from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
 from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
-from traceability.reading.plain_constants import plain_constants
+from traceability.reading.plain_constants import plain_constants, unambiguous
 from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
 from traceability.reading.published import last_score
@@ -51,23 +52,7 @@ from traceability.reading.seeded_faults import read_faults
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
 from traceability.reading.traces import Traces, read_traces
-from traceability.schema import (
-    HOST,
-    VIRTUAL_K64,
-    Call,
-    Constant,
-    Function,
-    LastRecord,
-    LogicModule,
-    Method,
-    Module,
-    Param,
-    PatternApplication,
-    Place,
-    Requirement,
-    RoleBinding,
-    Use,
-)
+from traceability.schema import HOST, VIRTUAL_K64, Place
 from traceability.sources import DESIGN, SRC, files_below, source_hash, text_of
 
 DRIVERS = f"{SRC}/k64/"
@@ -168,7 +153,7 @@ def _assemble(
     return replace(model, measured=read_measured(root, model))
 
 
-def _last(root: Path, sources: str) -> dict[str, LastRecord]:
+def _last(root: Path, sources: str) -> dict[str, schema.LastRecord]:
     """Returns the last records of the tests that do not run in each build, because they take too
     long."""
     records = {
@@ -201,7 +186,7 @@ def camel(folder: str) -> str:
     return "".join(word.capitalize() for word in folder.rsplit("/", maxsplit=1)[-1].split("_"))
 
 
-def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
+def _logic_modules(model: Model, facts: Facts) -> dict[str, schema.LogicModule]:
     folders = {str(Path(place.file).parent) for place in _places(facts)}
     every = {str(up) for path in folders for up in (Path(path), *Path(path).parents)}
     made = [_logic_module(model, facts, folder) for folder in every - {SRC, "."}]
@@ -219,7 +204,7 @@ def _places(facts: Facts) -> list[Place]:
     return classes + [body.place for body in facts.syntax.bodies]
 
 
-def _logic_module(model: Model, facts: Facts, folder: str) -> LogicModule:
+def _logic_module(model: Model, facts: Facts, folder: str) -> schema.LogicModule:
     parent = str(Path(folder).parent)
     logic = folder.removeprefix(f"{SRC}/")
     comment = facts.folders.get(folder, NO_COMMENT)
@@ -227,7 +212,7 @@ def _logic_module(model: Model, facts: Facts, folder: str) -> LogicModule:
     if not (facts.root / place.file).exists():
         first = min(place.file for place in _places(facts) if place.file.startswith(folder))
         place = Place(first, 1)
-    return LogicModule(
+    return schema.LogicModule(
         id=logic,
         name=camel(folder),
         parent=None if parent in (SRC, ".") else parent.removeprefix(f"{SRC}/"),
@@ -240,8 +225,8 @@ def _logic_module(model: Model, facts: Facts, folder: str) -> LogicModule:
     )
 
 
-def _modules(facts: Facts) -> dict[str, Module]:
-    modules: dict[str, Module] = {}
+def _modules(facts: Facts) -> dict[str, schema.Module]:
+    modules: dict[str, schema.Module] = {}
     sources = {str(path.relative_to(facts.root)) for path in files_below(facts.root, DESIGN)}
     for fact in facts.syntax.classes:
         if not fact.place.file.endswith(".hpp"):
@@ -252,7 +237,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
         if not datatype and (nested or fact.local or fact.kind in ("enum", "alias")):
             continue
         source = fact.place.file.removesuffix(".hpp") + ".cpp"
-        modules[fact.name] = Module(
+        modules[fact.name] = schema.Module(
             name=fact.name,
             qualified=fact.qualified,
             logic=logic_of(fact.place.file),
@@ -268,7 +253,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
             bases=fact.bases,
             subclasses=sorted(facts.subclasses.get(fact.name, [])),
             roles=[
-                RoleBinding(tag.argument, tag.arguments[-1], fact.name, tag.place)
+                schema.RoleBinding(tag.argument, tag.arguments[-1], fact.name, tag.place)
                 for tag in comment.of("role")
             ],
             registers=[b.name for b in facts.declared.blocks if fact.name in b.owners],
@@ -286,12 +271,12 @@ def _modules(facts: Facts) -> dict[str, Module]:
     }
 
 
-def _method(fact: MethodFact, facts: Facts) -> Method:
+def _method(fact: MethodFact, facts: Facts) -> schema.Method:
     comment = facts.comment(fact)
     params = comment.texts("param")
     bodies = facts.bodies.get(fact.id, [])
     body = _body_of(fact, bodies)
-    return Method(
+    return schema.Method(
         id=fact.id,
         module=fact.owner,
         name=fact.name,
@@ -302,7 +287,7 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
         body=Place(body.place.file, body.place.line, body.end) if body else None,
         brief=comment.brief,
         details=comment.details,
-        params=[Param(name, kind, params.get(name, "")) for name, kind in fact.params],
+        params=[schema.Param(name, kind, params.get(name, "")) for name, kind in fact.params],
         returns=comment.one("return"),
         pre=comment.all("pre"),
         post=comment.all("post"),
@@ -317,19 +302,17 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
     """Returns the body of the overload that ``fact`` declares. ``bodies`` contains the bodies of
     all overloads of the method. If a body begins on the source line of the declaration, returns
-    this body. Otherwise, returns the first body in ``bodies``, or None if ``bodies`` is empty.
-    """
+    this body. Otherwise, returns the first body in ``bodies``, or None if ``bodies`` is empty."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
     return bodies[0] if bodies else None
 
 
-def _specified(method: Method, modules: dict[str, Module]) -> Method:
+def _specified(method: schema.Method, modules: dict[str, schema.Module]) -> schema.Method:
     """Returns the method with its specification. If the method has no comment, the specification is
     the comment of the overridden method. If that method has no comment either, the search continues
-    in the next base class.
-    """
+    in the next base class."""
     upper = None if method.documented else method.overrides
     while upper is not None:
         owner = modules.get(upper.rsplit("::", 1)[0])
@@ -340,7 +323,7 @@ def _specified(method: Method, modules: dict[str, Module]) -> Method:
             return replace(
                 method,
                 params=[
-                    Param(own.name or item.name, item.type, own.text or item.text)
+                    schema.Param(own.name or item.name, item.type, own.text or item.text)
                     for own, item in zip(method.params, above.params, strict=False)
                 ],
                 brief=above.brief,
@@ -358,9 +341,9 @@ def _specified(method: Method, modules: dict[str, Module]) -> Method:
 
 
 def _with_calls(model: Model, facts: Facts) -> Model:
-    functions: dict[str, Function] = {}
+    functions: dict[str, schema.Function] = {}
     # (method, file of its function body, first source line of this body) -> calls in the body
-    made: dict[tuple[str, str, int], list[Call]] = {}
+    made: dict[tuple[str, str, int], list[schema.Call]] = {}
     # method -> its callers -> the abstract method that the caller calls, if its object is not known
     callers: dict[str, dict[str, str]] = {}
     for body in facts.syntax.bodies:
@@ -373,7 +356,7 @@ def _with_calls(model: Model, facts: Facts) -> Model:
             # function of the product ``DEFAULT`` is stored.
             stored = body.id in functions and not facts.robot.contains(body.place.file)
             if not module and logic_of(body.place.file) in model.logic_modules and not stored:
-                functions[body.id] = Function(body.id, body.place, calls)
+                functions[body.id] = schema.Function(body.id, body.place, calls)
         made[body.id, body.place.file, body.place.line] = calls
         for call in calls:
             for target in call.targets:
@@ -384,7 +367,7 @@ def _with_calls(model: Model, facts: Facts) -> Model:
     for fact in facts.syntax.initial:
         callers.setdefault(fact.target, {})[fact.name] = ""
 
-    def called(method: Method) -> Method:
+    def called(method: schema.Method) -> schema.Method:
         calls = made[method.id, method.body.file, method.body.line] if method.body else []
         return replace(method, calls=calls, called_by=callers.get(method.id, {}))
 
@@ -402,26 +385,22 @@ def _with_calls(model: Model, facts: Facts) -> Model:
     return replace(model, modules=modules, functions=functions)
 
 
-def _call(call: CallFact, body: BodyFact, facts: Facts) -> Call:
+def _call(call: CallFact, body: BodyFact, facts: Facts) -> schema.Call:
     wired = facts.products.wired_targets(call, body.owner)
     targets = [call.target, *wired] if wired else facts.targets(call.target, call.virtual)
-    return Call(call.target, call.virtual, call.place, list(dict.fromkeys(targets)), bool(wired))
+    return schema.Call(
+        call.target, call.virtual, call.place, list(dict.fromkeys(targets)), bool(wired)
+    )
 
 
-def _constants(syntax: Syntax) -> dict[str, Constant]:
-    """Returns the constants by their names. A name is left out if the code defines constants of
-    this name with different numbers or units.
-    """
-    by_name: dict[str, list[Constant]] = {}
-    for fact in syntax.values:
-        if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
-            constant = Constant(fact.number, fact.unit, fact.place)
-            by_name.setdefault(fact.name, []).append(constant)
-    return {
-        name: ones[0]
-        for name, ones in sorted(by_name.items())
-        if len({(value.number, value.unit) for value in ones}) == 1
-    }
+def _constants(syntax: Syntax) -> dict[str, schema.Constant]:
+    folders = tuple(f"{name}/" for name in DESIGN)
+    constants = unambiguous(
+        (fact.name, schema.Constant(fact.number, fact.unit, fact.place))
+        for fact in syntax.values
+        if fact.place.file.startswith(folders)
+    )
+    return dict(sorted(constants.items()))
 
 
 Named = dict[str, dict[str, None]]  # module -> other modules, in the order of their first use
@@ -430,8 +409,7 @@ Named = dict[str, dict[str, None]]  # module -> other modules, in the order of t
 def _users(model: Model, facts: Facts) -> tuple[Named, Named, Named]:
     """Returns three maps. The first map contains for each module the modules that it names. The
     second map contains for each module the modules that name it. Both maps leave out value types.
-    The third map is the second map with the value types.
-    """
+    The third map is the second map with the value types."""
     uses: Named = {}
     used_by: Named = {}
     named_by: Named = {}
@@ -447,14 +425,14 @@ def _users(model: Model, facts: Facts) -> tuple[Named, Named, Named]:
     return uses, used_by, named_by
 
 
-def _patterns(model: Model, facts: Facts) -> dict[str, PatternApplication]:
+def _patterns(model: Model, facts: Facts) -> dict[str, schema.PatternApplication]:
     bindings = [binding for module in model.modules.values() for binding in module.roles]
-    applications: dict[str, PatternApplication] = {}
+    applications: dict[str, schema.PatternApplication] = {}
     for module in model.modules.values():
         for part in facts.comment_of(module.name).parts("patternapp"):
             tag = part.tags[0]
             name, pattern, title = [*tag.arguments, "", "", ""][:3]
-            applications[name] = PatternApplication(
+            applications[name] = schema.PatternApplication(
                 id=name,
                 pattern=pattern,
                 title=title,
@@ -474,14 +452,14 @@ def requirement_key(name: str) -> tuple[str, int]:
 
 def _with_requirements(model: Model, facts: Facts) -> Model:
     sections: dict[str, str] = {}
-    by_id: dict[str, Requirement] = {}
+    by_id: dict[str, schema.Requirement] = {}
     for comment in facts.comments.below(("requirements",)):
         for tag in comment.of("page"):
             sections[tag.place.file] = tag.source.splitlines()[0].split(maxsplit=2)[-1]
         for part in comment.parts("requirement"):
             by_id.setdefault(part.tags[0].argument, _requirement(part, sections))
     methods: dict[str, dict[str, None]] = {}
-    modules: dict[str, Module] = {}
+    modules: dict[str, schema.Module] = {}
     for name, module in model.modules.items():
         tagged = [(id_, method) for method in module.methods for id_ in method.satisfies]
         for id_, method in tagged:
@@ -495,9 +473,9 @@ def _with_requirements(model: Model, facts: Facts) -> Model:
     return replace(model, modules=modules, requirements=requirements)
 
 
-def _requirement(part: Comment, sections: dict[str, str]) -> Requirement:
+def _requirement(part: Comment, sections: dict[str, str]) -> schema.Requirement:
     tag = part.tags[0]
-    return Requirement(
+    return schema.Requirement(
         id=tag.argument,
         text=tag.text,
         section=sections.get(tag.place.file, ""),
@@ -517,12 +495,11 @@ def _requirement(part: Comment, sections: dict[str, str]) -> Requirement:
 
 def logic_of(file: str) -> str:
     """Returns the id of the logic module that contains a file. The id is the path of the folder of
-    this file, without ``src/`` at its beginning.
-    """
+    this file, without ``src/`` at its beginning."""
     return str(Path(file).parent).removeprefix(f"{SRC}/")
 
 
-def _uses(model: Model, facts: Facts) -> list[Use]:
+def _uses(model: Model, facts: Facts) -> list[schema.Use]:
     # (folder that uses, folder that is used) -> the places of the #include directives
     use_places: dict[tuple[str, str], list[Place]] = {}
     # the same pairs of folders -> the place of a call or of a name, for pairs without an #include
@@ -544,7 +521,7 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
             others.setdefault((logic_of(name.place.file), target), name.place)
     use_places = {pair: [place] for pair, place in others.items()} | use_places
     return [
-        Use(source, target, places)
+        schema.Use(source, target, places)
         for (source, target), places in sorted(use_places.items())
         if source != target and source.startswith(tuple(model.logic_modules))
     ]
@@ -562,7 +539,7 @@ def _declared_in(call: CallFact, facts: Facts) -> str:
 
 def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> Model:
     sizes = read_sizes(root)
-    modules: dict[str, Module] = {}
+    modules: dict[str, schema.Module] = {}
     for name, module in model.modules.items():
         flash, ram = sizes.get(name, (None, None))
         modules[name] = (
@@ -574,10 +551,9 @@ def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> M
     return replace(model, modules=modules, board_lines=board_lines)
 
 
-def _covered(module: Module, coverage: Coverage) -> Module:
+def _covered(module: schema.Module, coverage: Coverage) -> schema.Module:
     """Returns the module with the coverage of its header and of its ``.cpp`` file: the numbers of
-    source lines and branches, and the numbers of source lines and branches that tests executed.
-    """
+    source lines and branches, and the numbers of source lines and branches that tests executed."""
     whole, covered = coverage.whole, coverage.all
     files = [
         file for file in (module.header, module.source) if file is not None and file in whole.lines

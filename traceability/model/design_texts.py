@@ -1,7 +1,6 @@
 """Finds the texts that no check can compare with the code: sentences in the design files, facts in
 the pages, and the whole text of pages about safety. After a change of such a text, a person must
-review it.
-"""
+review it."""
 
 from __future__ import annotations
 
@@ -36,8 +35,7 @@ WORDS = 3
 
 def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
     """Returns each text with sentences in the TOML files below ``design`` and ``changes``. Each
-    result consists of a name, the place of the text in its file, and the text.
-    """
+    result consists of a name, the place of the text in its file, and the text."""
     files = [*(root / "design").glob("*.toml"), *(root / "changes").glob("*/change.toml")]
     for path in sorted(files):
         file = str(path.relative_to(root))
@@ -57,9 +55,8 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
 
     The texts of a table often state the reasons for the numbers in the table. Each text therefore
     ends with these numbers, so that a change of a number also requires a review. If a table has
-    numbers and no sentence, the numbers are a text of their own.
-    """
-    numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
+    numbers and no sentence, the numbers are a text of their own."""
+    numbers = [f"{key} = {value}" for key, value in table.items() if type(value) in (int, float)]
     has_reason = False
     for key, value in table.items():
         path = f"{above}{key}"
@@ -74,7 +71,7 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
                 yield from _sentences(item, f"{path}.{label}{number}.")
         elif key not in LABELS:
             texts = value if isinstance(value, list) else [value]
-            said = [text for text in texts if isinstance(text, str) and _is_prose(text)]
+            said = [text for text in texts if isinstance(text, str) and len(text.split()) > WORDS]
             if said:
                 has_reason = True
                 yield path, "\n".join((*said, *numbers))
@@ -85,20 +82,11 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
 def _label(item: Mapping[str, Any]) -> str:
     """Returns the label of an entry: the text of the first key in ``LABELS`` that the entry has.
     Without such a key, the label is the first element of a list whose key is in ``LISTS``. If there
-    is no such list, the label is empty.
-    """
+    is no such list, the label is empty."""
     names = [item[key] for key in LABELS if isinstance(item.get(key), str)]
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
     names += [str(listed[0]) for listed in lists if listed]
     return names[0] if names else ""
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def _is_prose(text: str) -> bool:
-    return len(text.split()) > WORDS
 
 
 def _line_of(text: str, source: str) -> int:
@@ -112,8 +100,7 @@ def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
     consists of a name, the place of the section, and the facts of the section in their order.
 
     A section without facts is left out. The pages in ``SAFETY_PAGES`` are left out too. A change of
-    other words does not change the facts, and needs no review.
-    """
+    other words does not change the facts, and needs no review."""
     for name, place, text in _sections(root):
         facts = FACT.findall(text)
         if facts and place.file not in SAFETY_PAGES:

@@ -1,8 +1,7 @@
 """The data dictionary: the parts of each value type, and the fields of the messages.
 
 A module writes a part if it assigns a value to the part, or if it names the part in an initialiser
-list. If a module uses the name of the part in another way, it reads the part.
-"""
+list. If a module uses the name of the part in another way, it reads the part."""
 
 from __future__ import annotations
 
@@ -45,8 +44,7 @@ def with_dictionary(model: Model, facts: Facts) -> Model:
 
 def parts_of(name: str, facts: Facts) -> list[FieldFact]:
     """Returns the parts of a type. The parts of a class are its public data members. The parts of
-    an enumeration are its values.
-    """
+    an enumeration are its values."""
     fact = facts.classes.get(name)
     return (
         [field for field in fact.fields if field.access == "public"] + fact.values if fact else []
@@ -55,8 +53,7 @@ def parts_of(name: str, facts: Facts) -> list[FieldFact]:
 
 def unit_text(kind: str, model: Model) -> str:
     """Returns the description of the value type that a C++ type names, for example of Velocity for
-    ``std::optional<Velocity>``. The description contains the unit.
-    """
+    ``std::optional<Velocity>``. The description contains the unit."""
     named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
     return named[-1].brief if named else ""
 
@@ -64,16 +61,14 @@ def unit_text(kind: str, model: Model) -> str:
 def module_of(body: BodyFact, model: Model) -> str:
     """Returns the name of the module to which a function body belongs. A function outside classes
     belongs to the module that has the same name as its file. The result is empty if no module has
-    this name.
-    """
+    this name."""
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
     """Returns for each part (``Type::part``) two sets of modules. The modules in the first set
-    write the part. The modules in the second set read the part.
-    """
+    write the part. The modules in the second set read the part."""
     users: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:
         name = module_of(body, model)

@@ -1,6 +1,5 @@
 """Evidence for requirements that calls of methods cannot fulfil, for example a limit of the flash
-memory. The tag @evidence of a requirement compares a metric with a bound.
-"""
+memory. The tag @evidence of a requirement compares a metric with a bound."""
 
 from __future__ import annotations
 
@@ -19,8 +18,7 @@ CHECKS = "checks."
 
 def read_evidence(text: str, place: Place) -> Evidence:
     """Reads an @evidence such as ``coverage.line at least 98 %``. Its parts are the metric, the
-    relation, the bound and the unit. The relation is empty if the text cannot be read.
-    """
+    relation, the bound and the unit. The relation is empty if the text cannot be read."""
     match = WRITTEN.fullmatch(text)
     if match is None:
         return Evidence(text, "", 0, "", place)
@@ -31,8 +29,7 @@ def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
 ) -> dict[str, float | None]:
     """Returns the values of all metrics that an @evidence names. A value is ``None`` if the run did
-    not measure the metric.
-    """
+    not measure the metric."""
     counts = Counter(finding.check for finding in findings)
     values: dict[str, float | None] = {}
     for name in {
@@ -49,8 +46,7 @@ def measured_values(
 def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
     """Returns the value of the metric with the key ``name``. For a key such as
     ``bench.scenarios.max_ms``, the value is the maximum over all scenarios. The value is None if
-    this run did not measure the metric.
-    """
+    this run did not measure the metric."""
     value = figures.get(name)
     if value is None:
         above, _, part = name.rpartition(".")
@@ -64,8 +60,7 @@ def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
 
 def reasons(evidence: Evidence, value: float | None) -> list[str]:
     """Returns a list with the reason why an @evidence does not verify its requirement. The list is
-    empty if the metric meets its bound.
-    """
+    empty if the metric meets its bound."""
     if not evidence.relation:
         return [f"its evidence cannot be read: {evidence.figure}"]
     if value is None:

@@ -4,12 +4,11 @@ contexts share.
 An execution context is code that the hardware starts: an interrupt handler, the command of a
 thread, or the program after a reset. To find the methods of a context, this module follows all
 calls in the syntax tree. A call of a virtual method is followed to the classes of those objects
-that the builders passed to the caller.
-"""
+that the builders passed to the caller."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact, FieldFact
@@ -25,28 +24,23 @@ DISPATCH = "Command::execute"  # operation that the handler of a thread calls
 ENABLE = "K64Thread::enable"  # method with the arguments: interrupt line, priority of this line
 
 
-@dataclass
-class Code:
-    """Facts from the code about the interrupt handlers and the execution contexts."""
-
-    # handler -> numbers of its interrupt lines
-    lines: dict[str, list[int]] = field(default_factory=dict)
-    # context -> method that the context may execute while the other contexts run -> first caller
-    # of this method that was found
-    reached: dict[str, dict[str, str]] = field(default_factory=dict)
+# context -> method that the context may execute while the other contexts run -> first caller of
+# this method that was found
+Methods = dict[str, dict[str, str]]
 
 
 def with_execution(model: Model, facts: Facts) -> Model:
-    code = Code(handler_lines(facts))
+    lines_of = handler_lines(facts)
+    methods: Methods = {}
     priorities = line_priorities(facts)
     contexts: dict[str, ExecutionContext] = {}
     for name, context in facts.declared.contexts.items():
-        lines = sorted({n for handler in context.handlers for n in code.lines.get(handler, [])})
+        lines = sorted({n for handler in context.handlers for n in lines_of.get(handler, [])})
         names = {priorities[line] for line in lines if line in priorities}
         numbers = {facts.syntax.constants[name] for name in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.robot.reached(context.handlers, narrowed, facts.declared.ends)
-        code.reached[context.id] = reached if context.kind != START else _idle(context, facts)
+        methods[context.id] = reached if context.kind != START else _idle(context, facts)
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
         contexts[name] = replace(
             context,
@@ -58,8 +52,8 @@ def with_execution(model: Model, facts: Facts) -> Model:
     return replace(
         model,
         contexts=contexts,
-        pipes=pipes_of(model, facts, code),
-        shared=shared_members(model, facts, code),
+        pipes=pipes_of(model, facts, methods),
+        shared=shared_members(model, facts, methods),
     )
 
 
@@ -72,8 +66,7 @@ def _idle(context: ExecutionContext, facts: Facts) -> dict[str, str]:
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
     """Returns the methods at which a context enters the modules. For a thread, this is the
     method of its command. For another context, these are the methods that its handlers call.
-    Methods of builders are left out, because a builder only passes on a reference to a module.
-    """
+    Methods of builders are left out, because a builder only passes on a reference to a module."""
     if context.body:
         return [context.body]
     begin = [m for m, caller in reached.items() if caller in context.handlers]
@@ -96,8 +89,7 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 def _vectors(facts: Facts) -> dict[str, list[str]]:
     """Returns the lists of handlers in the vector table. The key of a list is the name of the
     constant that contains the interrupt line of its first handler. Each further handler has the
-    next interrupt line.
-    """
+    next interrupt line."""
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
@@ -111,8 +103,7 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 def silent_lines(facts: Facts) -> dict[int, str]:
     """Returns the interrupt lines that have a handler but are enabled by no call in the firmware:
     number of the interrupt line -> name of the handler. Of each list of handlers in the vector
-    table, only the first interrupt line is examined.
-    """
+    table, only the first interrupt line is examined."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]
@@ -123,8 +114,7 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 def line_priorities(facts: Facts) -> dict[int, str]:
     """Returns for each interrupt line the name of the constant that contains its priority. This
-    constant is an argument of the call that enables the interrupt line.
-    """
+    constant is an argument of the call that enables the interrupt line."""
     priorities = _enabling(facts)
     # A loop in the firmware enables interrupt lines that no constant names. Such a line has the
     # same priority as the nearest interrupt line with a lower number and a known priority.
@@ -138,8 +128,7 @@ def line_priorities(facts: Facts) -> dict[int, str]:
 
 def _enabling(facts: Facts) -> dict[int, str]:
     """Returns the priorities of those interrupt lines that a call of ``K64Thread::enable`` names by
-    a constant: number of the interrupt line -> name of the constant with its priority.
-    """
+    a constant: number of the interrupt line -> name of the constant with its priority."""
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
@@ -160,10 +149,9 @@ def _enabling(facts: Facts) -> dict[int, str]:
 # ---- pipes ---------------------------------------------------------------------
 
 
-def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
+def pipes_of(model: Model, facts: Facts, methods: Methods) -> list[SharedPipe]:
     """Returns all pipes of the robot. For each pipe, the result contains the methods that write or
-    read the pipe, and the execution contexts that may execute each of these methods.
-    """
+    read the pipe, and the execution contexts that may execute each of these methods."""
     members = {
         member.name
         for places in facts.robot.known.values()
@@ -182,7 +170,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
             for item in facts.robot.objects(call.on, PIPE):
                 users = (writers if operation == "write" else readers)[item.name]
                 for user in users_of(body, item, model, facts):
-                    users[user] = contexts_of(user, code)
+                    users[user] = [name for name, reached in methods.items() if user in reached]
     pipes: list[SharedPipe] = []
     for name in sorted(members):
         declared = facts.declared.pipes.get(name)
@@ -196,8 +184,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
     """Returns the methods to which the use of a pipe in the function ``user`` belongs. If ``user``
     is a method of a module, the result is this method. If ``user`` is a function outside classes,
-    the result contains the functions in the same file that pass the pipe to ``user``.
-    """
+    the result contains the functions in the same file that pass the pipe to ``user``."""
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
     return sorted(
@@ -210,38 +197,31 @@ def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[s
     )
 
 
-def contexts_of(method: str, code: Code) -> list[str]:
-    return [name for name, reached in code.reached.items() if method in reached]
-
-
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
     """Returns the place of the declaration of a variable or data member, and its type."""
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")
-        fact = next(
-            member_fact for member_fact in facts.classes[owner].fields if member_fact.name == member
-        )
+        fact = next(each for each in facts.classes[owner].fields if each.name == member)
     return fact.place, fact.type
 
 
 # ---- members that contexts share --------------------------------------------------
 
 
-def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
+def shared_members(model: Model, facts: Facts, methods: Methods) -> list[SharedMember]:
     """Returns the data members that one context changes and that another context reads or changes.
 
     A data member of a value type such as Velocity is left out. Instead, the result contains the
     member in which a module stores the value. References are left out, because they are set before
-    the interrupts are enabled.
-    """
+    the interrupts are enabled."""
     fields = {
         f"{fact.name}::{member.name}": member
         for fact in facts.syntax.classes
         for member in fact.fields
     }
     touched: dict[str, dict[str, bool]] = {}
-    for name, reached in code.reached.items():
+    for name, reached in methods.items():
         for method in reached:
             owner, _, short = method.rpartition("::")
             if short == owner.rpartition("::")[2]:
@@ -271,9 +251,8 @@ def shared_member(
     member: str, fact: FieldFact, users: dict[str, bool], facts: Facts
 ) -> SharedMember:
     owner = member.rpartition("::")[0]
-    declared = facts.declared.protections.get(member) or facts.declared.protections.get(
-        f"{owner}::*"
-    )
+    protections = facts.declared.protections
+    declared = protections.get(member) or protections.get(f"{owner}::*")
     if declared is not None:
         protection, why = declared.protection, declared.why
     elif any(kind == PIPE for kind in fact.classes):

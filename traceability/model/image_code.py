@@ -28,12 +28,7 @@ class Program:
 
 def read_program(elf: Path) -> Program:
     codes = read_code(elf)
-    addresses = [
-        instruction.address
-        for code in codes.values()
-        for block in code.blocks.values()
-        for instruction in block.instructions
-    ]
+    addresses = [one.address for code in codes.values() for one in code.instructions()]
     shared = {
         name: home
         for names in names_of_addresses(elf)
@@ -56,8 +51,7 @@ class ImageCode:
 
 def read_image_code(root: Path) -> ImageCode | None:
     """Returns the code of the firmware image. Returns None if the image was not built from the
-    present sources.
-    """
+    present sources."""
     elf = root / image_of(DEFAULT, ".elf")
     if read_image(root) is None or not elf.exists():
         return None

@@ -4,13 +4,12 @@ change, and the requirements, patterns, tests and safety goals to review again.
 A change of a module or value type may affect the modules and value types that name it, call it or
 derive from it. In the same way, each affected module may affect further modules. A module that
 names only an abstract base class of a changed module does not count as affected. If it can call a
-method of the changed module through this class, ``callers`` lists it.
-"""
+method of the changed module through this class, ``callers`` lists it."""
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from traceability.model.design_model import Model
@@ -22,8 +21,7 @@ from traceability.schema import Requirement
 class Reached:
     """An affected element and the reason why it is affected. The distance of a changed module is 0.
     If a module B depends directly on an affected module A, the distance of B is the distance of A
-    plus 1.
-    """
+    plus 1."""
 
     id: str
     distance: int
@@ -66,15 +64,12 @@ class Impacts:
         self.affected = {name: self._next(name) for name in model.modules}
         self.trees = {
             name: {node.module for node in nodes_of(requirement.tree)}
-            if requirement.tree
-            else set()
             for name, requirement in model.requirements.items()
         }
 
     def _next(self, name: str) -> dict[str, str]:
         """Returns the modules that a change of the module ``name`` may affect directly, with the
-        reason for each module.
-        """
+        reason for each module."""
         module = self.model.modules[name]
         reasons: dict[str, str] = {}
         for subclass in module.subclasses:
@@ -87,19 +82,15 @@ class Impacts:
                     reasons.setdefault(owner, f"calls {method.id}")
         for user in module.named_by:
             reasons.setdefault(user, f"names {name}")
-        return {
-            affected: why
-            for affected, why in reasons.items()
-            if affected in self.model.modules and affected != name
-        }
+        reasons.pop(name, None)
+        return {each: why for each, why in reasons.items() if each in self.model.modules}
 
     def _bases(self, name: str) -> Sequence[str]:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:
         """Returns true if the module ``owner`` calls exactly this method. A call of the abstract
-        method that this method overrides does not count.
-        """
+        method that this method overrides does not count."""
         calls = (call for method in self.model.modules[owner].methods for call in method.calls)
         return any(call.target == method for call in calls)
 
@@ -128,7 +119,7 @@ class Impacts:
             method.partition("::")[0]: f"satisfies it in {method}"
             for method in requirement.satisfied_by
         }
-        for node in nodes_of(requirement.tree) if requirement.tree else []:
+        for node in nodes_of(requirement.tree):
             if node.module in self.model.modules:
                 start.setdefault(node.module, f"its tree calls {node.label}")
         impact = Impact(requirement.id, "requirement", requirement.text)
@@ -146,35 +137,30 @@ class Impacts:
             if machine.place.file == path:
                 start |= dict.fromkeys(machine.states.values(), f"is a state of {machine.id}")
         impact = Impact(path, "file", "")
-        requirements: dict[str, Reached] = {}
         for requirement in model.requirements.values():
             tree = requirement.tree
             if requirement.place.file == path:
-                record_reached(requirements, requirement.id, 0, f"is written in {path}")
+                impact.requirements.append(Reached(requirement.id, 0, f"is written in {path}"))
             elif tree is not None and tree.place.file == path:
-                record_reached(requirements, requirement.id, 0, "its tree is declared there")
+                impact.requirements.append(Reached(requirement.id, 0, "its tree is declared there"))
         for test in model.tests.values():
             if test.place.file == path:
                 impact.tests.append(Reached(test.id, 0, f"is written in {path}"))
-                for name in test.verifies:
-                    record_reached(requirements, name, 0, f"{test.id} verifies it")
-        impact.requirements = list(requirements.values())
+                impact.requirements += [
+                    Reached(name, 0, f"{test.id} verifies it") for name in test.verifies
+                ]
         return self._from(impact, start)
 
     def of_files(self, subject: str, paths: Sequence[str]) -> Impact:
         """Returns the effects of a change of several files. ``unfollowed`` lists the files for
-        which the model contains no affected element.
-        """
+        which the model contains no affected element."""
         joined = Impact(subject, "commits" if ".." in subject else "file", "")
         parts = [self._of_file(path) for path in paths if path in self.model.files]
         followed = {part.subject for part in parts if not part.is_empty()}
         joined.unfollowed = [path for path in paths if path not in followed]
         for name in ("modules", "callers", "requirements", "patterns", "tests", "goals"):
-            nearest: dict[str, Reached] = {}
             reached = [item for part in parts for item in getattr(part, name)]
-            for item in sorted(reached, key=lambda item: item.distance):
-                record_reached(nearest, item.id, item.distance, item.because)
-            setattr(joined, name, list(nearest.values()))
+            setattr(joined, name, first_of_each(by_distance(reached)))
         near = {module.id for module in joined.modules if module.distance <= 1}
         joined.callers = [caller for caller in joined.callers if caller.id not in near]
         return joined
@@ -188,70 +174,64 @@ class Impacts:
                     modules.add(name)
                     impact.modules.append(Reached(name, reached.distance + 1, why))
         near = [module for module in impact.modules if module.distance <= 1]
-        impact.callers = self._callers(impact.at(0), {module.id for module in near})
-        impact.requirements = self._requirements(impact, near)
-        impact.patterns = self._patterns(near)
-        impact.goals = self._goals(impact)
-        impact.tests = self._tests(impact)
+        callers = self._callers(impact.at(0), {module.id for module in near})
+        impact.callers = first_of_each(callers)
+        impact.requirements = first_of_each([*impact.requirements, *self._requirements(near)])
+        impact.patterns = first_of_each(self._patterns(near))
+        impact.goals = by_distance(first_of_each(self._goals(impact.requirements)))
+        impact.tests = by_distance(first_of_each([*impact.tests, *self._tests(impact)]))
         return impact
 
-    def _callers(self, changed: list[Reached], near: set[str]) -> list[Reached]:
-        """Returns the modules that can call a changed module and are not in ``near``: they call it
+    def _callers(self, changed: list[Reached], near: set[str]) -> Iterator[Reached]:
+        """Yields the modules that can call a changed module and are not in ``near``: they call it
         only through an abstract base class."""
-        callers: dict[str, Reached] = {}
         for item in changed:
             for method in self.model.modules[item.id].methods:
                 for caller in method.called_by:
                     owner = caller.partition("::")[0]
                     if owner in self.model.modules and owner not in near:
-                        record_reached(callers, owner, 1, f"{caller} can call {method.id}")
-        return list(callers.values())
+                        yield Reached(owner, 1, f"{caller} can call {method.id}")
 
-    def _requirements(self, impact: Impact, near: list[Reached]) -> list[Reached]:
-        requirements = {requirement.id: requirement for requirement in impact.requirements}
+    def _requirements(self, near: list[Reached]) -> Iterator[Reached]:
         for item in near:
             for name in self.model.modules[item.id].requirements:
-                record_reached(requirements, name, item.distance, f"{item.id} satisfies it")
+                yield Reached(name, item.distance, f"{item.id} satisfies it")
             for name, modules in self.trees.items():
                 if item.id in modules:
-                    record_reached(
-                        requirements, name, item.distance, f"its tree contains {item.id}"
-                    )
-        return list(requirements.values())
+                    yield Reached(name, item.distance, f"its tree contains {item.id}")
 
-    def _goals(self, impact: Impact) -> list[Reached]:
-        """Returns the safety goals that the affected requirements serve."""
-        goals: dict[str, Reached] = {}
-        for item in impact.requirements:
+    def _goals(self, requirements: list[Reached]) -> Iterator[Reached]:
+        """Yields the safety goals that the affected requirements serve."""
+        for item in requirements:
             requirement = self.model.requirements.get(item.id)
             for name in requirement.goals if requirement else []:
-                record_reached(goals, name, item.distance, f"{item.id} serves it")
-        return sorted(goals.values(), key=lambda goal: goal.distance)
+                yield Reached(name, item.distance, f"{item.id} serves it")
 
-    def _patterns(self, near: list[Reached]) -> list[Reached]:
-        patterns: dict[str, Reached] = {}
+    def _patterns(self, near: list[Reached]) -> Iterator[Reached]:
         for item in near:
             for binding in self.model.modules[item.id].roles:
                 why = f"{item.id} is its {binding.role}"
-                record_reached(patterns, binding.application, item.distance, why)
-        return list(patterns.values())
+                yield Reached(binding.application, item.distance, why)
 
-    def _tests(self, impact: Impact) -> list[Reached]:
-        """Returns the tests of the affected requirements, and the tests that execute a changed
+    def _tests(self, impact: Impact) -> Iterator[Reached]:
+        """Yields the tests of the affected requirements, and the tests that execute a changed
         module."""
-        tests = {test.id: test for test in impact.tests}
-        for requirement in impact.requirements:
-            found_requirement = self.model.requirements.get(requirement.id)
-            for name in found_requirement.verified_by if found_requirement else []:
-                record_reached(tests, name, requirement.distance, f"verifies {requirement.id}")
+        for item in impact.requirements:
+            requirement = self.model.requirements.get(item.id)
+            for name in requirement.verified_by if requirement else []:
+                yield Reached(name, item.distance, f"verifies {item.id}")
         for item in impact.at(0) if impact.kind != "requirement" else []:
             for name in self.model.modules[item.id].tests:
-                record_reached(tests, name, 1, f"executes {item.id}")
-        return sorted(tests.values(), key=lambda test: test.distance)
+                yield Reached(name, 1, f"executes {item.id}")
 
 
-def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """Records an affected element. If ``reached`` already contains the element, does nothing,
-    because the first record of an element has its shortest distance.
-    """
-    reached.setdefault(name, Reached(name, distance, why))
+def first_of_each(elements: Iterable[Reached]) -> list[Reached]:
+    """Returns the first record of each affected element, which has its shortest distance."""
+    first: dict[str, Reached] = {}
+    for item in elements:
+        first.setdefault(item.id, item)
+    return list(first.values())
+
+
+def by_distance(elements: Iterable[Reached]) -> list[Reached]:
+    return sorted(elements, key=lambda item: item.distance)

@@ -14,8 +14,7 @@ def longest_locks(codes: Mapping[str, Code]) -> dict[int, tuple[str, float]]:
     function, and the longest time [cycle] until no lock blocks the interrupts.
 
     The time is infinite if a loop or a call is executed in this time, because the computation has
-    no bound for them. Functions that end the firmware are left out.
-    """
+    no bound for them. Functions that end the firmware are left out."""
     return {
         one.address: (symbol, _longest(code, block, index, 0, ()))
         for symbol, code in codes.items()

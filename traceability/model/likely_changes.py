@@ -4,8 +4,7 @@ change does not edit.
 ``design/changes.toml`` contains for each pattern the steps of its likely change and the role of the
 new class. The modules to edit, the affected requirements and the affected tests are found in the
 code. If a module names the existing classes that have the role of the new class, the module must
-also name the new class. Other modules need not name the new class.
-"""
+also name the new class. Other modules need not name the new class."""
 
 from __future__ import annotations
 
@@ -68,8 +67,7 @@ def _designed(model: Model) -> list[str]:
 def _naming(model: Model, present: list[str]) -> list[str]:
     """Returns the modules that name a module in ``present``. A likely change must edit these
     modules, because they must also name the new class. Modules in ``present`` and their base
-    classes are left out.
-    """
+    classes are left out."""
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
     modules = {
         user
@@ -88,10 +86,7 @@ def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
         requirement.id
         for requirement in model.requirements.values()
         if any(method.partition("::")[0] in modules for method in requirement.satisfied_by)
-        or any(
-            node.module in modules
-            for node in (nodes_of(requirement.tree) if requirement.tree else [])
-        )
+        or any(node.module in modules for node in nodes_of(requirement.tree))
     ]
 
 

@@ -3,8 +3,7 @@
 A block is a sequence of instructions of which either all or none are executed. The linear program
 has a variable for each transition from a block to another block. The variable is the number of
 times that a path uses the transition. This method is the implicit path enumeration of Li and Malik.
-The solver also permits fractions for these numbers. The computed maximum is then never too low.
-"""
+The solver also permits fractions for these numbers. The computed maximum is then never too low."""
 
 from __future__ import annotations
 
@@ -43,8 +42,7 @@ class Problem:
 
     def solve(self) -> int | None:
         """Returns the maximum cost of a path through the function. Returns None if the cost has no
-        upper bound, or if no path reaches an end of the function.
-        """
+        upper bound, or if no path reaches an end of the function."""
         import highspy  # The import takes longer than many commands of ./wr.
 
         solver = highspy.Highs()  # type: ignore[no-untyped-call]  # highspy has no types
@@ -103,8 +101,7 @@ class Problem:
         do-while loop. The loop may have further exits in the middle of an iteration.
 
         A jump out of the loop to a block that is never executed does not count as an exit. An
-        example of such a block is the failure branch of an assertion.
-        """
+        example of such a block is the failure branch of an assertion."""
         never = {start for start, most in self.counted if most == 0}
 
         def leaves(block: int) -> bool:

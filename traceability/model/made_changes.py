@@ -1,6 +1,5 @@
 """Finds the likely changes that were really made, and the results of their tests. A folder below
-``changes`` or an extension makes such a change.
-"""
+``changes`` or an extension makes such a change."""
 
 from __future__ import annotations
 
@@ -40,10 +39,10 @@ def _made(model: Model, kit: Kit, record: KitRecord | None, classes: list[str]) 
         classes=classes,
         extension=kit.extension,
         files=kit.files or _files_of(model, kit, classes),
-        patched=kit.patched,
-        composition_lines=kit.composition_lines,
-        outside_lines=kit.outside_lines,
-        added_lines=kit.added_lines,
+        patched=kit.touched.files,
+        composition_lines=kit.touched.composition,
+        outside_lines=kit.touched.outside,
+        added_lines=kit.touched.added,
         flash=added("flash"),
         ram=added("ram"),
         instructions=added("instructions"),
@@ -54,8 +53,7 @@ def _made(model: Model, kit: Kit, record: KitRecord | None, classes: list[str]) 
 
 def _files_of(model: Model, kit: Kit, classes: list[str]) -> list[str]:
     """Returns the files that an extension adds for the change: the headers of the classes, their
-    ``.cpp`` files, and the file of the main program, if the extension has one.
-    """
+    ``.cpp`` files, and the file of the main program, if the extension has one."""
     headers = [model.modules[name].place.file for name in classes if name in model.modules]
     sources = [name.replace(".hpp", ".cpp") for name in headers]
     composition = [file for file in model.files if file.startswith(f"{kit.extension}/k64/main")]
@@ -83,8 +81,7 @@ def proven(change: MadeChange | None) -> bool:
 def unproven(change: MadeChange) -> str:
     """Returns the reason why the tests do not prove that a change works. The reason is empty if all
     tests of the change passed with the present sources, and each target has at least one of these
-    tests.
-    """
+    tests."""
     results = {test.result for test in change.tests}
     missing = sorted({HOST, VIRTUAL_K64} - {test.target for test in change.tests})
     if failed := [test.id for test in change.tests if test.result not in ("passed", None)]:

@@ -9,6 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from traceability import schema
 from traceability.model.design_model import Model
 from traceability.model.made_changes import proven
 from traceability.model.report import Report
@@ -22,10 +23,10 @@ from traceability.reading.live_record import live_metrics
 from traceability.reading.products import HAS, intruders
 from traceability.reading.proof_record import PROVE
 from traceability.reading.prose_record import read_prose
+from traceability.reading.published import Published
 from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_times, read_totals
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, Clause, LastRecord, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash, files_below
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
@@ -37,7 +38,8 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
     "portal.search_unseen_first_hit",
     *("site.pages", "site.dead_links", "build.first_page_s"),
-    "changes.proven",
+    *("changes.proven", "bench.wcet_cycle_ms", "bench.wcet_ratio", "bench.longest_lock_us"),
+    *("bench.wcet_cycle_with_noise_ms", "bench.wcet_ratio_with_noise", "bench.paths_ms"),
     *("build.cold_s", "build.edit_s", "build.ci_s", "release.reproducible"),
     *("tools.python_lines", "tools.python_test_lines", "tools.design_lines"),
     *(f"live.{key}" for key in LIVE),
@@ -48,7 +50,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
 def read_measured(root: Path, model: Model) -> dict[str, Any]:
     """Reads the metrics that other steps measured with the present sources."""
     tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
-    if not model.stale_on(HOST):
+    if not model.stale_on(schema.HOST):
         tests |= coverage(root)
     times: dict[str, Any] = {"bench.scenarios": bench_metrics(model.bench)}
     if model.bench is not None:
@@ -66,8 +68,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 def sizes(root: Path) -> dict[str, int]:
     """Returns three numbers of lines: in the Python files of the tools, in the Python tests, and in
-    the TOML files of the design.
-    """
+    the TOML files of the design."""
     parts = {
         "tools.python_lines": (("traceability", "site", "tools"), ".py"),
         "tools.python_test_lines": (("tests/python",), ".py"),
@@ -81,8 +82,7 @@ def sizes(root: Path) -> dict[str, int]:
 
 def changes(model: Model) -> dict[str, Any]:
     """Returns the number of made changes for which all tests passed. Returns no metric if a test of
-    a made change did not run with the present sources.
-    """
+    a made change did not run with the present sources."""
     made = [change.made for change in model.changes.values()]
     ran = all(test.result for change in made if change for test in change.tests)
     return {"changes.proven": sum(map(proven, made))} if ran else {}
@@ -90,8 +90,7 @@ def changes(model: Model) -> dict[str, Any]:
 
 def coverage(root: Path) -> dict[str, Any]:
     """Returns the coverage of the last test run on the host. Returns no metric if gcovr did not
-    count the coverage of this run.
-    """
+    count the coverage of this run."""
     totals = read_totals(root)
     if totals is None:
         return {}
@@ -100,8 +99,7 @@ def coverage(root: Path) -> dict[str, Any]:
 
 def drift(model: Model) -> dict[str, Any]:
     """Returns the number of seeded faults, and the number of seeded faults that a check found.
-    Returns no metric if files have changed since the faults were seeded.
-    """
+    Returns no metric if files have changed since the faults were seeded."""
     if model.outcomes is None:
         return {}
     return {
@@ -112,8 +110,7 @@ def drift(model: Model) -> dict[str, Any]:
 
 def image(root: Path) -> dict[str, Any]:
     """Returns the flash and RAM sizes of the firmware image in bytes. Returns no metric if the
-    firmware image was not built from the present sources.
-    """
+    firmware image was not built from the present sources."""
     record = read_image(root)
     if record is None:
         return {}
@@ -127,16 +124,14 @@ def forbidden(model: Model) -> dict[str, Any]:
     products = model.products
     if products is None:
         return {}
-    needless = {name: intruders(product.modules, HAS[name]) for name, product in products.items()}
+    images = products.values()
     return {
-        "firmware.forbidden_parts": sum(len(product.forbidden) for product in products.values()),
-        "firmware.needless_modules": sum(len(modules) for modules in needless.values()),
-        "firmware.largest_flash_bytes": max(
-            (product.flash for product in products.values()), default=None
+        "firmware.forbidden_parts": sum(len(image.forbidden) for image in images),
+        "firmware.needless_modules": sum(
+            len(intruders(image.modules, HAS[name])) for name, image in products.items()
         ),
-        "firmware.largest_ram_bytes": max(
-            (product.ram for product in products.values()), default=None
-        ),
+        "firmware.largest_flash_bytes": max((image.flash for image in images), default=None),
+        "firmware.largest_ram_bytes": max((image.ram for image in images), default=None),
     }
 
 
@@ -151,7 +146,7 @@ def metrics(model: Model, report: Report) -> dict[str, Any]:
     }
 
 
-def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, Any]:
+def figures(model: Model, clauses: Mapping[str, Sequence[schema.Clause]]) -> dict[str, Any]:
     """Returns the metrics that do not depend on verdicts of requirements."""
     written = [module for module in model.modules.values() if not module.datatype]
     designs = [module for module in written if not module.extension]
@@ -161,19 +156,16 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
     runs = [run for test in model.tests.values() for run in test.results.values() if run.result]
     applications = list(model.patterns.values())
     decided = all(clauses.get(application.id) for application in applications)
+
+    def conforms(application: schema.PatternApplication) -> bool:
+        return all(clause.holds for clause in clauses[application.id])
+
     return {
         "modules.design": len(designs),
         "modules.extensions": len(written) - len(designs),
         "modules.with_secret": sum(1 for module in designs if module.secret),
         "patterns.applications": len(applications),
-        "patterns.conforming": (
-            sum(
-                all(clause.holds for clause in clauses[application.id])
-                for application in applications
-            )
-            if decided
-            else None
-        ),
+        "patterns.conforming": sum(map(conforms, applications)) if decided else None,
         "changes.total": len(model.changes),
         "changes.existing_lines_touched": sum(
             change.made.outside_lines for change in model.changes.values() if change.made
@@ -192,11 +184,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "patterns.price": {name: asdict(price) for name, price in model.prices.items()} or None,
-        "bench.wcet_cycle_ms": (
-            round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
-        ),
         "bench.seen_cycle_ms": model.times.seen_ms if model.times else None,
-        **_proven_times(model),
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
         "mutation.justified": model.mutation.justified if model.mutation else None,
@@ -208,20 +196,20 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
             **recorded_metric(model.proofs),
         },
         **dict.fromkeys(OF_OTHER_STEPS),
+        **_proven_times(model.times, model.campaigns.get(LOADS)),
         **model.measured,
     }
 
 
-def with_others(record: LastRecord) -> dict[str, Any]:
+def with_others(record: schema.LastRecord) -> dict[str, Any]:
     """Returns a record with the number of faults that the tests did not find, and with a sentence
     that states whether the run tried all possible faults."""
     return {**asdict(record), "others": record.tried - record.found, "extent": record.extent}
 
 
-def recorded_metric(proofs: Proofs) -> dict[str, Any]:
+def recorded_metric(proofs: schema.Proofs) -> dict[str, Any]:
     """Returns the number of proofs for which this build used the record of an earlier run. The
-    metric also contains the command, the commit and the date of the earlier run.
-    """
+    metric also contains the command, the commit and the date of the earlier run."""
     if not proofs.recorded:
         return {}
     first = proofs.recorded[0]
@@ -229,49 +217,42 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
     return {"proofs.proven": {**record, "value": len(proofs.recorded)}}
 
 
-def _proven_times(model: Model) -> dict[str, Any]:
-    """Returns three kinds of metrics: the upper bound of the time of a cycle with noise at all
-    inputs, the upper bounds of the times of the paths, and the ratios of the bounds of a cycle to
-    the longest measured times.
-    """
-    proof = model.times if model.times and model.times.proven else None
-    drives = model.campaigns.get(LOADS)
+def _proven_times(proof: schema.TimeProof | None, drives: Published | None) -> dict[str, Any]:
+    """Returns the upper bounds of the times of a cycle without and with noise at all inputs and of
+    the times of the paths, and the ratios of the bounds of a cycle to the longest measured
+    times."""
+    if proof is None or not proof.proven:
+        return {}
     outcomes = drives.result["outcomes"] if drives else {}
-    longest = max(proof.seen_ms or 0, outcomes.get("longest_ms") or 0) if proof else 0
+    longest = max(proof.seen_ms or 0, outcomes.get("longest_ms") or 0)
     noisy = outcomes.get("noise_ms")
+    paths = {
+        path.name: {
+            "bound": round(path.ms, 3),
+            "seen": None if path.seen_ms is None else round(path.seen_ms, 3),
+        }
+        for path in proof.paths
+    }
     return {
-        "bench.wcet_ratio": round(proof.cycle_ms / longest, 2) if proof and longest else None,
-        "bench.longest_lock_us": round(1000 * proof.locked / CLOCK, 2) if proof else None,
-        "bench.wcet_cycle_with_noise_ms": round(proof.noise_ms, 3) if proof else None,
-        "bench.wcet_ratio_with_noise": (
-            round(proof.noise_ms / noisy, 2) if proof and noisy else None
-        ),
-        "bench.paths_ms": (
-            {
-                path.name: {
-                    "bound": round(path.ms, 3),
-                    "seen": None if path.seen_ms is None else round(path.seen_ms, 3),
-                }
-                for path in proof.paths
-            }
-            if proof
-            else None
-        ),
+        "bench.wcet_cycle_ms": round(proof.cycle_ms, 3),
+        "bench.wcet_ratio": round(proof.cycle_ms / longest, 2) if longest else None,
+        "bench.longest_lock_us": round(1000 * proof.locked / CLOCK, 2),
+        "bench.wcet_cycle_with_noise_ms": round(proof.noise_ms, 3),
+        "bench.wcet_ratio_with_noise": round(proof.noise_ms / noisy, 2) if noisy else None,
+        "bench.paths_ms": paths,
     }
 
 
-def _is_executed(requirement: Requirement) -> bool:
+def _is_executed(requirement: schema.Requirement) -> bool:
     """Returns true if a recorded test contains all calls of the requirement's invocation tree. The
-    result is false for a tree with only one node, because such a tree has no call to record.
-    """
+    result is false for a tree with only one node, because such a tree has no call to record."""
     tree = requirement.tree
     return bool(requirement.runs and tree is not None and tree.children)
 
 
-def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
+def safety(case: schema.SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
     """Counts the safety goals and the fault scenarios, and how many of them this run verified. Also
-    returns the number of existing lines that were edited for safety functions.
-    """
+    returns the number of existing lines that were edited for safety functions."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())
     return {
@@ -283,10 +264,9 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
     }
 
 
-def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
+def methods(requirements: Iterable[schema.Requirement]) -> dict[str, Any]:
     """Returns the number of requirements for each method of verification, the number of partly
-    verified requirements, and the number of requirements that a person has reviewed.
-    """
+    verified requirements, and the number of requirements that a person has reviewed."""
     listed = list(requirements)
     counts = Counter(item.method for item in listed)
     return {
@@ -298,7 +278,6 @@ def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
 
 def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
     """Returns the percentage of source lines that tests executed, with one decimal place. Returns
-    None if there is no source line.
-    """
+    None if there is no source line."""
     hits = [hit for lines in (files or {}).values() for hit in lines.values()]
     return round(100 * sum(hits) / len(hits), 1) if hits else None

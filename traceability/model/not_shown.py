@@ -18,13 +18,12 @@ from traceability.reading.fault_record import FAULTS, FUZZ, LOADS
 from traceability.reading.lint_record import NOT_RUN
 from traceability.reading.products import RECORDED
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, VIRTUAL_K64, LastRecord, Requirement
+from traceability.schema import HOST, VIRTUAL_K64, BuildEvidence, LastRecord, Requirement
 
 NAMES = {"mutation": "The mutation test of the tests", "drift": "The test of the checks"}
 
 # The value of the filter for the target, if the tests of a requirement passed only on one target.
 ONLY = "only {}"
-PAPER = {paper.name: paper for paper in SCENARIOS}
 # Drivers that the image with recorded lines does not contain.
 UNMEASURED = re.compile(r"extensions/\w+/k64/\w+\.cpp")
 # campaign -> its content, and the page with the details
@@ -50,8 +49,7 @@ class NotShown:
 
     ``query`` contains the values of the filters that select these details on the page. ``commit``
     is the commit of a run that this build did not repeat, if changes of the firmware can make its
-    result untrue.
-    """
+    result untrue."""
 
     text: str
     page: str  # id of the page in the navigation
@@ -59,42 +57,34 @@ class NotShown:
     commit: str = ""
 
 
+ALWAYS = (
+    NotShown(
+        "No real board has run this build. Tests run on this computer and on the virtual K64, "
+        "which the authors of the firmware wrote.",
+        "beliefs",
+    ),
+    NotShown(
+        "The tests with sanitizers (./wr test sanitize) are a separate run. Their result is "
+        "not part of this build.",
+        "build_evidence",
+    ),
+    NotShown(
+        "Branch coverage is measured only on the host, without the code for the K64. MC/DC is "
+        "not measured.",
+        "virtual_k64",
+    ),
+)
+
+
 def not_shown(model: Model, report: Report) -> list[NotShown]:
-    requirements = list(model.requirements.values())
-    texts: list[tuple[str, ...]] = [
-        (
-            "No real board has run this build. Tests run on this computer and on the virtual K64, "
-            "which the authors of the firmware wrote.",
-            "beliefs",
-        ),
-        (
-            "The tests with sanitizers (./wr test sanitize) are a separate run. Their result is "
-            "not part of this build.",
-            "build_evidence",
-        ),
-        (
-            "Branch coverage is measured only on the host, without the code for the K64. MC/DC is "
-            "not measured.",
-            "virtual_k64",
-        ),
-        *_products(model),
-        *_beliefs(model),
-        *_stale(model),
-        *_static_analysis(model),
-        *_tool_tests(model),
-        *_reviews(requirements),
-        *_states(report),
-        *_verdicts(model, report),
-        *_targets(model, requirements),
-        *_driver_lines(model),
-        *_times(model),
-        *_proofs(model),
-        *_drives(model),
-        *_campaigns(model),
-        *_lasts(model),
-        *_release(model),
+    return [
+        *ALWAYS,
+        *_sources(model),
+        *(_build(model.build) if model.build else ()),
+        *_requirements(model, report),
+        *_measurements(model),
+        *_earlier_runs(model),
     ]
-    return [NotShown(*parts) for parts in texts]
 
 
 def by_method(model: Model, report: Report) -> str:
@@ -112,90 +102,188 @@ def by_method(model: Model, report: Report) -> str:
     return ", ".join(listed) or "none"
 
 
-def _stale(model: Model) -> Iterator[tuple[str, str]]:
-    targets = [target for target in model.results_hashes if model.stale_on(target)]
-    if targets:
-        yield (
-            "The test results of these targets are missing or older than the sources: "
-            f"{', '.join(targets)}.",
-            "tests",
-        )
-    if model.build and model.build.changed:
-        yield (
-            "Number of files that differ from the commit of this build: "
-            f"{len(model.build.changed)}.",
-            "build_evidence",
-        )
-
-
-def _products(model: Model) -> Iterator[tuple[str, str]]:
+def _sources(model: Model) -> Iterator[NotShown]:
     if model.safety.goals:
-        yield (
+        yield NotShown(
             "Not all evidence is from all products. The section “Tested products” names the "
             "products with which the fault scenarios were played, and the product of each "
             "calculation and measurement.",
             "safety",
         )
-
-
-def _beliefs(model: Model) -> Iterator[tuple[str, str]]:
-    shared = sum(belief.shared for belief in model.beliefs)
-    if shared:
-        yield (
+    if shared := sum(belief.shared for belief in model.beliefs):
+        yield NotShown(
             f"The drivers and the virtual board rely on {_count(len(model.beliefs), 'value')} of "
             f"registers. For {shared} of them, no source outside of this project was found.",
             "beliefs",
         )
+    if targets := [target for target in model.results_hashes if model.stale_on(target)]:
+        yield NotShown(
+            "The test results of these targets are missing or older than the sources: "
+            f"{', '.join(targets)}.",
+            "tests",
+        )
 
 
-def _static_analysis(model: Model) -> Iterator[tuple[str, str]]:
-    if model.build is None:
-        return
-    if model.build.lint is None:
-        yield "The static analysis (./wr lint) was not run in this build.", "build_evidence"
-        return
-    missing = [step for step, result in model.build.lint.steps.items() if result == NOT_RUN]
-    if missing:
-        yield (
+def _build(build: BuildEvidence) -> Iterator[NotShown]:
+    texts = []
+    if build.changed:
+        texts.append(
+            f"Number of files that differ from the commit of this build: {len(build.changed)}."
+        )
+    if build.lint is None:
+        texts.append("The static analysis (./wr lint) was not run in this build.")
+    elif missing := [step for step, result in build.lint.steps.items() if result == NOT_RUN]:
+        texts.append(
             "These steps of the static analysis (./wr lint) were not run in this build: "
-            f"{', '.join(missing)}.",
-            "build_evidence",
+            f"{', '.join(missing)}."
         )
-
-
-def _tool_tests(model: Model) -> Iterator[tuple[str, str]]:
-    if model.build and model.build.failed:
-        yield (
-            f"{_count(len(model.build.failed), 'Python test')} of the tools, the client and the "
-            f"pages failed: {', '.join(model.build.failed)}.",
-            "build_evidence",
+    if build.failed:
+        texts.append(
+            f"{_count(len(build.failed), 'Python test')} of the tools, the client and the "
+            f"pages failed: {', '.join(build.failed)}."
         )
-    if model.build and model.build.long_tests:
-        counts = model.build.long_tests.values()
-        yield (
+    if counts := build.long_tests.values():
+        texts.append(
             "The long tests of the tools (./wr test --long) are not part of this build: "
-            f"{_count(sum(counts), 'test function')} in {_count(len(counts), 'file')}.",
-            "build_evidence",
+            f"{_count(sum(counts), 'test function')} in {_count(len(counts), 'file')}."
         )
-    if model.build and model.build.repeated:
-        yield (
-            f"{_count(len(model.build.repeated), 'test')} of the client failed at first. Only the "
-            "second result counts.",
-            "build_evidence",
+    if build.repeated:
+        texts.append(
+            f"{_count(len(build.repeated), 'test')} of the client failed at first. Only the "
+            "second result counts."
+        )
+    yield from (NotShown(text, "build_evidence") for text in texts)
+
+
+def _requirements(model: Model, report: Report) -> Iterator[NotShown]:
+    requirements = list(model.requirements.values())
+    reviewed = sum(requirement.reviewed for requirement in requirements)
+    if reviewed < len(requirements):
+        yield NotShown(
+            "Reviews by a person who is not an author exist for "
+            f"{f'only {reviewed}' if reviewed else 'none'} of the {len(requirements)} "
+            "requirements.",
+            "requirements",
+        )
+    counts = Counter(verdict.state for verdict in report.requirements.values())
+    for state, words in STATES.items():
+        if counts[state]:
+            query = urlencode({"state": state})
+            yield NotShown(f"Number of {words}: {counts[state]}.", "requirements", query)
+    if report.findings:
+        yield NotShown(f"The checks report {_count(len(report.findings), 'finding')}.", "checks")
+    if partly := [requirement.id for requirement in requirements if requirement.partly]:
+        yield NotShown(
+            "These requirements are only partly verified, and their pages state the reason: "
+            f"{', '.join(partly)}.",
+            "requirements",
+        )
+    if goals := [name for name, verdict in report.goals.items() if verdict.state != "verified"]:
+        yield NotShown(f"These safety goals are not verified: {', '.join(goals)}.", "safety")
+    if short := sum(len(nodes_of(requirement.tree)) == 1 for requirement in requirements):
+        yield NotShown(
+            f"Number of invocation trees with only one node: {short}. Such a tree shows that a "
+            "method ran, but shows no sequence of calls.",
+            "trees",
+        )
+    if only_host := sum(targets_of(model, each) == [HOST] for each in requirements):
+        yield NotShown(
+            f"The tests of {_count(only_host, 'requirement')} run only on the host, and not on the "
+            f"{VIRTUAL_K64}.",
+            "requirements",
+            urlencode({"binding": ONLY.format(HOST)}),
         )
 
 
-def _campaigns(model: Model) -> Iterator[tuple[str, str, str, str]]:
+def targets_of(model: Model, requirement: Requirement) -> list[str]:
+    """Returns the targets on which a test of the requirement passed."""
+    tests = [model.tests[name] for name in requirement.verified_by]
+    passed = {target for test in tests for target in test.gave("passed")}
+    return [target for target in model.results_hashes if target in passed]
+
+
+def _measurements(model: Model) -> Iterator[NotShown]:
+    missed, total = driver_lines(model)
+    if missed:
+        yield NotShown(
+            f"In the image {RECORDED}, the tests did not execute {missed} of the {total} lines of "
+            "src/k64. No reasons are stated for these lines. The lines that the tests of the "
+            "released images execute are not measured.",
+            "virtual_k64",
+        )
+    if files := unmeasured_drivers(model):
+        yield NotShown(
+            "The executed lines of these files of the extensions, which are compiled only for the "
+            f"K64, are not measured: {', '.join(files)}.",
+            "virtual_k64",
+        )
+    if slow := sum(_share(model, paper) > 1 for paper in SCENARIOS):
+        yield NotShown(
+            f"The control cycle misses its target in {slow} of "
+            f"{_count(len(SCENARIOS), 'scenario')}. The target is 1/{SHARE} of the paper's time. "
+            "The times are measured with the model of a slow flash.",
+            "bench",
+        )
+    if recorded := model.proofs.recorded:
+        yield NotShown(
+            f"This build did not repeat {_count(len(recorded), 'proof')} of the state machines. A "
+            f"run at commit {recorded[0].recorded[:7]} proved the same models.",
+            "proofs",
+        )
+
+
+def driver_lines(model: Model) -> tuple[int, int]:
+    """Returns the number of lines of the drivers that were not executed in the image ``RECORDED``,
+    and the number of all their lines. Both are 0 if the lines were not measured."""
+    hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
+    return hits.count(False), len(hits)
+
+
+def unmeasured_drivers(model: Model) -> list[str]:
+    """Returns the source files of the extensions that are compiled only for the K64. The image with
+    recorded lines contains none of them."""
+    return sorted(filter(UNMEASURED.match, model.files))
+
+
+def _share(model: Model, paper: Paper) -> float:
+    """Returns the greater of two quotients: the average time divided by the target of the average
+    time, and the longest time divided by the target of the longest time. Returns 0 if the scenario
+    was not measured."""
+    measured = (model.bench or {}).get(paper.name)
+    if measured is None:
+        return 0
+    times = measured.runs[SLOW].report_ms
+    return SHARE * max(times.average / paper.average, times.maximum / paper.maximum)
+
+
+def _earlier_runs(model: Model) -> Iterator[NotShown]:
+    exceptions = {name: " ".join(goal.exceptions) for name, goal in model.safety.goals.items()}
+    if goals := [name for name, text in exceptions.items() if OLD_DRIVES in text]:
+        yield NotShown(
+            "This build did not repeat the long series of drives with faults "
+            "(tests/python/programs/test_random_drives.py). Known exceptions of "
+            f"{', '.join(goals)} state the commits of their last run.",
+            "safety",
+        )
     for name, (text, page) in CAMPAIGNS.items():
         if record := model.campaigns.get(name):
             reactions = _reactions(record.result) if name == FAULTS else ""
-            yield (
+            yield NotShown(
                 f"This build did not repeat ./wr campaign {name} ({text}). Its last run was at "
                 f"commit {record.commit[:7]}.{reactions}",
                 page,
-                "",
-                record.commit,
+                commit=record.commit,
             )
+    for name in NAMES:
+        last = model.last.get(name)
+        if text := _last(name, last):
+            # The test of the checks does not depend on the code of the firmware.
+            old = name == "mutation" and last and not last.current
+            yield NotShown(text, name, commit=last.commit if last and old else "")
+    last = model.last.get("release")
+    if last is None or not last.current:
+        run = f" Its last run was at {_commit(last)} on {last.date}." if last else ""
+        yield NotShown(f"./wr release --verify was not run in this build.{run}", "build_evidence")
 
 
 def _reactions(result: Mapping[str, Any]) -> str:
@@ -207,155 +295,6 @@ def _reactions(result: Mapping[str, Any]) -> str:
         f"and {counts['hung']} stopped all answers. {counts['stopped']} were not judged, because "
         "the virtual board could not continue."
     )
-
-
-def _drives(model: Model) -> Iterator[tuple[str, str]]:
-    goals = [
-        goal.id
-        for goal in model.safety.goals.values()
-        if any(OLD_DRIVES in text for text in goal.exceptions)
-    ]
-    if goals:
-        yield (
-            "This build did not repeat the long series of drives with faults "
-            "(tests/python/programs/test_random_drives.py). Known exceptions of "
-            f"{', '.join(goals)} state the commits of their last run.",
-            "safety",
-        )
-
-
-def _reviews(requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
-    missing = sum(not requirement.reviewed for requirement in requirements)
-    if missing:
-        number = "none" if missing == len(requirements) else f"only {len(requirements) - missing}"
-        yield (
-            f"Reviews by a person who is not an author exist for {number} of the "
-            f"{len(requirements)} requirements.",
-            "requirements",
-        )
-
-
-def _states(report: Report) -> Iterator[tuple[str, str, str]]:
-    counts = Counter(verdict.state for verdict in report.requirements.values())
-    for state, words in STATES.items():
-        if counts[state]:
-            query = urlencode({"state": state})
-            yield f"Number of {words}: {counts[state]}.", "requirements", query
-    if report.findings:
-        yield f"The checks report {_count(len(report.findings), 'finding')}.", "checks", ""
-
-
-def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
-    requirements = model.requirements.values()
-    partly = [requirement.id for requirement in requirements if requirement.partly]
-    if partly:
-        yield (
-            "These requirements are only partly verified, and their pages state the reason: "
-            f"{', '.join(partly)}.",
-            "requirements",
-        )
-    goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
-    if goals:
-        yield f"These safety goals are not verified: {', '.join(goals)}.", "safety"
-    short = sum(
-        requirement.tree is not None and len(nodes_of(requirement.tree)) == 1
-        for requirement in requirements
-    )
-    if short:
-        yield (
-            f"Number of invocation trees with only one node: {short}. Such a tree shows that a "
-            "method ran, but shows no sequence of calls.",
-            "trees",
-        )
-
-
-def targets_of(model: Model, requirement: Requirement) -> list[str]:
-    """Returns the targets on which a test of the requirement passed."""
-    tests = [model.tests[name] for name in requirement.verified_by]
-    passed = {target for test in tests for target in test.gave("passed")}
-    return [target for target in model.results_hashes if target in passed]
-
-
-def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[str, str, str]]:
-    only_host = sum(targets_of(model, requirement) == [HOST] for requirement in requirements)
-    if only_host:
-        yield (
-            f"The tests of {_count(only_host, 'requirement')} run only on the host, and not on the "
-            f"{VIRTUAL_K64}.",
-            "requirements",
-            urlencode({"binding": ONLY.format(HOST)}),
-        )
-
-
-def driver_lines(model: Model) -> tuple[int, int]:
-    """Returns the number of lines of the drivers that were not executed in the image ``RECORDED``,
-    and the number of all their lines. Both are 0 if the lines were not measured."""
-    hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
-    return hits.count(False), len(hits)
-
-
-def _driver_lines(model: Model) -> Iterator[tuple[str, str]]:
-    missed, total = driver_lines(model)
-    if missed:
-        yield (
-            f"In the image {RECORDED}, the tests did not execute {missed} of the {total} lines of "
-            "src/k64. No reasons are stated for these lines. The lines that the tests of the "
-            "released images execute are not measured.",
-            "virtual_k64",
-        )
-    if files := unmeasured_drivers(model):
-        yield (
-            "The executed lines of these files of the extensions, which are compiled only for the "
-            f"K64, are not measured: {', '.join(files)}.",
-            "virtual_k64",
-        )
-
-
-def unmeasured_drivers(model: Model) -> list[str]:
-    """Returns the source files of the extensions that are compiled only for the K64. The image with
-    recorded lines contains none of them."""
-    return sorted(filter(UNMEASURED.match, model.files))
-
-
-def _times(model: Model) -> Iterator[tuple[str, str]]:
-    slow = [name for name, paper in PAPER.items() if _share(model, name, paper) > 1]
-    if slow:
-        yield (
-            f"The control cycle misses its target in {len(slow)} of "
-            f"{_count(len(PAPER), 'scenario')}. The target is 1/{SHARE} of the paper's time. The "
-            "times are measured with the model of a slow flash.",
-            "bench",
-        )
-
-
-def _share(model: Model, name: str, paper: Paper) -> float:
-    """Returns the greater of two quotients: the average time divided by the target of the average
-    time, and the longest time divided by the target of the longest time. Returns 0 if the scenario
-    was not measured."""
-    measured = (model.bench or {}).get(name)
-    if measured is None:
-        return 0
-    times = measured.runs[SLOW].report_ms
-    return SHARE * max(times.average / paper.average, times.maximum / paper.maximum)
-
-
-def _proofs(model: Model) -> Iterator[tuple[str, str]]:
-    recorded = model.proofs.recorded
-    if recorded:
-        yield (
-            f"This build did not repeat {_count(len(recorded), 'proof')} of the state machines. A "
-            f"run at commit {recorded[0].recorded[:7]} proved the same models.",
-            "proofs",
-        )
-
-
-def _lasts(model: Model) -> Iterator[tuple[str, str, str, str]]:
-    for name in NAMES:
-        last = model.last.get(name)
-        if text := _last(name, last):
-            # The test of the checks does not depend on the code of the firmware.
-            old = name == "mutation" and last and not last.current
-            yield text, name, "", last.commit if last and old else ""
 
 
 def _last(name: str, last: LastRecord | None) -> str:
@@ -373,13 +312,6 @@ def _last(name: str, last: LastRecord | None) -> str:
         f"{NAMES[name]} was not run in this build. Its last run, at {_commit(last)} on "
         f"{last.date}, found {last.found} of {_count(last.tried, 'fault')}.{justified}"
     )
-
-
-def _release(model: Model) -> Iterator[tuple[str, str]]:
-    last = model.last.get("release")
-    if last is None or not last.current:
-        run = f" Its last run was at {_commit(last)} on {last.date}." if last else ""
-        yield f"./wr release --verify was not run in this build.{run}", "build_evidence"
 
 
 def _commit(last: LastRecord) -> str:

@@ -20,13 +20,11 @@ def serving_methods(model: Model) -> set[str]:
 
     If a method serves a requirement, the method that it overrides and all other methods that
     override the same method also serve a requirement. If a method of a class serves a requirement,
-    the constructors of the class also serve a requirement.
-    """
+    the constructors of the class also serve a requirement."""
     methods = {item.id: item for module in model.modules.values() for item in module.methods}
     served = {item.id for item in methods.values() if item.satisfies}
     for requirement in model.requirements.values():
-        if requirement.tree is not None:
-            served |= {node.resolved for node in nodes_of(requirement.tree) if node.resolved}
+        served |= {node.resolved for node in nodes_of(requirement.tree) if node.resolved}
     above = {item.id: item.overrides for item in methods.values() if item.overrides}
 
     def top(name: str) -> str:

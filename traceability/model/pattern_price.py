@@ -11,7 +11,7 @@ from traceability.model.stack import Prover, read_declared
 from traceability.reading.bench_record import CYCLES, MANUAL
 from traceability.reading.call_graph import short_name, table_bytes
 from traceability.reading.products import DEFAULT
-from traceability.reading.results import read_json
+from traceability.reading.results import read_object
 from traceability.reading.source_facts import Facts
 from traceability.schema import PatternPrice, Place
 
@@ -30,8 +30,8 @@ def prices(
 ) -> dict[str, PatternPrice]:
     """Returns the cost of each pattern application. Returns an empty dictionary if no firmware
     image or no measurement of the present sources exists."""
-    measured = read_json(root / MEASURED)
-    if image is None or model.bench is None or not isinstance(measured, dict):
+    measured = read_object(root / MEASURED)
+    if image is None or model.bench is None or not measured:
         return {}
     executed = {int(at): sum(times) for at, times in measured["profile"].items()}
     prover = Prover(image.graph, facts, model, read_declared(root, facts))
@@ -55,14 +55,10 @@ def sites(program: Program, prover: Prover) -> Iterator[Site]:
     can execute."""
     for symbol, code in program.codes.items():
         function = prover.graph.get(symbol)
-        for block in code.blocks.values():
-            for instruction in block.instructions:
-                lines = program.places.get(instruction.address) if instruction.indirect else None
-                if function is None or not lines:
-                    continue
-                targets = prover.targets(function, Place(*lines[0]))
-                names = (short_name(prover.graph[target].name) for target in targets)
-                yield (
-                    instruction.address,
-                    {name.rpartition("::")[0].split("::")[0] for name in names},
-                )
+        for instruction in code.instructions():
+            lines = program.places.get(instruction.address) if instruction.indirect else None
+            if function is None or not lines:
+                continue
+            targets = prover.targets(function, Place(*lines[0]))
+            names = (short_name(prover.graph[target].name) for target in targets)
+            yield instruction.address, {name.rpartition("::")[0].split("::")[0] for name in names}

@@ -3,8 +3,7 @@
 Each machine of ``design/fsm`` becomes a variable and an inline function. The variable contains the
 present state. The function is the step of the machine: it receives an event, and executes the first
 transition whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets the
-guards, calls the steps and reads the actions.
-"""
+guards, calls the steps and reads the actions."""
 
 from __future__ import annotations
 
@@ -23,10 +22,7 @@ HEAD = """\
 """
 # The comments in robot.pml before and after the observing variables. An observing variable records
 # a fact at the end of each round of the model. The properties use these variables.
-OBSERVED, OBSERVED_END = (
-    "// ---- observed",
-    "// ---- environment",
-)
+OBSERVED, OBSERVED_END = "// ---- observed", "// ---- environment"
 WORD = re.compile(r"[a-z_]\w*")
 SIGNS = {"<": " below ", ">": " above ", "=": " is "}
 
@@ -78,9 +74,8 @@ def without(robot: str, formula: str) -> str:
     def hide(match: re.Match[str]) -> str:
         return match[0] if match["name"] in needed else f"hidden byte {match['name']}"
 
-    return (
-        head + mark + re.sub(r"^bool (?P<name>\w+)", hide, block, flags=re.MULTILINE) + end + rest
-    )
+    hidden = re.sub(r"^bool (?P<name>\w+)", hide, block, flags=re.MULTILINE)
+    return head + mark + hidden + end + rest
 
 
 def step_of(machine: StateMachine) -> str:

@@ -22,8 +22,7 @@ class Verdict:
     """The state of a requirement or of a safety goal, and the reasons if it is not verified.
 
     The state of a requirement is "verified", "partly", "suspect", "failed", "stale" or
-    "unverified". The state of a goal is "verified", "open" or "failed".
-    """
+    "unverified". The state of a goal is "verified", "open" or "failed"."""
 
     state: str
     reasons: Sequence[str] = ()

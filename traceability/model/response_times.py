@@ -4,8 +4,7 @@ the control cycle, and the time from an input to its effect.
 Each bound includes the time of the interrupts that can occur before the response. The computation
 assumes that each interrupt occurs as often as it can. Each bound also includes the longest time for
 which code of a lower priority blocks the interrupts. Such code runs at most once before the
-response, because each code of a lower priority then waits.
-"""
+response, because each code of a lower priority then waits."""
 
 from __future__ import annotations
 
@@ -169,8 +168,7 @@ def _of_context(
     The bound of an interrupt is the bound of its longest handler. A control cycle executes all
     handlers of a thread, and can activate a thread several times. The bound of a thread is
     therefore the sum over all its handlers and activations. ``activations`` contains an element for
-    each activation: the methods that the thread does not call in that activation.
-    """
+    each activation: the methods that the thread does not call in that activation."""
     arrival = arrivals.get(context.id)
     if arrival and not arrival["entries"]:
         return None  # The handler ends the firmware.
@@ -201,8 +199,7 @@ def with_responses(contexts: Iterable[TimeBound], locked: int = 0) -> list[TimeB
 
     A response time lasts from the request of the interrupt to the end of its handler. It includes
     all work of the same and of higher priorities that the processor does in this time. It also
-    includes ``locked``, the longest time [cycle] for which other code blocks the interrupts.
-    """
+    includes ``locked``, the longest time [cycle] for which other code blocks the interrupts."""
     all_bounds = list(contexts)
     waits = _waits(all_bounds, locked, noise=False)
     return [
@@ -216,8 +213,7 @@ def with_responses(contexts: Iterable[TimeBound], locked: int = 0) -> list[TimeB
 def cycle_response(contexts: Iterable[TimeBound], locked: int = 0, *, noise: bool) -> float:
     """Returns the number of processor cycles from the clock pulse until the main thread has
     finished its work. The cycles of the interrupts in this time are included, and the cycles
-    ``locked``, for which the idle program can block the interrupts before.
-    """
+    ``locked``, for which the idle program can block the interrupts before."""
     all_bounds = list(contexts)
     own = locked + sum(bound.cycles for bound in all_bounds if bound.entries is None)
     interrupts = [bound for bound in all_bounds if bound.entries is not None]
@@ -272,8 +268,7 @@ def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
     """Returns the time [cycle] until a context has executed ``own`` cycles of its own. The cycles
-    of the interrupts in this time are included.
-    """
+    of the interrupts in this time are included."""
     cycles = own
     for _ in range(MOST_ROUNDS):
         now = own
@@ -292,8 +287,7 @@ def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noi
     With noise, an input can cause ``bound.noise`` interrupts each time after the handler of the
     tick has run. The computation adds one tick to the period, because such interrupts can begin in
     the tick before the period. It also adds the longest response time of the tick, because the
-    handler of the tick can be late.
-    """
+    handler of the tick can be late."""
     assert bound.entries is not None
     if noise and bound.noise is not None:
         late = waits.get(TICK_TIMER, CLOCK)
@@ -354,8 +348,7 @@ def _seen_of(chain: Chain, recording: Any) -> float | None:
     """Returns the time [ms] from the first to the last event of a chain in a recording. Returns
     None if the recording does not contain the chain.
 
-    If the first event is a byte of a frame, the time begins at the last byte of this frame.
-    """
+    If the first event is a byte of a frame, the time begins at the last byte of this frame."""
     steps = follow(chain, recording)
     if steps is None:
         return None

@@ -3,14 +3,12 @@ requirement.
 
 The baseline contains a hash of each text on which the verdict of a requirement depends. If the hash
 of the present text is different, the text has changed. The texts themselves are in git. A review is
-the judgement of a person who wrote none of these texts.
-"""
+the judgement of a person who wrote none of these texts."""
 
 from __future__ import annotations
 
 import json
 import re
-import subprocess
 from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -18,6 +16,7 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.model.design_texts import page_facts, reasons, safety_sections
 from traceability.model.trees import accepted
+from traceability.reading.build_evidence import git
 from traceability.reading.comments import code_of
 from traceability.reading.link_texts import (
     FINDERS,
@@ -29,7 +28,7 @@ from traceability.reading.link_texts import (
 )
 from traceability.reading.source_facts import Facts
 from traceability.reading.support_files import SupportFiles
-from traceability.reading.toml_reader import Entries, Keys, Problem
+from traceability.reading.toml_reader import Entries, Problem
 from traceability.reading.traces import nodes_of
 from traceability.schema import (
     Baseline,
@@ -77,16 +76,7 @@ DESIGN = "design"  # key for texts without a requirement; other keys are ids of 
 OF_DESIGN = ("reason", "facts", "page", "function")
 EVIDENCE = ("sim/plant", "sim/scenario")  # folders of code on which the results of tests depend
 LINKS = "links"  # the table of the baseline with the texts of each requirement
-NEEDS: Keys = {
-    "requirement": str,
-    "reviewer": str,
-    "email": str,
-    "date": str,
-    "commit": str,
-    "state": str,
-    "remark": str,
-    "answers": dict,
-}
+TEXTS_OF_REVIEW = ("requirement", "reviewer", "email", "date", "commit", "state", "remark")
 DATE = r"\d{4}-[01]\d-[0-3]\d"
 QUESTIONS = {
     "text": "Is the requirement clear and complete, and does it contradict no other requirement?",
@@ -189,7 +179,8 @@ class LinkTexts:
     def _own(self, requirement: Requirement) -> Iterator[LinkText]:
         name, place = requirement.id, requirement.place
         text = self.support.text(place.file)
-        end = text.find("@requirement", _offset(text, place.line + 1))
+        begin = sum(map(len, text.splitlines(keepends=True)[: place.line]))
+        end = text.find("@requirement", begin)
         last = text.count("\n", 0, end) if end >= 0 else len(text.splitlines())
         for source in list(FINDERS["requirement"](text, name))[:1]:
             yield LinkText("requirement", name, replace(place, end=last), source)
@@ -250,7 +241,7 @@ class LinkTexts:
 
     def _methods(self, requirement: Requirement) -> set[str]:
         """Returns the methods that satisfy a requirement or are in its invocation tree."""
-        nodes = nodes_of(requirement.tree) if requirement.tree else []
+        nodes = nodes_of(requirement.tree)
         accepted_names = {method for node in nodes for method in accepted(node, self.facts)}
         return accepted_names.union(requirement.satisfied_by)
 
@@ -297,13 +288,6 @@ def _effect(machine: StateMachine, step: Transition) -> str:
     return f"{step.guard} = {', '.join(conditions)} / {step.action} = {', '.join(called)}"
 
 
-def _offset(text: str, line: int) -> int:
-    at = 0
-    for _ in range(line - 1):
-        at = text.find("\n", at) + 1
-    return at
-
-
 def state_of(texts: Iterable[LinkText]) -> str:
     """Returns a hash of all texts. A review is valid until this hash changes."""
     return hash_of_text(" ".join(sorted(f"{text.kind} {text.name} {text.hash}" for text in texts)))
@@ -324,14 +308,8 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
     before = read_baseline(root)
     links = {name: before.links[name] for name in (*ids, DESIGN) if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
-    hashes = {
-        **before.hashes,
-        **{
-            text.key: text.hash
-            for requirement_texts in texts.values()
-            for text in requirement_texts
-        },
-    }
+    hashes = dict(before.hashes)
+    hashes |= {text.key: text.hash for listed in texts.values() for text in listed}
     parts = [BASELINE_HEADING, f"\n[{LINKS}]\n"]
     named = sorted(links.keys() - {DESIGN}, key=_order)
     parts += [f"{name} = {json.dumps(sorted(links[name]))}\n" for name in named]
@@ -347,21 +325,21 @@ def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
     """Returns the reviews that have all keys. Records a problem for each review with a missing key
     or with a date in another form."""
     entries = entries or Entries(root)
-    reviews = []
-    for entry, place in entries.tables(root / REVIEWS, "review", NEEDS):
-        if not re.fullmatch(DATE, entry["date"]):
+    reviews = entries.records(root / REVIEWS, "review", Review)
+    for review in reviews:
+        if not re.fullmatch(DATE, review.date):
             text = "the date of the review must have the form 2026-01-31"
-            entries.problems.append(Problem(place, text, "review the requirement again"))
-        reviews.append(Review(**entry, place=place))
+            entries.problems.append(Problem(review.place, text, "review the requirement again"))
     return reviews
 
 
 def add_review(root: Path, review: Review) -> None:
-    """Appends a review to the file of reviews."""
     path = root / REVIEWS
     before = path.read_text(encoding="utf-8") if path.exists() else REVIEWS_HEADING
-    keys = [name for name in NEEDS if name != "answers"]
-    lines = [f"{key} = {json.dumps(getattr(review, key), ensure_ascii=False)}\n" for key in keys]
+    lines = [
+        f"{key} = {json.dumps(getattr(review, key), ensure_ascii=False)}\n"
+        for key in TEXTS_OF_REVIEW
+    ]
     answers = ", ".join(f'{key} = "{answer}"' for key, answer in review.answers.items())
     entry = f"\n[[review]]\n{''.join(lines)}answers = {{ {answers} }}\n"
     write_whole(path, before + entry)
@@ -396,9 +374,8 @@ def authors(root: Path, place: Place) -> set[str]:
     """Returns the authors of the source lines of a place, according to git. The result contains
     their names and e-mail addresses in lower case."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
-    command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    words = re.findall(r"^author(?:-mail)? (.*)$", run.stdout, re.MULTILINE)
+    blame = git(root, "blame", "-w", "--line-porcelain", *lines, "--", place.file)
+    words = re.findall(r"^author(?:-mail)? (.*)$", blame, re.MULTILINE)
     return {word.strip("<>").casefold() for word in words}
 
 
@@ -459,9 +436,8 @@ def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tu
     if kind == "method" and methods:
         return methods[0].place, f"has lost the tag @satisfies {requirement.id} since the baseline"
     if kind == "test" and name in model.tests:
-        return model.tests[
-            name
-        ].place, f"has lost the tag @verifies {requirement.id} since the baseline"
+        place = model.tests[name].place
+        return place, f"has lost the tag @verifies {requirement.id} since the baseline"
     if kind == "body" and methods:
         return methods[0].place, "is no longer in the requirement's tree, and has no @satisfies"
     return requirement.place, "was removed since the baseline"

@@ -14,13 +14,7 @@ from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.safety_cost import read_cost
 from traceability.reading.source_facts import Facts
-from traceability.schema import (
-    BindingResult,
-    FaultScenario,
-    SafetyCase,
-    SafetyGoal,
-    Test,
-)
+from traceability.schema import BindingResult, FaultScenario, SafetyCase, SafetyGoal, Test
 from traceability.sources import text_of
 
 
@@ -30,8 +24,7 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
     If the file of a parameterised test names the folder of the scenarios, the test may execute each
     scenario. The recordings of the test show which scenarios the test executed. Such a test without
-    recordings counts as a test of all scenarios.
-    """
+    recordings counts as a test of all scenarios."""
     case = facts.declared.safety
     if not case.goals:
         return case
@@ -119,7 +112,6 @@ def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str |
 
 
 def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Iterable[str]:
-    """Returns the reasons why a goal is not verified in this run."""
     yield from (f"known exception: {case}" for case in goal.exceptions)
     yield from (f"open point: {point}" for point in goal.open_points)
     if not goal.requirements:

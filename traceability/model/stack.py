@@ -6,8 +6,7 @@ tree shows the objects that the builders passed to the caller. The call can exec
 these objects.
 
 A chain of calls through decorators contains each Concrete Decorator of the pattern at most once. No
-other method occurs twice in a chain of calls.
-"""
+other method occurs twice in a chain of calls."""
 
 from __future__ import annotations
 

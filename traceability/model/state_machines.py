@@ -3,8 +3,7 @@ that the tests made.
 
 The files in ``design/fsm`` declare the machines. The states of a machine are the Concrete States in
 an application of the State pattern. This module finds the changes of state in the methods of the
-state classes and in the recorded calls of the tests.
-"""
+state classes and in the recorded calls of the tests."""
 
 from __future__ import annotations
 
@@ -116,13 +115,7 @@ def _storage(machine: StateMachine, facts: Facts) -> str:
 class _Changes:
     """The search in the code for the changes of state that the operations of a state can make."""
 
-    def __init__(
-        self,
-        machine: StateMachine,
-        base: str,
-        code: MachineCode,
-        facts: Facts,
-    ) -> None:
+    def __init__(self, machine: StateMachine, base: str, code: MachineCode, facts: Facts) -> None:
         self.base = base
         self.code = code
         self.facts = facts
@@ -141,21 +134,14 @@ class _Changes:
         method = self.code.runs[state].get(operation)
         if method is None:
             return []
-        return [
-            Change(state, operation, target, place, path, sometimes, conditions)
-            for target, place, path, sometimes, conditions in self._below(method, (), {})
-        ]
+        changes = self._below(method, (), {})
+        return [replace(change, source=state, operation=operation) for change in changes]
 
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
-    ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
+    ) -> Iterator[Change]:
         """Yields the changes of state that a method makes itself or through other methods of the
-        state.
-
-        Each result consists of the new state, the place of the change, the called methods on the
-        path to the change, a truth value, and the operands of the conditions before the change. The
-        truth value is true if the change is conditional.
-        """
+        state. Their source and their operation are empty."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [
@@ -163,13 +149,15 @@ class _Changes:
                 ]
                 if call.target in self.changers:
                     for target in self._targets(args[0] if args else []):
-                        yield target, call.place, path, call.sometimes, call.asked
+                        yield Change("", "", target, call.place, path, call.sometimes, call.asked)
                 elif self._is_own(call, body.place.file) and call.target not in path:
                     inner = {f"param {call.target} {k}": arg for k, arg in enumerate(args)}
-                    for target, place, way, rarely, conditions in self._below(
-                        call.target, (*path, call.target), inner
-                    ):
-                        yield target, place, way, rarely or call.sometimes, call.asked + conditions
+                    for change in self._below(call.target, (*path, call.target), inner):
+                        yield replace(
+                            change,
+                            sometimes=change.sometimes or call.sometimes,
+                            asked=call.asked + change.asked,
+                        )
 
     def _is_own(self, call: CallFact, file: str) -> bool:
         """Returns true if a call executes a method of the state object itself, and this method
@@ -236,8 +224,7 @@ class Watcher:
 
     Only the calls inside a method of the Context are examined, because the Context calls only the
     present state. After a change of state, all states are possible at first. Each further call
-    excludes the states that do not have the called method, until only one state is left.
-    """
+    excludes the states that do not have the called method, until only one state is left."""
 
     def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
         self.code = code
@@ -358,16 +345,11 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
 
     Several transitions may have the same source, event and target. If the code has the same number
     of such changes, the first transition gets the first change, the second transition gets the
-    second change, and so on. Otherwise, each of these transitions gets all these changes.
-    """
+    second change, and so on. Otherwise, each of these transitions gets all these changes."""
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
-    rows = [
-        transition
-        for transition in machine.transitions
-        if (transition.source, transition.event, transition.target)
-        == (step.source, step.event, step.target)
-    ]
+    ends = (step.source, step.event, step.target)
+    rows = [row for row in machine.transitions if (row.source, row.event, row.target) == ends]
     if len(rows) == len(changes):
         return [changes[next(i for i, row in enumerate(rows) if row is step)]]
     return changes
@@ -386,13 +368,8 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
             if not runners.isdisjoint(traces.events(recording))
         }
 
-    parts = [
-        traces.state,
-        names,
-        sorted(turning),
-        watcher.known(),
-        *code_of("model/state_machines", "reading/traces"),
-    ]
+    code = code_of("model/state_machines", "reading/traces")
+    parts = [traces.state, names, sorted(turning), watcher.known(), *code]
     return cached_result(cache, parts, watch)
 
 

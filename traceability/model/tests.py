@@ -9,7 +9,6 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.reading.gtest_cases import Case, read_tests
 from traceability.reading.results import (
-    Result,
     bindings_of,
     read_driver_faults,
     read_results,
@@ -48,7 +47,10 @@ def with_tests(model: Model, facts: Facts) -> Model:
                 place=Place(file, case.line),
                 verifies=comment.words("verifies"),
                 results={
-                    binding: _result_of(results[binding].get(case.id), model, binding)
+                    binding: replace(
+                        results[binding].get(case.id, BindingResult()),
+                        stale=model.stale_on(binding),
+                    )
                     for binding in bindings_of(file)
                 },
             )
@@ -60,23 +62,6 @@ def with_tests(model: Model, facts: Facts) -> Model:
         for name, identifier in model.requirements.items()
     }
     return replace(model, tests=tests, requirements=requirements)
-
-
-def _result_of(result: Result | None, model: Model, binding: str) -> BindingResult:
-    stale = model.stale_on(binding)
-    if result is None:
-        return BindingResult(stale=stale)
-    milliseconds = round(result.milliseconds, 3)
-    return BindingResult(
-        result.result,
-        milliseconds,
-        result.message,
-        stale,
-        result.recordings,
-        result.measured,
-        result.instances,
-        result.images,
-    )
 
 
 def written_tests(root: Path) -> dict[str, list[Case]]:

@@ -1,8 +1,7 @@
 """Upper bounds of the execution times of the functions of the firmware image.
 
 The bound of a function is the cost of the longest path through its instructions. The cost includes
-the bounds of the functions that it calls.
-"""
+the bounds of the functions that it calls."""
 
 from __future__ import annotations
 
@@ -44,8 +43,7 @@ class Spread:
     in all calls that one call of ``within`` causes.
 
     If ``counter`` is empty, the limit is the number ``rounds``. Otherwise, ``counter`` is the name
-    of the sum, and the declared facts about ``within`` limit this sum.
-    """
+    of the sum, and the declared facts about ``within`` limit this sum."""
 
     method: str
     within: str
@@ -136,8 +134,7 @@ class Times:
 
         The maximum cost of a call is a concave function of its number of iterations, because this
         cost is the optimum of a linear program. The straight line through the costs of one and of
-        two iterations is therefore an upper bound.
-        """
+        two iterations is therefore an upper bound."""
         costs = []
         for rounds in (1, 2):
             self.rounds = rounds
@@ -228,8 +225,7 @@ class Times:
 
         The compiled code compares the target of the call with the method that the compiler expects.
         If both are equal, the inlined code is executed, and otherwise the call. If no other method
-        is possible, the call is never executed.
-        """
+        is possible, the call is never executed."""
         function = self.prover.graph.get(code.symbol)
         for one in block.instructions:
             place = self._place(one.address)
@@ -266,18 +262,17 @@ class Times:
 
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
-        if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # The bound of ``Limit.within`` includes this call.
-        if home not in self.codes or self.prover.is_full(home, entered):
+        function = self.prover.graph.get(home)
+        name = short_name(function.name) if function else ""
+        # The bound of ``Limit.within`` includes the calls of the methods in ``limited``.
+        if name in self.limited or name in self.without or home not in self.codes:
             return 0
-        if home in self.prover.graph:
-            name = short_name(self.prover.graph[home].name)
-            if name in self.without:
-                return 0
-            for within in self.inside:
-                if (within, name) in self.spread:
-                    # The bound of ``Spread.within`` includes the iterations.
-                    return self._round(self.spread[within, name])[0]
+        if self.prover.is_full(home, entered):
+            return 0
+        for within in self.inside:
+            if (within, name) in self.spread:
+                # The bound of ``Spread.within`` includes the iterations.
+                return self._round(self.spread[within, name])[0]
         return self.of(home, entered)
 
     def _count(self, symbol: str, block: Block, call: Instruction) -> int:
@@ -342,8 +337,7 @@ class Times:
 
         A counter on the left side becomes the sum of one block of each copy, because no block is
         executed more often than its source line. The result contains a fact for each choice of
-        these blocks. A counter on the right side becomes the sum of all blocks.
-        """
+        these blocks. A counter on the right side becomes the sum of all blocks."""
         most = one.most - one.factors.get(ENTRIES, 0)
         right: dict[int | str, int] = {}
         left: list[list[tuple[int | str, int]]] = []
@@ -370,8 +364,7 @@ class Times:
         source lines.
 
         If a source line consists only of inlined calls, its copy contains the blocks of these
-        calls.
-        """
+        calls."""
         found: dict[str, dict[tuple[Place, ...], dict[int, list[int]]]] = {}
         for start, block in code.blocks.items():
             for one in block.instructions:

@@ -27,9 +27,10 @@ def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache:
         if (top := model.modules.get(fact.name.split("::")[0])) and not top.datatype
     }
     trees = {
-        name: _reached(_resolved(tree, facts), facts)
+        name: replace(_below(root, facts), reachable=root.resolved is not None)
         for name in model.requirements
         if (tree := facts.declared.trees.get(name, (None, None))[1]) is not None
+        for root in [_resolved(tree, facts)]
     }
     edges = declared_edges(trees, facts)
     runs = [
@@ -115,18 +116,10 @@ def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
     }
 
 
-def _bodies_of(node: TreeNode, facts: Facts) -> list[BodyFact]:
-    return [body for method in accepted(node, facts) for body in facts.bodies.get(method, [])]
-
-
-def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
-    return replace(_below(tree, facts), reachable=tree.resolved is not None)
-
-
 def _below(node: TreeNode, facts: Facts) -> TreeNode:
     """Returns the node. Each child contains three results about the code of the node: whether this
     code can call the child, how often it calls the child, and whether this call comes too early."""
-    bodies = _bodies_of(node, facts)
+    bodies = [body for name in accepted(node, facts) for body in facts.bodies.get(name, [])]
     targets = {
         target
         for body in bodies
@@ -178,21 +171,18 @@ def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: 
     ``before`` is returned. Otherwise returns an empty text.
 
     Calls in a loop to another module are accepted, because a loop over objects of different classes
-    may alternate between their methods.
-    """
+    may alternate between their methods."""
     for body in bodies:
         first, second = (
             _calls_of(body, accepted(child, facts) | {child.resolved or ""}, facts)
             for child in (before, node)
         )
         in_turn = before.module != node.module and any(call.repeated for call in second)
-        if first and second and not in_turn and _last(second) < min(call.end for call in first):
+        if in_turn or not first or not second:
+            continue
+        if max(call.end for call in second) < min(call.end for call in first):
             return before.label
     return ""
-
-
-def _last(calls: list[CallFact]) -> int:
-    return max(call.end for call in calls)
 
 
 def _is_activated(callees: set[str], facts: Facts) -> bool:
@@ -282,8 +272,7 @@ class Search:
         Returns the first recording that contains the whole tree, or None.
 
         Also returns how many nodes were found in the order of the tree. If the numbers in the
-        recordings differ, returns the largest number.
-        """
+        recordings differ, returns the largest number."""
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}
         furthest = 0

@@ -48,7 +48,6 @@ def _sound_state(requirement: Requirement) -> str:
 def _reasons(
     model: Model, requirement: Requirement, measured: Mapping[str, float | None]
 ) -> list[str]:
-    """Returns the reasons why a requirement is not verified."""
     reasons: list[str] = []
     for evidence in requirement.evidence:
         reasons += reasons_of_evidence(evidence, measured.get(evidence.figure))

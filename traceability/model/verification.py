@@ -11,6 +11,7 @@ from traceability.model.trees import accepted
 from traceability.reading.ast_facts import BodyFact
 from traceability.reading.coverage import Coverage
 from traceability.reading.gcov_arcs import Covered
+from traceability.reading.graphs import reached_from
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import nodes_of
 from traceability.reading.translation_units import is_board
@@ -49,7 +50,7 @@ def _covered_methods(
 ) -> list[MethodCoverage]:
     coverages: list[MethodCoverage] = []
     whole = measured.whole
-    nodes = nodes_of(requirement.tree) if requirement.tree else []
+    nodes = nodes_of(requirement.tree)
     for method in dict.fromkeys(name for node in nodes for name in sorted(accepted(node, facts))):
         for body in facts.bodies.get(method, []):
             lines = lines_of(body, whole.lines.get(body.place.file, set()))
@@ -84,7 +85,7 @@ class Owners:
         self.trees: dict[str, set[str]] = {}
         self.tags: dict[str, set[str]] = {}
         for requirement in model.requirements.values():
-            for node in nodes_of(requirement.tree) if requirement.tree else []:
+            for node in nodes_of(requirement.tree):
                 for method in accepted(node, facts):
                     self.trees.setdefault(method, set()).add(requirement.id)
             for method in requirement.satisfied_by:
@@ -96,18 +97,11 @@ class Owners:
                     self.callers.setdefault(target, set()).add(body.id)
 
     def of(self, method: str) -> set[str]:
-        requirements: set[str] = set()
-        seen: set[str] = set()
-        pending = [method]
-        while pending:
-            name = pending.pop()
-            if name in seen:
-                continue
-            seen.add(name)
-            requirements |= self.trees.get(name, set()) | self.tags.get(name, set())
-            if name not in self.trees:
-                pending += self.callers.get(name, set())
-        return requirements
+        reached = reached_from(
+            [method], lambda name: () if name in self.trees else self.callers.get(name, ())
+        )
+        served = (table.get(name, set()) for name in reached for table in (self.trees, self.tags))
+        return set().union(*served)
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:

@@ -27,7 +27,6 @@ class MethodFact:
     end: int
     virtual: bool = False
     pure: bool = False
-    final: bool = False
     deleted: bool = False
     defaulted: bool = False
     overrides: str | None = None
@@ -134,8 +133,7 @@ class NameFact:
     is type, member, construct or base.
 
     For a member of a namespace, ``member`` contains the namespace and the name, because a namespace
-    is not a class.
-    """
+    is not a class."""
 
     by: str
     target: str

@@ -8,9 +8,7 @@ import ctypes
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
 
-from clang import cindex
 from clang.cindex import AccessSpecifier, Cursor, CursorKind, LinkageKind, StorageClass, TypeKind
 
 from traceability.reading import flow
@@ -38,6 +36,7 @@ from traceability.reading.clang_names import (
     class_name,
     function_id,
     is_function,
+    library,
     namespace_of,
     qualified_name,
 )
@@ -74,13 +73,7 @@ _DECLARED = {CursorKind.VAR_DECL, CursorKind.PARM_DECL, CursorKind.FIELD_DECL}
 _ENUM_MAKERS = {*_CASTS, CursorKind.CXX_STATIC_CAST_EXPR, CursorKind.INIT_LIST_EXPR}
 _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
 # class templates of the standard library that contain their objects by value
-_HOLDERS = (
-    "optional",
-    "array",
-    "pair",
-    "tuple",
-    "variant",
-)
+_HOLDERS = ("optional", "array", "pair", "tuple", "variant")
 _COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
 _MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
 _FLOATS = {TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE}
@@ -245,15 +238,14 @@ class Reader:
         """Records a declaration if it has no comment although other files can use it.
 
         An enumerator needs a comment only if another enumerator of the same type has a comment. A
-        constructor without parameters needs no comment.
-        """
+        constructor without parameters needs no comment."""
         if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
             return
         name = "::".join(filter(None, (namespace_of(cursor), class_name(cursor.lexical_parent))))
         name = f"{name}::{cursor.spelling}".removeprefix("::")
         if cursor.kind in _DESCRIBED and not comment_line(cursor):
             constructor = cursor.kind == CursorKind.CONSTRUCTOR
-            bare = constructor and next(_arguments_of(cursor), None) is None
+            bare = constructor and not _arguments_of(cursor)
             exempt = bare or cursor.is_deleted_method() or _overridden(cursor) is not None
             if not exempt:
                 variable = cursor.kind in (CursorKind.FIELD_DECL, CursorKind.VAR_DECL)
@@ -268,8 +260,7 @@ class Reader:
 
     def constant(self, cursor: Cursor) -> None:
         value = next((c for c in cursor.get_children() if not c.kind.is_reference()), None)
-        while value is not None and value.kind == CursorKind.UNEXPOSED_EXPR:
-            value = next(value.get_children(), None)
+        value = _exposed(value)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
             # A number of C++ is left out if Python cannot read this form of number.
@@ -339,7 +330,9 @@ class Reader:
             self.name(owner, parent, "construct", place)
         if target.kind in FUNCTIONS:
             args = self.flow.arguments(cursor, target, place)
-            call = self.call(target, body, place, virtual=_is_dynamic(cursor))
+            call = self.call(
+                target, body, place, virtual=bool(library().clang_Cursor_isDynamicCall(cursor))
+            )
             if call is not None:
                 call.on, call.args = self.flow.receiver(cursor), args
                 call.sometimes = self.chances > 0 or self.left
@@ -534,14 +527,7 @@ class Reader:
         if kind.kind not in _REFERRING or meant.is_const_qualified():
             return None
         given = [bare(part) for part in variable.get_children() if not part.kind.is_reference()]
-        member = next(
-            (
-                candidate
-                for candidate in given
-                if candidate is not None and self.is_field(candidate)
-            ),
-            None,
-        )
+        member = next((each for each in given if each is not None and self.is_field(each)), None)
         same = member is not None and member.type.get_canonical().spelling == meant.spelling
         return member if same else None
 
@@ -612,11 +598,8 @@ class Reader:
         params = [(item.spelling, _short(item.type.spelling)) for item in _arguments_of(cursor)]
         above = _overridden(cursor)
         name = function_id(cursor).rsplit("::", 1)[-1]
-        constructor = (
-            cursor.kind == CursorKind.CONSTRUCTOR or name == owner.rsplit("::", maxsplit=1)[-1]
-        )
-        virtual = cursor.is_virtual_method()
-        pure = cursor.is_pure_virtual_method()
+        constructor = cursor.kind == CursorKind.CONSTRUCTOR or name == owner.rpartition("::")[2]
+        virtual, pure = cursor.is_virtual_method(), cursor.is_pure_virtual_method()
         if constructor:
             kind = "constructor"
         elif above is not None:
@@ -642,7 +625,6 @@ class Reader:
             end=cursor.extent.end.line,
             virtual=virtual,
             pure=pure,
-            final=any(part.kind == CursorKind.CXX_FINAL_ATTR for part in cursor.get_children()),
             deleted=cursor.is_deleted_method(),
             defaulted=cursor.is_default_method(),
             overrides=function_id(above) if above is not None else None,
@@ -664,7 +646,15 @@ class Reader:
 def bare(cursor: Cursor | None) -> Cursor | None:
     """Returns the inner expression without the brackets, address operators and dereferences around
     it."""
-    while cursor is not None and cursor.kind in _WRAPPING:
+    return _inner(cursor, _WRAPPING)
+
+
+def _exposed(cursor: Cursor | None) -> Cursor | None:
+    return _inner(cursor, {CursorKind.UNEXPOSED_EXPR})
+
+
+def _inner(cursor: Cursor | None, around: set[CursorKind]) -> Cursor | None:
+    while cursor is not None and cursor.kind in around:
         cursor = next(cursor.get_children(), None)
     return cursor
 
@@ -716,13 +706,12 @@ def _makes_address(cursor: Cursor) -> bool:
     """Returns whether a node of the syntax tree makes a pointer from a number without a cast: by
     means of a union, a copy of the bytes, or an offset from a null pointer."""
     if cursor.kind == CursorKind.UNION_DECL:
-        return any(part.get_canonical().kind == TypeKind.POINTER for part in _types_in(cursor))
+        members = [part for part in cursor.get_children() if part.kind == CursorKind.FIELD_DECL]
+        return any(part.type.get_canonical().kind == TypeKind.POINTER for part in members)
     if cursor.kind == CursorKind.CXX_STATIC_CAST_EXPR:
         return any(part.kind == CursorKind.CXX_NULL_PTR_LITERAL_EXPR for part in _parts(cursor))
     if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling in _COPIES:
-        target = next(cursor.get_arguments(), None)
-        while target is not None and target.kind == CursorKind.UNEXPOSED_EXPR:
-            target = next(target.get_children(), None)
+        target = _exposed(next(cursor.get_arguments(), None))
         kind = target.type.get_canonical().get_pointee() if target is not None else None
         return kind is not None and kind.kind == TypeKind.POINTER
     return False
@@ -734,10 +723,6 @@ def _is_volatile(cursor: Cursor) -> bool:
     while kind.kind in _REFERRING:
         kind = kind.get_pointee()
     return bool(kind.is_volatile_qualified())
-
-
-def _types_in(union: Cursor) -> list[Any]:
-    return [child.type for child in union.get_children() if child.kind == CursorKind.FIELD_DECL]
 
 
 def _parts(cursor: Cursor) -> Iterator[Cursor]:
@@ -771,10 +756,8 @@ def unaliased(cursor: Cursor) -> Cursor | None:
     return named
 
 
-def _arguments_of(cursor: Cursor) -> Iterator[Cursor]:
-    for child in cursor.get_children():
-        if child.kind == CursorKind.PARM_DECL:
-            yield child
+def _arguments_of(cursor: Cursor) -> list[Cursor]:
+    return [child for child in cursor.get_children() if child.kind == CursorKind.PARM_DECL]
 
 
 def _short(type_name: str) -> str:
@@ -795,7 +778,7 @@ def _signature(cursor: Cursor, kind: str, result: str, params: list[tuple[str, s
 def comment_line(cursor: Cursor) -> int:
     """Returns the source line at which the comment of a declaration begins. Returns 0 if the
     comment is missing or in another file."""
-    start = _library().clang_Cursor_getCommentRange(cursor).start
+    start = library().clang_Cursor_getCommentRange(cursor).start
     same = start.file is not None and start.file.name == cursor.location.file.name
     return int(start.line) if same else 0
 
@@ -811,39 +794,15 @@ def _is_open(cursor: Cursor) -> bool:
     return above.kind in CLASSES and _is_open(above)
 
 
-def _library() -> Any:
-    library = cindex.conf.lib
-    if not hasattr(_library, "bound"):
-        library.clang_Cursor_getCommentRange.argtypes = [Cursor]
-        library.clang_Cursor_getCommentRange.restype = cindex.SourceRange
-        library.clang_Cursor_isDynamicCall.argtypes = [Cursor]
-        library.clang_Cursor_isDynamicCall.restype = ctypes.c_int
-        pointer = ctypes.POINTER(Cursor)
-        library.clang_getOverriddenCursors.argtypes = [
-            Cursor,
-            ctypes.POINTER(pointer),
-            ctypes.POINTER(ctypes.c_uint),
-        ]
-        library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # If this attribute exists, the types of the library functions are already declared.
-        _library.bound = True  # type: ignore[attr-defined]  # an attribute of the function
-    return library
-
-
-def _is_dynamic(cursor: Cursor) -> bool:
-    return bool(_library().clang_Cursor_isDynamicCall(cursor))
-
-
 def _overridden(cursor: Cursor) -> Cursor | None:
     """Returns the method that this method overrides in the nearest base class."""
     overridden = ctypes.POINTER(Cursor)()
     count = ctypes.c_uint()
-    library = _library()
-    library.clang_getOverriddenCursors(cursor, ctypes.byref(overridden), ctypes.byref(count))
+    library().clang_getOverriddenCursors(cursor, ctypes.byref(overridden), ctypes.byref(count))
     if not count.value:
         return None
     above = Cursor()
     ctypes.memmove(ctypes.byref(above), ctypes.byref(overridden[0]), ctypes.sizeof(Cursor))
     above._tu = cursor._tu
-    library.clang_disposeOverriddenCursors(overridden)
+    library().clang_disposeOverriddenCursors(overridden)
     return above

@@ -177,8 +177,7 @@ def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[st
     """Returns the functions of both designs. The function with the greatest difference between the
     designs is the first.
 
-    A function is left out if this difference is less than ``least``.
-    """
+    A function is left out if this difference is less than ``least``."""
     names: Iterable[str] = functions[USUAL].keys() | functions[PATTERNS].keys()
     rows = []
     for name in names:

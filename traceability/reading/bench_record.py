@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 import statistics
-import subprocess
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -15,6 +14,7 @@ from typing import Any
 
 from traceability.reading import task_record
 from traceability.reading.products import DEFAULT, image_of
+from traceability.reading.programs import source_lines
 from traceability.reading.results import RESULTS, read_record
 from traceability.reading.task_record import is_fresh
 from traceability.schema import BenchRun, BenchScenario, ExceptionCost, Latency, Profile, Spread
@@ -26,10 +26,7 @@ FOLDER = Path("sim/scenario/bench")
 IMAGE = image_of(DEFAULT, ".bin")
 ELF = image_of(DEFAULT, ".elf")
 MANUAL, SLOW = "no-wait-states", "slow-flash"
-TIMINGS = {
-    MANUAL: "no wait states",
-    SLOW: "slow flash",
-}
+TIMINGS = {MANUAL: "no wait states", SLOW: "slow flash"}
 CYCLES = 1000  # number of measured control cycles in a scenario
 PERIOD_MS = 100
 SPEED_GOAL = 100  # required speed of the simulation: simulated time divided by real time
@@ -116,7 +113,6 @@ class Order:
 
 
 def orders_in(text: str) -> list[Order]:
-    """Returns the orders in the text of a bench scenario."""
     matches = (ORDER.match(line.strip()) for line in text.splitlines())
     periods = [map(int, match.groups(default="0")) for match in matches if match]
     return [
@@ -267,19 +263,10 @@ def owner(frames: Frames) -> tuple[str, str]:
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
     """Returns for each instruction the functions that contain it. The innermost inlined function is
     the first."""
-    words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
-    text = "\n".join(f"{address:#x}" for address in addresses)
-    said = subprocess.run(words, input=text, capture_output=True, text=True, check=True).stdout
-    return read_frames(said.splitlines())
-
-
-def read_frames(lines: Sequence[str]) -> dict[int, Frames]:
-    frames: dict[int, Frames] = {}
-    current: Frames = []
-    rest = iter(lines)
-    for line in rest:
-        if line.startswith("0x"):
-            current = frames.setdefault(int(line, 16), [])
-        else:
-            current.append((line, next(rest).rsplit(":", 1)[0]))
-    return frames
+    return {
+        address: [
+            (function, place.rsplit(":", 1)[0])
+            for function, place in zip(lines[::2], lines[1::2], strict=True)
+        ]
+        for address, lines in source_lines(elf, addresses, "-f", "-C").items()
+    }

@@ -4,8 +4,7 @@ The drivers are built only for the K64. The coverage on the host therefore does 
 test on the virtual K64 writes a file with one bit for each half-word of memory. A bit is 1 if the
 test executed the half-word. The first bits belong to the lower RAM, which contains the program. The
 other bits belong to the flash. The debug data of the firmware image show the source line of each
-instruction.
-"""
+instruction."""
 
 from __future__ import annotations
 
@@ -43,8 +42,7 @@ def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict
     """Returns for each file and source line whether an instruction of this line was executed.
 
     ``executed`` may end after the last executed half-word. Half-words without a bit were not
-    executed.
-    """
+    executed."""
     files: dict[str, dict[int, bool]] = {}
     last = 8 * len(executed)
     for file, line, first, end in ranges:

@@ -6,13 +6,14 @@ import os
 import platform
 import re
 import subprocess
+from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from traceability.reading.image_record import read_image
 from traceability.reading.lint_record import read_exemptions, read_lint
 from traceability.reading.products import PRODUCTS, image_of
-from traceability.reading.results import RESULTS, RUNS, read_json
+from traceability.reading.results import RESULTS, RUNS, read_object
 from traceability.reading.tool_tests import (
     failed_tests,
     long_tests,
@@ -70,13 +71,15 @@ def read_build(root: Path) -> BuildEvidence:
 
 def git(root: Path, *words: str) -> str:
     """Returns the output of git. Returns an empty text if git fails or is not installed."""
-    try:
-        run = subprocess.run(
-            ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
-        )
-    except OSError:
-        return ""
-    return run.stdout if run.returncode == 0 else ""
+    run = _completed("git", "-C", str(root), *words)
+    return run.stdout if run and run.returncode == 0 else ""
+
+
+def _completed(*command: str) -> subprocess.CompletedProcess[str] | None:
+    """Returns a program that has ended. Returns None if the program is not installed."""
+    with suppress(OSError):
+        return subprocess.run(command, capture_output=True, text=True, check=False)
+    return None
 
 
 def _distribution() -> str:
@@ -87,20 +90,20 @@ def _distribution() -> str:
 
 
 def _versions() -> list[tuple[str, str]]:
-    programs = [(name, program_version(name, option)) for name, option in PROGRAMS.items()]
-    libraries = [(name, library_version(name)) for name in LIBRARIES]
-    python = [("python", platform.python_version())]
-    packages = [(name, _package(name)) for name in PACKAGES]
-    return [*programs, *libraries, *python, *packages]
+    return [
+        *((name, program_version(name, option)) for name, option in PROGRAMS.items()),
+        *((name, library_version(name)) for name in LIBRARIES),
+        ("python", platform.python_version()),
+        *((name, _package(name)) for name in PACKAGES),
+    ]
 
 
 def program_version(name: str, option: str) -> str:
     """Returns the version of a program. This is the first number with a point in the output of the
     program with this option. If the output contains no such number, returns "unknown". If the
     program is not installed, returns "not installed"."""
-    try:
-        run = subprocess.run([name, option], capture_output=True, text=True, check=False)
-    except OSError:
+    run = _completed(name, option)
+    if run is None:
         return "not installed"
     match = NUMBER.search(run.stdout + run.stderr)
     return match[0] if match else "unknown"
@@ -109,10 +112,8 @@ def program_version(name: str, option: str) -> str:
 def library_version(package: str) -> str:
     """Returns the version of a package of Debian. On a system without such packages, returns
     "unknown"."""
-    words = ["dpkg-query", "--show", "--showformat=${Version}", package]
-    try:
-        run = subprocess.run(words, capture_output=True, text=True, check=False)
-    except OSError:
+    run = _completed("dpkg-query", "--show", "--showformat=${Version}", package)
+    if run is None:
         return "unknown"
     return run.stdout if run.returncode == 0 and run.stdout else "not installed"
 
@@ -127,9 +128,8 @@ def _package(name: str) -> str:
 def read_run(root: Path, name: str) -> TestRun | None:
     """Returns the time of the first test in a run, and the seeds of the run. Returns None without
     results."""
-    record = read_json(root / RESULTS / f"{name}.json")
-    suites = record["testsuites"] if isinstance(record, dict) else []
-    cases = [case for suite in suites for case in suite["testsuite"]]
+    record = read_object(root / RESULTS / f"{name}.json")
+    cases = [case for suite in record.get("testsuites", []) for case in suite["testsuite"]]
     if not cases:
         return None
     date = min(case.get("timestamp", "") for case in cases)

@@ -10,10 +10,11 @@ toolchain's libraries are in no call graph. Their frames and calls are read from
 from __future__ import annotations
 
 import re
-import subprocess
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from traceability.reading.machine_code import register_words
+from traceability.reading.programs import disassembly, output_of
 from traceability.schema import Place
 
 INDIRECT = "__indirect_call"
@@ -58,20 +59,16 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
     own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
     for file in sorted(own):
         _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), reported)
-    listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
-    listed = _read_listing(listing)
-    for names in names_of_addresses(elf):
-        listed_name = next((name for name in names if name in listed), None)
-        listed |= {
-            name: listed[listed_name]
-            for name in names
-            if listed_name is not None and name not in listed
-        }
+    listed = _read_listing(disassembly(elf))
+    for same in names_of_addresses(elf):
+        known = [listed[name] for name in same if name in listed]
+        listed |= {name: known[0] for name in same if known and name not in listed}
     functions = {
         symbol: replace(reported.get(symbol) or reported.get(_alias(symbol, reported), function))
         for symbol, function in listed.items()
     }
-    for function, name in zip(functions.values(), _readable(list(functions)), strict=True):
+    names = output_of("arm-none-eabi-c++filt", given="\n".join(functions)).splitlines()
+    for function, name in zip(functions.values(), names, strict=True):
         function.name = name
         function.calls = [_alias(symbol, functions) for symbol in function.calls]
     return functions
@@ -86,14 +83,13 @@ def short_name(name: str) -> str:
 
 def uses_floats(elf: Path) -> bool:
     """Returns whether the firmware image contains instructions of the floating-point unit."""
-    listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
-    return re.search(r"^\s*[0-9a-f]+:\tv[a-z]+", listing, re.MULTILINE) is not None
+    return re.search(r"^\s*[0-9a-f]+:\tv[a-z]+", disassembly(elf), re.MULTILINE) is not None
 
 
 def symbol_value(elf: Path, name: str) -> int:
     """Returns the value of a symbol of the firmware image. Returns 0 if the symbol does not
     exist."""
-    match = re.search(rf"^([0-9a-f]+) . {name}$", _run("arm-none-eabi-nm", str(elf)), re.MULTILINE)
+    match = re.search(rf"^([0-9a-f]+) . {name}$", output_of("arm-none-eabi-nm", elf), re.MULTILINE)
     return int(match[1], 16) if match else 0
 
 
@@ -150,7 +146,7 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
     """Returns the groups of symbols that have the same address. The compiler can merge functions
     with equal code."""
     symbols: dict[str, list[str]] = {}
-    for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
+    for line in output_of("arm-none-eabi-nm", elf).splitlines():
         address, kind, name = (*line.split(), "", "")[:3]
         if kind in ("t", "T", "W"):
             symbols.setdefault(address, []).append(name)
@@ -159,7 +155,7 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
 
 def table_bytes(elf: Path) -> dict[str, int]:
     """Returns for each class the size of its virtual method table in bytes."""
-    listed = _run("arm-none-eabi-nm", "--print-size", "--demangle", str(elf))
+    listed = output_of("arm-none-eabi-nm", "--print-size", "--demangle", elf)
     return {name: int(size, 16) for size, name in TABLE.findall(listed)}
 
 
@@ -167,18 +163,9 @@ def _pushed(line: str) -> int:
     """Returns the number of bytes that an instruction reserves on the stack. The size of the stack
     frame of a function is the sum of these numbers over all instructions."""
     if push := PUSH.search(line):
-        names = [part.strip() for part in push["names"].split(",")]
-        return 4 * sum(_width(name) for name in names)
+        return 4 * register_words(push["names"])
     below = BELOW.search(line) or STORE.search(line)
     return int(below["bytes"]) if below else 0
-
-
-def _width(names: str) -> int:
-    """Returns the size of a register or of a range of registers (``d8``, ``r4-r7``) in words of 4
-    bytes."""
-    first, _, last = names.partition("-")
-    count = int(last[1:]) - int(first[1:]) + 1 if last and last[1:].isdigit() else 1
-    return count * (2 if first.startswith("d") else 1)
 
 
 def _alias(symbol: str, functions: dict[str, Function]) -> str:
@@ -190,18 +177,3 @@ def _alias(symbol: str, functions: dict[str, Function]) -> str:
         if (named := symbol.replace(kind, other)) in functions:
             return named
     return symbol
-
-
-def _readable(symbols: list[str]) -> list[str]:
-    done = subprocess.run(
-        ["arm-none-eabi-c++filt"],
-        input="\n".join(symbols),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return done.stdout.splitlines()
-
-
-def _run(*command: str) -> str:
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout

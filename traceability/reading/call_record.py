@@ -127,20 +127,13 @@ class _Reader:
         self.symbols = symbols
         self.found = Recording()
         self.active: list[int] = []
-        self.open: dict[
-            int, list[tuple[int, int]]
-            # activation -> the calls that have not returned. Each call has its address and the
-            # number of its span; the number is -1 if the call has no span.
-        ] = {}
+        # activation -> the calls that have not returned. Each call has its address and the number
+        # of its span; the number is -1 if the call has no span.
+        self.open: dict[int, list[tuple[int, int]]] = {}
         self.raised: dict[int, int] = {}
-        self.closing = (
-            # number of return events that are ignored next, because their calls were already closed
-            # at the end of the activation
-            0
-        )
-
-    def begin(self, at: int) -> None:
-        self._enter(at, 0, None)
+        # number of return events that are ignored next, because their calls were already closed at
+        # the end of the activation
+        self.closing = 0
 
     def take(self, at: int, event: str, number: int, value: int) -> None:
         if event == "call":
@@ -148,7 +141,7 @@ class _Reader:
         elif event == "return":
             self._return(at, number)
         elif event == "exception_entered":
-            self._enter(at, number, value if number >= FIRST_LINE else None)
+            self.enter(at, number, value if number >= FIRST_LINE else None)
         elif event == "exception_left":
             self._leave(at, number)
         elif event == "line_raised":
@@ -158,13 +151,16 @@ class _Reader:
 
     def finish(self, at: int) -> Recording:
         for number in self.active:
-            self.found.activations[number].end = at
-            for _, span in self.open[number]:
-                if span >= 0:
-                    self.found.spans[span].end = at
+            self._close(number, at)
         return self.found
 
-    def _enter(self, at: int, exception: int, priority: int | None) -> None:
+    def _close(self, number: int, at: int) -> None:
+        self.found.activations[number].end = at
+        for _, span in self.open[number]:
+            if span >= 0:
+                self.found.spans[span].end = at
+
+    def enter(self, at: int, exception: int, priority: int | None) -> None:
         self.closing = 0
         raised = self.raised.pop(exception, at)
         below = self.active[-1] if self.active else -1
@@ -174,15 +170,11 @@ class _Reader:
 
     def _leave(self, at: int, exception: int) -> None:
         number = self.active[-1]
-        activation = self.found.activations[number]
-        if activation.exception != exception or number == 0:
+        if self.found.activations[number].exception != exception or number == 0:
             return  # The interrupt began before the recorded window.
+        self._close(number, at)
         self.active.pop()
-        activation.end = at
-        self.closing = len(self.open[number])
-        for _, span in self.open.pop(number):
-            if span >= 0:
-                self.found.spans[span].end = at
+        self.closing = len(self.open.pop(number))
 
     def _call(self, at: int, address: int) -> None:
         number = self.active[-1]
@@ -216,7 +208,7 @@ def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
             continue
         at = int(time)
         if not reader.active:
-            reader.begin(at)
+            reader.enter(at, 0, None)
         reader.take(at, event, int(number), int(value))
     return reader.finish(at)
 

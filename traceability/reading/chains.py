@@ -4,7 +4,7 @@ calls and events through which the value passes."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.reading.call_record import DECLARED, BoardEvent, Recording
@@ -76,10 +76,7 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
             frame = decode(bytes(event.value for event in events))
         except FrameError:
             continue  # The recording began in the middle of this frame.
-        layout = next(
-            (frame_layout for frame_layout in LAYOUTS.values() if frame_layout.kind == frame.kind),
-            None,
-        )
+        layout = next((each for each in LAYOUTS.values() if each.kind == frame.kind), None)
         if layout and len(frame.payload) >= layout.size:
             yield FrameBytes(layout.name, [*events, event], layout.decode(frame.payload))
 
@@ -98,8 +95,7 @@ def first_missing(chain: Chain, recording: Recording) -> str:
     """Returns the name of the first step that cannot be found in the recording. Returns "" if all
     steps are found."""
     for number in range(1, len(chain.steps) + 1):
-        part = Chain(chain.name, "", "", "", chain.steps[:number], chain.last, chain.place)
-        if follow(part, recording) is None:
+        if follow(replace(chain, steps=chain.steps[:number]), recording) is None:
             return chain.steps[number - 1]
     return ""
 
@@ -117,9 +113,7 @@ def _from(first: Step, chain: Chain, recording: Recording) -> list[Step] | None:
         next_step = next(_places(name, recording, steps[-1].at, outer), None)
         if next_step is None:
             return None
-        step = Step(
-            name, next_step.at, len(around) if inside else 0, next_step.span, next_step.text
-        )
+        step = replace(next_step, depth=len(around) if inside else 0)
         around = [*around, step] if inside else [step]
         steps.append(step)
     return steps

@@ -4,7 +4,7 @@ change that was really made."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,10 +12,11 @@ from typing import Any
 from traceability.reading.baseline_record import count_patch
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.products import PAPER
-from traceability.reading.results import RESULTS, Result, read_fresh, results_in
+from traceability.reading.results import RESULTS, read_fresh, results_in
 from traceability.reading.task_record import CHANGES
 from traceability.reading.toml_reader import Entries
-from traceability.schema import HOST, VIRTUAL_K64, Place
+from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Place
+from traceability.sources import text_of
 
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
@@ -29,6 +30,16 @@ COMPARED = "tests/usual_design/patterns/PatternDesign."
 ON_BOARD = "OnBoard"
 CLASS = re.compile(r"^class (\w+)(?: final)?(?: : public (\w+))?", re.MULTILINE)
 PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
+
+
+@dataclass(frozen=True)
+class TouchedLines:
+    """The existing files that a patch edits, and numbers of lines in these files."""
+
+    outside: int = 0  # lines outside the composition that the patch removes or edits
+    composition: int = 0  # lines of the composition that the patch removes or edits
+    added: int = 0  # new lines
+    files: Sequence[str] = ()
 
 
 @dataclass
@@ -53,13 +64,7 @@ class Kit:
     named_tests: list[str] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # added files, without tests
     bases: dict[str, str] = field(default_factory=dict)  # class in an added file -> its base class
-    patched: list[str] = field(default_factory=list)  # existing files that the change edits
-    composition_lines: int = (
-        0  # number of existing lines of the composition that the change removes or edits
-    )
-    # number of existing lines in other files that the change removes or edits
-    outside_lines: int = 0
-    added_lines: int = 0  # number of new lines in existing files
+    touched: TouchedLines = TouchedLines()
 
 
 @dataclass(frozen=True)
@@ -67,7 +72,7 @@ class KitRecord:
     """The results of the tests of all changes, and the costs of the firmware images with the
     changes."""
 
-    tests: Mapping[str, Result]
+    tests: Mapping[str, BindingResult]
     # for each image: flash and RAM [byte], and instructions in a cycle
     images: Mapping[str, Mapping[str, float]]
 
@@ -75,21 +80,15 @@ class KitRecord:
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
     """Returns the likely changes by the id of their pattern application. Each folder with a
     declaration contains one change."""
-    kits = {}
-    for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
-        kit = _kit(root, path, entries)
-        if kit:
-            kits[kit.application] = kit
-    return kits
+    kits = [_kit(root, path, entries) for path in sorted((root / FOLDER).glob(f"*/{DECLARED}"))]
+    return {kit.application: kit for kit in kits if kit}
 
 
 def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
     item: dict[str, Any] = dict(entries.whole(path))
     place = Place(str(path.relative_to(root)), 1)
-    may = {
-        **{"hard": str, "why": str, "extension": str, "image": str, "base": str},
-        **{"classes": list, "tests": list, "files": list},
-    }
+    texts = dict.fromkeys(("hard", "why", "extension", "image", "base"), str)
+    may = texts | dict.fromkeys(("classes", "tests", "files"), list)
     if not entries.fits(item, place, {"event": str}, may):
         return None
     folder = path.parent
@@ -104,41 +103,23 @@ def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
             kit.files.append(str(source.relative_to(root)))
             text = source.read_text(encoding="utf-8")
             kit.bases |= {match[1]: match[2] or "" for match in CLASS.finditer(text)}
-    if (folder / PATCH).exists():
-        count_lines(kit, (folder / PATCH).read_text(encoding="utf-8"))
+    kit.touched = touched_lines(text_of(folder / PATCH))
     return kit
-
-
-@dataclass(frozen=True)
-class TouchedLines:
-    """The number of existing lines that a patch removes or edits."""
-
-    outside: int  # lines outside the composition
-    composition: int
 
 
 def touched_lines(patch: str) -> TouchedLines:
     parts = [count_patch(part) for part in PART_OF_PATCH.findall(patch)]
-    composed = [
+    composed = sum(
         one.lines_touched
         for one in parts
         if all(name.startswith((*COMPOSITION, COMPARED)) for name in one.files_changed)
-    ]
-    whole = sum(one.lines_touched for one in parts)
-    return TouchedLines(whole - sum(composed), sum(composed))
-
-
-def count_lines(kit: Kit, patch: str) -> None:
-    """Adds the edited files and the numbers of edited lines of a patch to a change."""
-    for part in PART_OF_PATCH.findall(patch):
-        touched = count_patch(part)
-        name = touched.files_changed[0]
-        kit.patched.append(name)
-        kit.added_lines += touched.lines_added
-        if name.startswith(COMPOSITION):
-            kit.composition_lines += touched.lines_touched
-        else:
-            kit.outside_lines += touched.lines_touched
+    )
+    return TouchedLines(
+        outside=sum(one.lines_touched for one in parts) - composed,
+        composition=composed,
+        added=sum(one.lines_added for one in parts),
+        files=[name for one in parts for name in one.files_changed],
+    )
 
 
 def tests_in(root: Path, source: Path) -> dict[str, Place]:

@@ -45,10 +45,6 @@ class ChangeTexts:
 
 def read_change_texts(root: Path, entries: Entries) -> ChangeTexts:
     path = root / FILE
-    recipes = entries.records(path, "recipe", Recipe, "pattern", may=["adds", "derives", "steps"])
-    particulars = entries.records(
-        path, "application", Particular, "id", may=["derives", "examples", "steps"]
-    )
-    return ChangeTexts(
-        {each.pattern: each for each in recipes}, {each.id: each for each in particulars}
-    )
+    recipes = entries.named(path, "recipe", Recipe, "pattern", may=["adds", "derives", "steps"])
+    may = ["derives", "examples", "steps"]
+    return ChangeTexts(recipes, entries.named(path, "application", Particular, "id", may=may))

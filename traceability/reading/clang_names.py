@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import ctypes
+import functools
 import re
+from typing import Any
 
+from clang import cindex
 from clang.cindex import Cursor, CursorKind
 
 NAMESPACE = "wr"
@@ -25,10 +29,32 @@ METHODS = {
 FUNCTIONS = METHODS | {CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE}
 
 
+@functools.cache
+def library() -> Any:
+    """Returns libclang. Declares the types of those functions that its Python module does not
+    declare."""
+    cursors = ctypes.POINTER(Cursor)
+    types: dict[str, tuple[Any, ...]] = {  # name of a function -> its result and its arguments
+        "clang_Cursor_getCommentRange": (cindex.SourceRange, Cursor),
+        "clang_Cursor_isDynamicCall": (ctypes.c_int, Cursor),
+        "clang_getOverriddenCursors": (
+            *(None, Cursor, ctypes.POINTER(cursors), ctypes.POINTER(ctypes.c_uint)),
+        ),
+        "clang_disposeOverriddenCursors": (None, cursors),
+        "clang_Cursor_Evaluate": (ctypes.c_void_p, Cursor),
+        "clang_EvalResult_getKind": (ctypes.c_int, ctypes.c_void_p),
+        "clang_EvalResult_getAsLongLong": (ctypes.c_longlong, ctypes.c_void_p),
+        "clang_EvalResult_getAsDouble": (ctypes.c_double, ctypes.c_void_p),
+        "clang_EvalResult_dispose": (None, ctypes.c_void_p),
+    }
+    for name, (result, *arguments) in types.items():
+        function = getattr(cindex.conf.lib, name)
+        function.restype, function.argtypes = result, arguments
+    return cindex.conf.lib
+
+
 def is_function(cursor: Cursor) -> bool:
-    if cursor.kind in (CursorKind.FUNCTION_DECL, *METHODS):
-        return True
-    return bool(cursor.kind == CursorKind.FUNCTION_TEMPLATE)
+    return cursor.kind in FUNCTIONS
 
 
 def class_name(cursor: Cursor | None) -> str:
@@ -60,9 +86,7 @@ def qualified_name(cursor: Cursor) -> str:
 
 def function_id(cursor: Cursor) -> str:
     owner = class_name(cursor.semantic_parent)
-    name: str = (
-        cursor.spelling.split("<")[0]
-        if cursor.kind == CursorKind.CONSTRUCTOR
-        else (cursor.spelling)
-    )
+    name: str = cursor.spelling
+    if cursor.kind == CursorKind.CONSTRUCTOR:
+        name = name.partition("<")[0]
     return f"{owner}::{name}" if owner else name

@@ -9,27 +9,18 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
+from traceability import schema
 from traceability.reading.products import PAPER
 from traceability.reading.results import RESULTS, read_fresh
 from traceability.reading.task_record import CLOSED_LOOP
 from traceability.reading.toml_reader import Entries, Keys
-from traceability.schema import (
-    HOST,
-    VIRTUAL_K64,
-    Curve,
-    LoopFigure,
-    LoopPlot,
-    LoopRun,
-    LoopScenario,
-    Place,
-)
 
 PRODUCT = PAPER  # the product that runs the scenarios
 DECLARED = Path("design/closed_loop.toml")
 EXAMPLES = Path("sim/scenario/examples")
 OUTCOMES = RESULTS / "closed_loop.json"
 FOLDER = RESULTS / "closed_loop"
-SHORT = {HOST: "host", VIRTUAL_K64: "k64"}
+SHORT = {schema.HOST: "host", schema.VIRTUAL_K64: "k64"}
 MEAN_MS = 1000
 CURVES = ("set_point", "measured", "truth")
 SCENARIO: Keys = {"name": str, "title": str, "says": str}
@@ -69,10 +60,10 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
                     entry, entries.line_in(place, f'"{entry.get("title", "")}"'), needs, others
                 )
             ]
-    return [item for item, _ in scenarios]
+    return [{**item, "place": place} for item, place in scenarios]
 
 
-def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
+def read_closed_loop(root: Path, entries: Entries | None = None) -> list[schema.LoopScenario]:
     """Returns the closed-loop scenarios. A scenario that ran with the present sources has curves
     and values."""
     outcomes = read_fresh(root, OUTCOMES, CLOSED_LOOP)
@@ -80,30 +71,24 @@ def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopSce
     return [_scenario(root, item, runs.get(item["name"], {})) for item in declared(root, entries)]
 
 
-def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> LoopScenario:
+def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> schema.LoopScenario:
     name = str(item["name"])
     rows = {
         binding: read_rows(root / csv_of(name, binding)) for binding in SHORT if binding in runs
     }
-    return LoopScenario(
+    return schema.LoopScenario(
         name,
         item["title"],
         item["says"],
         str(EXAMPLES / f"{name}.scenario"),
-        _place(root, name),
+        item["place"],
         [_plot(plot, rows) for plot in item.get("plot", [])],
         [_figure(figure, rows) for figure in item.get("figure", [])],
         {
-            binding: LoopRun(run["passed"], run["said"], run.get("stack"))
+            binding: schema.LoopRun(run["passed"], run["said"], run.get("stack"))
             for binding, run in runs.items()
         },
     )
-
-
-def _place(root: Path, name: str) -> Place:
-    lines = (root / DECLARED).read_text(encoding="utf-8").splitlines()
-    number = lines.index(f'name = "{name}"')
-    return Place(str(DECLARED), max(n for n in range(number) if lines[n] == "[[scenario]]") + 1)
 
 
 def read_rows(path: Path) -> Rows:
@@ -116,7 +101,7 @@ def read_rows(path: Path) -> Rows:
 # ---- curves ------------------------------------------------------------------
 
 
-def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
+def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> schema.LoopPlot:
     curves = []
     for kind in CURVES:
         if kind not in plot:
@@ -127,16 +112,15 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
                 for at, value in column(table, plot[kind])
                 if at >= plot.get("from", 0)
             ]
-            curves.append(Curve(kind, binding, points))
-    return LoopPlot(plot["title"], plot["unit"], curves)
+            curves.append(schema.Curve(kind, binding, points))
+    return schema.LoopPlot(plot["title"], plot["unit"], curves)
 
 
 def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
     For a true value of the simulated robot, the time is the time at which the value was read. For a
-    value that the robot reported, it is the time of the clock pulse.
-    """
+    value that the robot reported, it is the time of the clock pulse."""
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
     ]
@@ -166,7 +150,7 @@ def is_valid(row: dict[str, str], name: str) -> bool:
 # ---- values -----------------------------------------------------------------
 
 
-def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
+def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> schema.LoopFigure:
     values = {}
     for binding, table in rows.items():
         points = [
@@ -175,7 +159,7 @@ def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
             if figure["from"] <= point[0] <= figure["to"]
         ]
         values[binding] = measure(figure, points)
-    return LoopFigure(
+    return schema.LoopFigure(
         figure["title"], figure["limit"], figure["unit"], figure.get("requirement", ""), values
     )
 

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from traceability.reading.graphs import reached_from
 from traceability.sources import files_below
 
 FOLDERS = ("tools", "client")  # their Python files declare the options of ./wr
@@ -35,7 +36,6 @@ class _Function:
 
 
 def options_of_commands(root: Path) -> dict[str, set[str]]:
-    """Returns the options of each command of ./wr."""
     functions = _functions(root)
     options: dict[str, set[str]] = {}
     for name, function in functions.items():
@@ -144,14 +144,9 @@ def _references(file: str, node: ast.expr, imported: dict[str, str]) -> Iterator
 
 def _declared(functions: dict[Name, _Function], names: set[Name]) -> set[str]:
     """Returns the options that the functions declare, or that the functions they call declare."""
-    options: set[str] = set()
-    waiting, seen = list(names), set(names)
-    while waiting:
-        function = functions.get(waiting.pop(), _Function())
-        options |= function.options
-        waiting += function.calls - seen
-        seen |= function.calls
-    return options
+    none = _Function()
+    reached = reached_from(names, lambda name: functions.get(name, none).calls)
+    return {option for name in reached for option in functions.get(name, none).options}
 
 
 def texts_of_programs(root: Path) -> Iterator[tuple[str, int, str]]:

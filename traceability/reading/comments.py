@@ -4,8 +4,7 @@ line.
 A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration to which the
 syntax tree assigns it, or to the test macro below it. In a ``.dox`` file, a tag of the comment
 names the described element, such as a requirement. The texts are plain text. They may contain
-lists, and `names` in backticks.
-"""
+lists, and `names` in backticks."""
 
 from __future__ import annotations
 
@@ -180,7 +179,6 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 
 
 def read_comments(file: str, text: str) -> Iterator[Comment]:
-    """Yields the documentation comments of a file."""
     block: list[str] = []
     # first line number of the block; true if the block is after its declaration
     start, behind = 0, False

@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from traceability.reading.results import RESULTS, read_record
+from traceability.whole_file import write_whole
 
 RECORD = RESULTS / "diff.json"
 
@@ -33,9 +34,7 @@ class Comparison:
 
 
 def write_comparison(root: Path, comparison: Comparison) -> None:
-    path = root / RECORD
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(asdict(comparison), indent=1) + "\n", encoding="utf-8")
+    write_whole(root / RECORD, json.dumps(asdict(comparison), indent=1) + "\n")
 
 
 def read_comparison(root: Path) -> Comparison | None:

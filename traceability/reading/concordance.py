@@ -8,12 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.reading.toml_reader import Entries
-from traceability.schema import (
-    PaperElement,
-    PaperPlace,
-    PaperStatement,
-    Place,
-)
+from traceability.schema import PaperElement, PaperPlace, PaperStatement, Place
 
 PAPER = Path("design/paper.toml")
 CONCORDANCE = Path("design/concordance.toml")

@@ -7,10 +7,8 @@ from collections.abc import Callable, Iterator
 from clang.cindex import Cursor, CursorKind
 
 from traceability.reading.clang_names import FUNCTIONS, class_name, function_id
-from traceability.reading.flow import operator_of
+from traceability.reading.flow import COMPARISONS, JOINED, operator_of
 
-COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
-JOINED = ("&&", "||", "and", "or")
 NUMBERS = {CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL}
 # function that returns whether a declaration belongs to the project
 IsOwn = Callable[[Cursor | None], bool]

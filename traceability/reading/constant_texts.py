@@ -45,8 +45,7 @@ def inserted(text: str, constants: Constants) -> str:
 def formula_text(formula: str, constants: Constants) -> str | None:
     """Returns the value of a constant or of a formula. Returns None if it has no value.
 
-    The module ``formulas`` describes the parts of a formula.
-    """
+    The module ``formulas`` describes the parts of a formula."""
     if formula in constants:
         return constant_text(constants[formula])
     number, unit = value_of(formula, constants), UNIT.search(formula)

@@ -3,15 +3,13 @@ or an operation that only returns a constant."""
 
 from __future__ import annotations
 
-import ctypes
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from clang import cindex
 from clang.cindex import Cursor, CursorKind, SourceLocation, SourceRange, TokenKind, TypeKind
 
-from traceability.reading.clang_names import class_name
+from traceability.reading.clang_names import class_name, library
 
 UNIT = re.compile(r"\[([^\]]+)\]")
 RANGE = " to "  # If square brackets contain this text, they state a range and not a unit.
@@ -44,7 +42,7 @@ def constants_of(cursor: Cursor) -> Iterator[tuple[str, float, str]]:
     parsed = number_of(value)
     if parsed is not None:
         number, unit = parsed
-        yield "", number, unit or unit_beside(cursor)
+        yield "", number, unit or unit_in(cursor.raw_comment) or unit_on_line(cursor)
         return
     for member, part in members_of(value):
         parsed = number_of(part)
@@ -78,12 +76,13 @@ def number_of(value: Cursor) -> tuple[float, str] | None:
         number = evaluated_number(value)
         return None if number is None else (number, "")
     parts = [child for child in value.get_children() if child.kind.is_expression()]
-    if value.kind == CursorKind.CALL_EXPR and value.referenced is not None:
-        made = unit_of_function(value.referenced)
-        if made and len(parts) >= 1:
+    function = value.referenced if value.kind == CursorKind.CALL_EXPR else None
+    if function is not None and function.kind == CursorKind.FUNCTION_DECL:
+        made = unit_in(function.raw_comment)  # the unit of the parameter of a factory function
+        if made and parts:
             number = evaluated_number(parts[-1])
             return None if number is None else (number, made)
-    unit = unit_of_type(value)
+    unit = unit_in(value.type.get_declaration().raw_comment)
     parsed = number_of(parts[0]) if len(parts) == 1 else None
     return (parsed[0], parsed[1] or unit) if parsed is not None else None
 
@@ -96,25 +95,6 @@ def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
         inner = list(part.get_children())
         if len(inner) == 2 and inner[0].kind == CursorKind.MEMBER_REF:
             yield inner[0], inner[1]
-
-
-def unit_of_function(function: Cursor) -> str:
-    """Returns the unit of a factory function of a quantity. This unit is the unit of the function's
-    parameter."""
-    if function.kind != CursorKind.FUNCTION_DECL:
-        return ""
-    return unit_in(function.raw_comment)
-
-
-def unit_of_type(value: Cursor) -> str:
-    """Returns the unit that the comment above a type states."""
-    return unit_in(value.type.get_declaration().raw_comment)
-
-
-def unit_beside(cursor: Cursor) -> str:
-    """Returns the unit that a comment states for a constant. The comment is above the constant or
-    at the end of its source line."""
-    return unit_in(cursor.raw_comment) or unit_on_line(cursor)
 
 
 def unit_on_line(cursor: Cursor) -> str:
@@ -146,31 +126,18 @@ def evaluated(expression: Cursor) -> int | None:
 def evaluated_number(expression: Cursor) -> float | None:
     """Returns the value of an expression: an int for an integer type, a float for the types float
     and double. Returns None if the compiler cannot compute it."""
-    library = _library()
-    result = library.clang_Cursor_Evaluate(expression)
+    clang = library()
+    result = clang.clang_Cursor_Evaluate(expression)
     if not result:
         return None
     try:
-        kind = library.clang_EvalResult_getKind(result)
+        kind = clang.clang_EvalResult_getKind(result)
         if kind == INTEGER:
-            return int(library.clang_EvalResult_getAsLongLong(result))
+            return int(clang.clang_EvalResult_getAsLongLong(result))
         if kind != FLOATING:
             return None
-        number = float(library.clang_EvalResult_getAsDouble(result))
+        number = float(clang.clang_EvalResult_getAsDouble(result))
         single = expression.type.get_canonical().kind == TypeKind.FLOAT
         return float(f"{number:.{DIGITS_OF_FLOAT}g}") if single else number
     finally:
-        library.clang_EvalResult_dispose(result)
-
-
-def _library() -> ctypes.CDLL:
-    library: ctypes.CDLL = cindex.conf.lib
-    library.clang_Cursor_Evaluate.argtypes = [Cursor]
-    library.clang_Cursor_Evaluate.restype = ctypes.c_void_p
-    library.clang_EvalResult_getKind.argtypes = [ctypes.c_void_p]
-    library.clang_EvalResult_getAsLongLong.argtypes = [ctypes.c_void_p]
-    library.clang_EvalResult_getAsLongLong.restype = ctypes.c_longlong
-    library.clang_EvalResult_getAsDouble.argtypes = [ctypes.c_void_p]
-    library.clang_EvalResult_getAsDouble.restype = ctypes.c_double
-    library.clang_EvalResult_dispose.argtypes = [ctypes.c_void_p]
-    return library
+        clang.clang_EvalResult_dispose(result)

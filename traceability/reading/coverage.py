@@ -3,8 +3,7 @@ virtual K64.
 
 On the host, the counters of gcc show the executed lines and branches: see gcov_arcs.py. On the
 virtual K64, each test writes one bit for each half-word of memory. These bits show the executed
-lines, but no branches: see board_coverage.py.
-"""
+lines, but no branches: see board_coverage.py."""
 
 from __future__ import annotations
 

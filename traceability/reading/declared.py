@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from traceability import schema
 from traceability.reading.change_kits import Kit, read_kits
 from traceability.reading.change_texts import ChangeTexts, read_change_texts
 from traceability.reading.concordance import Concordance, read_concordance
@@ -13,29 +14,7 @@ from traceability.reading.constant_texts import Constants
 from traceability.reading.declared_safety import read_safety_case
 from traceability.reading.proof_record import ProofEvent, read_events, read_properties
 from traceability.reading.toml_reader import Entries, Problem
-from traceability.schema import (
-    AllowedUse,
-    Apart,
-    ArchitectureElement,
-    ArchitectureGroup,
-    BeliefSource,
-    BoardBelief,
-    BoardFinding,
-    Connection,
-    Cycle,
-    Equivalent,
-    ExecutionContext,
-    Justified,
-    NumbersWithout,
-    Place,
-    ProofProperty,
-    RequirementNumbers,
-    SafetyCase,
-    StateMachine,
-    Transition,
-    TreeNode,
-    Tuned,
-)
+from traceability.schema import Place, TreeNode
 from traceability.sources import files_below
 
 
@@ -85,8 +64,6 @@ class SharedFunctions:
 
 @dataclass
 class Block:
-    """A block of registers, and the modules that own it."""
-
     name: str
     owners: list[str]
     place: Place
@@ -94,8 +71,6 @@ class Block:
 
 @dataclass
 class PipeText:
-    """The name and the description of a pipe of the robot."""
-
     object: str  # Class::member
     name: str
     says: str
@@ -104,8 +79,6 @@ class PipeText:
 
 @dataclass
 class Protection:
-    """The protection of a member that several contexts share."""
-
     protection: str
     why: str
     place: Place
@@ -114,19 +87,19 @@ class Protection:
 @dataclass
 class Declared:
     entries: Entries = field(default_factory=lambda: Entries(Path()))
-    machines: dict[str, StateMachine] = field(default_factory=dict)
-    architecture: list[ArchitectureElement] = field(default_factory=list)
-    groups: list[ArchitectureGroup] = field(default_factory=list)
-    connections: list[Connection] = field(default_factory=list)
-    allowed: list[AllowedUse] = field(default_factory=list)
-    cycles: list[Cycle] = field(default_factory=list)
+    machines: dict[str, schema.StateMachine] = field(default_factory=dict)
+    architecture: list[schema.ArchitectureElement] = field(default_factory=list)
+    groups: list[schema.ArchitectureGroup] = field(default_factory=list)
+    connections: list[schema.Connection] = field(default_factory=list)
+    allowed: list[schema.AllowedUse] = field(default_factory=list)
+    cycles: list[schema.Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
     # place and text of each problem, and a text that explains how to fix the problem
     tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     patterns: list[KnownPattern] = field(default_factory=list)
-    apart: list[Apart] = field(default_factory=list)
+    apart: list[schema.Apart] = field(default_factory=list)
     shared: list[SharedFunctions] = field(default_factory=list)
     # logic module -> the names of its modules
     names: dict[str, list[str]] = field(default_factory=dict)
@@ -134,25 +107,25 @@ class Declared:
     name_places: dict[str, Place] = field(default_factory=dict)
     total: int | None = None  # number of modules in the paper
     blocks: list[Block] = field(default_factory=list)
-    contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    contexts: dict[str, schema.ExecutionContext] = field(default_factory=dict)
     ends: list[str] = field(default_factory=list)  # methods that stop the firmware and never return
     pipes: dict[str, PipeText] = field(default_factory=dict)
     # key: Class::member, or Class::* for all members of a class
     protections: dict[str, Protection] = field(default_factory=dict)
-    board_findings: dict[str, BoardFinding] = field(default_factory=dict)
-    beliefs: list[BoardBelief] = field(default_factory=list)
-    belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
-    justified: list[Justified] = field(default_factory=list)
-    equivalents: list[Equivalent] = field(default_factory=list)
-    numbers: list[RequirementNumbers] = field(default_factory=list)
-    numbers_without: list[NumbersWithout] = field(default_factory=list)
+    board_findings: dict[str, schema.BoardFinding] = field(default_factory=dict)
+    beliefs: list[schema.BoardBelief] = field(default_factory=list)
+    belief_sources: dict[str, schema.BeliefSource] = field(default_factory=dict)
+    justified: list[schema.Justified] = field(default_factory=list)
+    equivalents: list[schema.Equivalent] = field(default_factory=list)
+    numbers: list[schema.RequirementNumbers] = field(default_factory=list)
+    numbers_without: list[schema.NumbersWithout] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
-    tuned: list[Tuned] = field(default_factory=list)
+    tuned: list[schema.Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
     # pattern application -> the folder that makes the likely change of this application
     kits: dict[str, Kit] = field(default_factory=dict)
-    safety: SafetyCase = field(default_factory=SafetyCase)
-    proofs: dict[str, ProofProperty] = field(default_factory=dict)
+    safety: schema.SafetyCase = field(default_factory=schema.SafetyCase)
+    proofs: dict[str, schema.ProofProperty] = field(default_factory=dict)
     proof_events: dict[str, ProofEvent] = field(default_factory=dict)
 
 
@@ -175,35 +148,36 @@ def read_declared(root: Path, constants: Constants | None = None) -> Declared:
     _architecture(design / "architecture.toml", entries, declared)
     uses = design / "uses.toml"
     declared.allowed = _allowed(uses, entries)
-    declared.cycles = entries.records(uses, "cycle", Cycle)
-    declared.apart = entries.records(uses, "apart", Apart)
+    declared.cycles = entries.records(uses, "cycle", schema.Cycle)
+    declared.apart = entries.records(uses, "apart", schema.Apart)
     for path in sorted((design / "trees").glob("*.tree")):
         _trees(root, path, declared)
     _patterns(design, entries, declared)
     declared.blocks = entries.records(design / "register_owners.toml", "block", Block, "name")
     _execution(design / "execution.toml", entries, declared)
-    findings = entries.records(design / "board_findings.toml", "finding", BoardFinding, "id")
-    declared.board_findings = {each.id: each for each in findings}
+    findings = design / "board_findings.toml"
+    declared.board_findings = entries.named(findings, "finding", schema.BoardFinding, "id")
     beliefs = design / "board_beliefs.toml"
-    sources = entries.records(beliefs, "source", BeliefSource, "id")
-    declared.belief_sources = {each.id: each for each in sources}
-    outside = {each.id for each in sources if each.outside}
+    sources = declared.belief_sources = entries.named(beliefs, "source", schema.BeliefSource, "id")
+    outside = {each.id for each in sources.values() if each.outside}
     declared.beliefs = [
         replace(belief, shared=belief.source not in outside)
-        for belief in entries.records(beliefs, "belief", BoardBelief, shared=False)
+        for belief in entries.records(beliefs, "belief", schema.BoardBelief, shared=False)
     ]
     declared.justified = [
         entry
         for kind in ("method", "test", "line", "uncalled", "loop")
-        for entry in entries.records(design / "justified.toml", kind, Justified, kind=kind)
+        for entry in entries.records(design / "justified.toml", kind, schema.Justified, kind=kind)
     ]
-    declared.equivalents = entries.records(design / "mutants.toml", "equivalent", Equivalent)
+    declared.equivalents = entries.records(design / "mutants.toml", "equivalent", schema.Equivalent)
     declared.tuned = entries.records(
-        design / "tuned.toml", "tuned", Tuned, "to", may=("constants", "lines")
+        design / "tuned.toml", "tuned", schema.Tuned, "to", may=("constants", "lines")
     )
     numbers, by_id = design / "requirement_numbers.toml", {"requirement": "id"}
-    declared.numbers = entries.records(numbers, "requirement", RequirementNumbers, "id", keys=by_id)
-    declared.numbers_without = entries.records(numbers, "without", NumbersWithout)
+    declared.numbers = entries.records(
+        numbers, "requirement", schema.RequirementNumbers, "id", keys=by_id
+    )
+    declared.numbers_without = entries.records(numbers, "without", schema.NumbersWithout)
     declared.concordance = read_concordance(root, entries)
     declared.changes = read_change_texts(root, entries)
     declared.kits = read_kits(root, entries)
@@ -220,40 +194,38 @@ def read_declared(root: Path, constants: Constants | None = None) -> Declared:
 
 
 def _architecture(path: Path, entries: Entries, declared: Declared) -> None:
-    declared.architecture = entries.records(path, "element", ArchitectureElement, "id")
-    declared.groups = entries.records(path, "group", ArchitectureGroup, "name")
+    declared.architecture = entries.records(path, "element", schema.ArchitectureElement, "id")
+    declared.groups = entries.records(path, "group", schema.ArchitectureGroup, "name")
     ends = {"source": "from", "target": "to"}
     declared.connections = entries.records(
-        path, "connection", Connection, may=["connector", "through"], keys=ends
+        path, "connection", schema.Connection, may=["connector", "through"], keys=ends
     )
 
 
-def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
+def _allowed(path: Path, entries: Entries) -> list[schema.AllowedUse]:
     """Returns the allowed uses. The file has a table ``[uses."user"]`` for each user, with a line
     ``"used" = "reason"`` for each use."""
     tables = entries.value(path, "uses", {})
     begin = Place(str(path.relative_to(entries.root)), 1)
-    uses: list[AllowedUse] = []
+    uses: list[schema.AllowedUse] = []
     if not entries.fits(tables, begin, dict.fromkeys(tables, dict), {}):
         return uses
     for user, used in tables.items():
         place = entries.line_in(begin, f'uses."{user}"')
         if entries.fits(used, place, dict.fromkeys(used, str), {}):
             uses += [
-                AllowedUse(user, target, why, entries.line_in(place, f'"{target}"'))
+                schema.AllowedUse(user, target, why, entries.line_in(place, f'"{target}"'))
                 for target, why in used.items()
             ]
     return uses
 
 
 def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
-    applications = entries.records(
+    declared.applications = entries.named(
         design / "applications.toml", "application", KnownApplication, "id", may=["replaces"]
     )
-    declared.applications = {each.id: each for each in applications}
     clauses = design / "clauses.toml"
-    texts = entries.records(clauses, "clause", ClauseText, "id")
-    declared.clauses = {each.id: each for each in texts}
+    declared.clauses = entries.named(clauses, "clause", ClauseText, "id")
     declared.patterns = entries.records(clauses, "pattern", KnownPattern, "name")
 
 
@@ -272,18 +244,17 @@ def _machines(root: Path, entries: Entries, declared: Declared) -> None:
         machine = _machine(Place(str(path.relative_to(root)), 1), path, entries)
         if machine is not None and machine.id in declared.machines:
             text = f"{declared.machines[machine.id].place.file} already has a machine {machine.id}"
-            entries.problems.append(
-                Problem(machine.place, text, "give each machine a different id")
-            )
+            fix = "give each machine a different id"
+            entries.problems.append(Problem(machine.place, text, fix))
         elif machine is not None:
             declared.machines[machine.id] = machine
 
 
-def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
+def _machine(place: Place, path: Path, entries: Entries) -> schema.StateMachine | None:
     transitions = entries.records(
         path,
         "transition",
-        Transition,
+        schema.Transition,
         may=["guard", "action", "requirements"],
         keys={"source": "from", "event": "on", "target": "to"},
     )
@@ -295,16 +266,16 @@ def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
     data |= {name: entries.value(path, name, {}) for name in may}
     if not entries.fits(data, place, needs, dict.fromkeys(may, dict)):
         return None
-    return StateMachine(transitions=transitions, place=place, **data)
+    return schema.StateMachine(transitions=transitions, place=place, **data)
 
 
 def _execution(path: Path, entries: Entries, declared: Declared) -> None:
     declared.ends = entries.value(path, "ends", [])
     may, keys = ["body", "idle", "intended"], {"intended": "priority"}
-    contexts = entries.records(path, "context", ExecutionContext, "id", may=may, keys=keys)
-    declared.contexts = {each.id: each for each in contexts}
-    pipes = entries.records(path, "pipe", PipeText, "object")
-    declared.pipes = {each.object: each for each in pipes}
+    declared.contexts = entries.named(
+        path, "context", schema.ExecutionContext, "id", may=may, keys=keys
+    )
+    declared.pipes = entries.named(path, "pipe", PipeText, "object")
     for item, place in entries.tables(
         path, "shared", {"members": list, "protection": str, "why": str}
     ):
@@ -325,28 +296,25 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         if re.fullmatch(r"N?FR-\d+", words):
             current, stack = words, []
             if words in declared.trees:
-                text = f"{_told(declared.trees[words][0])} already has a tree of {words}"
+                first = declared.trees[words][0]
+                text = f"{first.file}:{first.line} already has a tree of {words}"
                 declared.tree_errors.append((place, text, "remove one of the two trees"))
             declared.trees[current] = (place, None)
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
+            text = "this line is neither the id of a requirement nor a method of a tree"
             fix = "write 'FR-n', or an indented 'Class::method'; only ? or * may follow it"
-            declared.tree_errors.append(
-                (
-                    place,
-                    "this line is neither the id of a requirement nor a method of a tree",
-                    fix,
-                )
-            )
+            declared.tree_errors.append((place, text, fix))
             continue
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
-            text = f"{label} is indented too far"
-            declared.tree_errors.append(
-                (place, text, "indent the method by two blanks more than its caller")
+            text, fix = (
+                "is indented too far",
+                "indent the method by two blanks more than its caller",
             )
+            declared.tree_errors.append((place, f"{label} {text}", fix))
         while stack and stack[-1][0] >= depth:
             stack.pop()
         kind = "root" if not stack else "post" if match[2] else "call"
@@ -365,7 +333,3 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             declared.tree_errors.append((place, text, "keep only one root in the tree"))
             continue
         stack.append((depth, children))
-
-
-def _told(place: Place) -> str:
-    return f"{place.file}:{place.line}"

@@ -4,28 +4,16 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
+from traceability import schema
 from traceability.reading.formulas import value_of
 from traceability.reading.toml_reader import Entries
-from traceability.schema import (
-    SOURCE_KINDS,
-    Assumption,
-    Correction,
-    FaultScenario,
-    Hazard,
-    Place,
-    SafeState,
-    SafetyCase,
-    SafetyGoal,
-    SourceReference,
-)
 from traceability.sources import files_below
 
-T = TypeVar("T", SafeState, Assumption, SafetyGoal, Hazard)
 FILE = Path("design/safety_case.toml")
 SCENARIOS = Path("sim/scenario/safety")
 GOAL_LINE = re.compile(r"#\s*goals?:?\s+(SG-\d+(?:[\s,]+SG-\d+)*)\s*$")
@@ -33,21 +21,18 @@ BOUND = re.compile(r"[^#]*\bexpect\b.*\bwithin ([\d.]+) ms\b")
 COLUMNS, ROWS = ("C0", "C1", "C2", "C3"), ("E0", "E1", "E2", "E3", "E4")
 
 
-def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
+def read_safety_case(root: Path, entries: Entries) -> schema.SafetyCase:
     """Returns the declared safety case with its fault scenarios. Returns an empty safety case if
     the file does not exist."""
     path = root / FILE
     if not path.exists():
-        return SafetyCase()
+        return schema.SafetyCase()
     item: dict[str, Any] = entries.value(path, "item", {})
     risk: dict[str, Any] = entries.value(path, "risk", {})
 
-    def read(name: str, kind: type[T], may: Sequence[str] = ()) -> dict[str, T]:
-        records = entries.records(path, name, kind, "id", may=may)
-        return {record.id: record for record in records}
-
+    of_goal = ["exceptions", "open_points", "parts", "velocity"]
     return linked(
-        SafetyCase(
+        schema.SafetyCase(
             base=str(entries.value(path, "base", "")),
             says=str(item.get("says", "")),
             conditions=list(item.get("conditions", [])),
@@ -59,16 +44,16 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
             priorities=dict(risk.get("priority", {})),
             data_sheets=list(entries.value(path, "data_sheets", [])),
             scenarios=read_scenarios(root),
-            safe_states=read("safe_state", SafeState),
-            assumptions=read("assumption", Assumption),
-            goals=read("goal", SafetyGoal, ["exceptions", "open_points", "parts", "velocity"]),
-            hazards=read("hazard", Hazard, ["scenarios"]),
-            corrections=entries.records(path, "correction", Correction, may=["for_safety"]),
+            safe_states=entries.named(path, "safe_state", schema.SafeState, "id"),
+            assumptions=entries.named(path, "assumption", schema.Assumption, "id"),
+            goals=entries.named(path, "goal", schema.SafetyGoal, "id", may=of_goal),
+            hazards=entries.named(path, "hazard", schema.Hazard, "id", may=["scenarios"]),
+            corrections=entries.records(path, "correction", schema.Correction, may=["for_safety"]),
         )
     )
 
 
-def linked(case: SafetyCase) -> SafetyCase:
+def linked(case: schema.SafetyCase) -> schema.SafetyCase:
     """Returns the safety case with computed values: the levels, the values of the formulas, the
     hazards and scenarios of each goal, and the hazards of each assumption."""
     hazards = {
@@ -77,16 +62,16 @@ def linked(case: SafetyCase) -> SafetyCase:
         )
         for name, hazard in case.hazards.items()
     }
-    goals: dict[str, SafetyGoal] = {}
+    goals: dict[str, schema.SafetyGoal] = {}
     for name, goal in case.goals.items():
         names = [hazard.id for hazard in hazards.values() for word in hazard.goals if word == name]
         level = highest(case, [hazards[name].level for name in names])
-        computed = value_of(goal.formula, {})
-        scenarios = [
-            scenario.name for scenario in case.scenarios.values() if name in scenario.goals
-        ]
         goals[name] = replace(
-            goal, hazards=names, computed=computed, level=level, scenarios=scenarios
+            goal,
+            hazards=names,
+            computed=value_of(goal.formula, {}),
+            level=level,
+            scenarios=[each.name for each in case.scenarios.values() if name in each.goals],
         )
     assumptions = {
         name: replace(
@@ -98,7 +83,7 @@ def linked(case: SafetyCase) -> SafetyCase:
     return replace(case, hazards=hazards, goals=goals, assumptions=assumptions)
 
 
-def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> str:
+def level_of(case: schema.SafetyCase, severity: str, exposure: str, avoidance: str) -> str:
     """Returns the performance level that the risk graph requires for these parameters. Returns ""
     if the graph has no such entry."""
     rows = case.graph.get(severity, [])
@@ -108,7 +93,7 @@ def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> 
     return levels[COLUMNS.index(avoidance)] if len(levels) == len(COLUMNS) else ""
 
 
-def highest(case: SafetyCase, levels: Iterable[str]) -> str:
+def highest(case: schema.SafetyCase, levels: Iterable[str]) -> str:
     valid = [level for level in levels if level in case.levels]
     return max(valid, key=case.levels.index) if valid else ""
 
@@ -118,40 +103,37 @@ def words_of(texts: Iterable[str]) -> list[str]:
     return [word for text in texts for word in re.split(r"[\s,]+", text.strip(" .")) if word]
 
 
-def read_sources(text: str) -> list[SourceReference]:
+def read_sources(text: str) -> list[schema.SourceReference]:
     """Returns the references in a text such as "goal: SG-2; paper: Section VII". If a reference
     does not begin with a valid kind and a colon, its kind is ""."""
-    sources: list[SourceReference] = []
+    sources: list[schema.SourceReference] = []
     for part in filter(None, (reference.strip() for reference in text.split(";"))):
         kind, colon, name = part.partition(":")
-        has_kind = bool(colon) and kind.strip() in SOURCE_KINDS
-        sources.append(
-            SourceReference(kind.strip(), name.strip().rstrip("."))
-            if has_kind
-            else SourceReference("", part)
-        )
+        known = kind.strip() if colon and kind.strip() in schema.SOURCE_KINDS else ""
+        name = name.strip().rstrip(".") if known else part
+        sources.append(schema.SourceReference(known, name))
     return sources
 
 
 # ---- fault scenarios ------------------------------------------------------------
 
 
-def read_scenarios(root: Path) -> dict[str, FaultScenario]:
+def read_scenarios(root: Path) -> dict[str, schema.FaultScenario]:
     """Returns the fault scenarios by name. The first comment in a scenario file is the title. A
     comment "# goal SG-1" names a safety goal."""
     paths = files_below(root, (str(SCENARIOS),), (".scenario",))
     return {path.stem: _scenario(root, path) for path in paths}
 
 
-def _scenario(root: Path, path: Path) -> FaultScenario:
+def _scenario(root: Path, path: Path) -> schema.FaultScenario:
     lines = path.read_text(encoding="utf-8").splitlines()
     goals = [match[1] for line in lines if (match := GOAL_LINE.match(line))]
     first = itertools.takewhile(lambda line: line.startswith("#"), lines)
     title = " ".join(line.strip("# ") for line in first if not GOAL_LINE.match(line))
-    place = Place(str(path.relative_to(root)), 1)
+    place = schema.Place(str(path.relative_to(root)), 1)
     bounds = {
         number: float(match[1]) / 1000
         for number, line in enumerate(lines, 1)
         if (match := BOUND.match(line))
     }
-    return FaultScenario(path.stem, title or path.stem, words_of(goals), place, bounds)
+    return schema.FaultScenario(path.stem, title or path.stem, words_of(goals), place, bounds)

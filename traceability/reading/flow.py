@@ -18,31 +18,15 @@ from traceability.schema import Place
 
 PlaceOf = Callable[[Cursor], Place | None]
 
-LOOPS = {
-    CursorKind.FOR_STMT,
-    CursorKind.WHILE_STMT,
-    CursorKind.CXX_FOR_RANGE_STMT,
-}
-CHANCES = {
-    CursorKind.IF_STMT,
-    CursorKind.SWITCH_STMT,
-    CursorKind.CONDITIONAL_OPERATOR,
-    *LOOPS,
-}
+LOOPS = {CursorKind.FOR_STMT, CursorKind.WHILE_STMT, CursorKind.CXX_FOR_RANGE_STMT}
+CHANCES = {CursorKind.IF_STMT, CursorKind.SWITCH_STMT, CursorKind.CONDITIONAL_OPERATOR, *LOOPS}
 # A condition can begin with such a declaration, as in ``if (int x = f(); x > 0)``.
-DECLARATIONS = {
-    CursorKind.DECL_STMT,
-    CursorKind.VAR_DECL,
-}
+DECLARATIONS = {CursorKind.DECL_STMT, CursorKind.VAR_DECL}
 # functions of the standard library that store their arguments
-KEEPS = {
-    "store",
-    "exchange",
-    "push_back",
-    "operator=",
-}
+KEEPS = {"store", "exchange", "push_back", "operator="}
 ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
-COMPARISONS = {"==", "!=", "<", ">", "<=", ">="}
+COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
+JOINED = ("&&", "||", "and", "or")
 INDEXED = {CursorKind.ARRAY_SUBSCRIPT_EXPR, CursorKind.CALL_EXPR}
 CASTS = {
     CursorKind.CXX_STATIC_CAST_EXPR,
@@ -294,7 +278,7 @@ def sure_parts(cursor: Cursor) -> int:
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)
     if cursor.kind == CursorKind.BINARY_OPERATOR and cursor.type.kind == TypeKind.BOOL:
-        return 1 if operator_of(cursor, children[0]) in ("&&", "||", "and", "or") else 2
+        return 1 if operator_of(cursor, children[0]) in JOINED else 2
     return len(children)
 
 

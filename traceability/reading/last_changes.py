@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from traceability.reading.build_evidence import git
-from traceability.sources import DESIGN
+from traceability.sources import DESIGN, text_of
 
 FIRMWARE = re.compile(r"\.(cpp|hpp|ld)$")
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\s+", re.DOTALL)  # comments and white space
@@ -28,19 +28,14 @@ def last_changes(root: Path) -> dict[str, str]:
 def changed_since(root: Path, commit: str) -> int | None:
     """Returns the number of files of the firmware whose code has changed since a commit. A change
     of comments or of the layout does not count. Returns ``None`` if the commit is unknown, for
-    example because the history was not cloned.
-    """
+    example because the history was not cloned."""
     if not commit or not git(root, "rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}"):
         return None
     names = git(root, "diff", "--name-only", "--no-renames", commit, "--", *DESIGN).splitlines()
     return sum(
-        _code(git(root, "show", f"{commit}:{name}")) != _code(_text(root / name))
+        _code(git(root, "show", f"{commit}:{name}")) != _code(text_of(root / name))
         for name in filter(FIRMWARE.search, names)
     )
-
-
-def _text(path: Path) -> str:
-    return path.read_text(encoding="utf-8") if path.exists() else ""
 
 
 def _code(text: str) -> str:

@@ -2,8 +2,7 @@
 are left out.
 
 Each text is looked up in its file by its name and not by a line number. The same name therefore
-also finds the earlier text in an earlier version of the file.
-"""
+also finds the earlier text in an earlier version of the file."""
 
 from __future__ import annotations
 
@@ -80,7 +79,16 @@ def requirements(text: str) -> list[tuple[str, str]]:
 def specifications(text: str) -> list[tuple[range, str, str]]:
     """Returns each documentation comment with the declaration below it. Each result consists of the
     line numbers of both parts, the declaration, and one text that contains both parts."""
-    return list(_specifications(text))
+    lines = text.splitlines()
+    found = []
+    for comment in read_comments("", text):
+        first = comment.place.end or 0
+        last = next((n for n in range(first, len(lines)) if re.search(r"[;{]", lines[n])), first)
+        declaration = " ".join(line.strip() for line in lines[first : last + 1])
+        declaration = re.split(r"[;{]", declaration)[0].strip()
+        whole = "\n".join(filter(None, (comment.source(without=OF_LINKS), declaration)))
+        found.append((range(comment.place.line, last + 2), declaration, whole))
+    return found
 
 
 @functools.cache
@@ -94,8 +102,7 @@ def support(text: str) -> str:
     """Returns the text of a test file outside its tests: fixtures, computed expected values,
     helpers and lists of parameters.
 
-    If the file contains no tests, returns the whole text without comments.
-    """
+    If the file contains no tests, returns the whole text without comments."""
     rest = text
     for case in read_tests(text):
         rest = rest.replace(case.body, "", 1)
@@ -111,19 +118,7 @@ def without_remarks(text: str) -> str:
     )
 
 
-def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
-    lines = text.splitlines()
-    for comment in read_comments("", text):
-        first = comment.place.end or 0
-        last = next((n for n in range(first, len(lines)) if re.search(r"[;{]", lines[n])), first)
-        declaration = " ".join(line.strip() for line in lines[first : last + 1])
-        declaration = re.split(r"[;{]", declaration)[0].strip()
-        whole = "\n".join(filter(None, (comment.source(without=OF_LINKS), declaration)))
-        yield range(comment.place.line, last + 2), declaration, whole
-
-
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:
-    """Yields the complete text of the requirement with this id."""
     return (source for identifier, source in requirements(text) if identifier == name)
 
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from traceability.reading import prose_record
-from traceability.reading.results import RESULTS, read_json
+from traceability.reading.results import RESULTS, read_object
 from traceability.schema import Exemption, LintRun, Place
 from traceability.sources import files_below, hash_of
 from traceability.whole_file import write_whole
@@ -33,30 +33,26 @@ def files_hash(root: Path) -> str:
 def write_lint(root: Path, steps: Mapping[str, str], commit: str, files: str) -> None:
     """Writes the result of each step. ``files`` is the hash of the files before the first step. If
     the files have changed since, no result is valid and the record is removed. A step that did not
-    run keeps its earlier result for the same files.
-    """
+    run keeps its earlier result for the same files."""
     if files != files_hash(root):
         (root / RECORD).unlink(missing_ok=True)
         return
-    earlier = read_json(root / RECORD)
-    kept = earlier["steps"] if isinstance(earlier, dict) and earlier["files"] == files else {}
+    earlier = read_object(root / RECORD)
+    kept = earlier["steps"] if earlier.get("files") == files else {}
     results = {name: kept.get(name, how) if how == NOT_RUN else how for name, how in steps.items()}
     content = {"commit": commit, "files": files, "steps": results}
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     write_whole(root / RECORD, json.dumps(content, indent=1))
 
 
 def read_lint(root: Path) -> LintRun | None:
     """Returns the results for the present files. Returns None if the files changed since the
     linters read them."""
-    record = read_json(root / RECORD)
-    if not isinstance(record, dict) or record.get("files") != files_hash(root):
-        return None
-    return LintRun(record["commit"], record["steps"])
+    record = read_object(root / RECORD)
+    fresh = record and record.get("files") == files_hash(root)
+    return LintRun(record["commit"], record["steps"]) if fresh else None
 
 
 def tidied(root: Path, suffixes: tuple[str, ...]) -> list[Path]:
-    """Returns the files that clang-tidy reads."""
     files = files_below(root, TIDIED, suffixes)
     return [path for path in files if not NOT_TIDIED.match(str(path.relative_to(root)))]
 

@@ -50,8 +50,7 @@ class Bounds:
         if not 0 < place[1] <= len(lines):
             return None
         text = lines[place[1] - 1]
-        before = lines[place[1] - 2].strip() if place[1] > 1 else ""
-        match = DECLARED.search(text) or (DECLARED.match(before) if before else None)
+        match = DECLARED.search(text) or DECLARED.match(self._before(place))
         head = HEAD.search(text)
         if not match and not head:
             return None
@@ -65,22 +64,23 @@ class Bounds:
     def passes(self, place: Place) -> int | None:
         """Returns the declared maximum number of executions of a source line in one call of its
         function."""
-        lines = self._lines(place[0])
-        before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
-        match = PASSES.match(before)
+        match = PASSES.match(self._before(place))
         return self.value(match[1]) if match else None
 
     def counter(self, place: Place) -> str | None:
         """Returns the name by which the flow facts refer to the number of executions of a source
         line."""
-        lines = self._lines(place[0])
-        before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
-        match = COUNTS.match(before)
+        match = COUNTS.match(self._before(place))
         return match[1] if match else None
 
     def value(self, text: str) -> int:
         """Returns the value of a constant expression."""
         return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
+
+    def _before(self, place: Place) -> str:
+        """Returns the line before a source line, without its indentation."""
+        lines = self._lines(place[0])
+        return lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
 
     def _lines(self, file: str) -> list[str]:
         if file not in self.lines:

@@ -3,17 +3,18 @@ into blocks, and finds the jumps, calls and loops.
 
 The cycles are counted as on the virtual board (``sim/emulator/Timing.hpp``), from tables 3-1 and
 7-1 of the Cortex-M4 manual. If the manual states a range, the greatest number is used. The flash
-memory is assumed to be slow and to have no cache.
-"""
+memory is assumed to be slow and to have no cache."""
 
 from __future__ import annotations
 
 import re
-import subprocess
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
+
+from traceability.reading.graphs import reached_from
+from traceability.reading.programs import disassembly, source_lines
 
 FLASH_END = 0x100000
 REFILL, ACCESS, DIVIDE, SPECIAL, FP_DIVIDE, FP_ACCUMULATE, PHRASE = 3, 1, 11, 1, 13, 2, 5
@@ -88,11 +89,9 @@ class Code:
 
 def read_code(elf: Path) -> dict[str, Code]:
     """Returns the machine code of each function by its symbol."""
-    words = ["arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf)]
-    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     functions: dict[str, list[Instruction]] = {}
     current: list[Instruction] = []
-    for line in listed.splitlines():
+    for line in disassembly(elf).splitlines():
         if start := FUNCTION.match(line):
             current = functions.setdefault(start[2], [])
         elif (match := LINE.match(line)) and not match[2].startswith("."):
@@ -100,10 +99,7 @@ def read_code(elf: Path) -> dict[str, Code]:
     codes = {}
     for symbol, instructions in functions.items():
         if instructions:
-            hidden = any(
-                TABLE.match(f"{instruction.name} {instruction.operands}")
-                for instruction in instructions
-            )
+            hidden = any(TABLE.match(f"{one.name} {one.operands}") for one in instructions)
             code = codes[symbol] = Code(symbol, _blocks(instructions), hidden)
             code.loops = _loops(code)
     return codes
@@ -113,17 +109,10 @@ def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int
     """Returns the source lines of each instruction. The first line is the line from which the
     instruction was compiled. If this line is in an inlined function, the next lines are the source
     lines of the inlined calls, from the innermost to the outermost call."""
-    words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
-    request = "\n".join(f"{address:#x}" for address in addresses)
-    said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout
-    by_address: dict[int, list[tuple[str, int]]] = {}
-    current: list[tuple[str, int]] = []
-    for text in said.splitlines():
-        if text.startswith("0x"):
-            current = by_address.setdefault(int(text, 16), [])
-        elif place := PLACE.search(text):
-            current.append((place[1], int(place[2])))
-    return by_address
+    return {
+        address: [(place[1], int(place[2])) for place in map(PLACE.search, lines) if place]
+        for address, lines in source_lines(elf, addresses).items()
+    }
 
 
 def _instruction(address: int, name: str, operands: str) -> Instruction:
@@ -142,9 +131,7 @@ def _instruction(address: int, name: str, operands: str) -> Instruction:
     elif plain.startswith("bx"):
         made.ends, made.cycles = True, made.cycles + REFILL
         made.indirect = "lr" not in operands
-    elif (plain.startswith(("pop", "ldm", "ldr", "mov")) and into_pc) and not plain.startswith(
-        "str"
-    ):
+    elif plain.startswith(("pop", "ldm", "ldr", "mov")) and into_pc:
         made.ends, made.cycles = True, made.cycles + REFILL
     return made
 
@@ -152,12 +139,9 @@ def _instruction(address: int, name: str, operands: str) -> Instruction:
 def _cycles(address: int, name: str, operands: str) -> int:
     cycles = 1
     if MANY.match(name):
-        cycles += _registers(operands)
+        cycles += register_words(operands.partition("{")[2].partition("}")[0])
     elif MEMORY.match(name):
-        double = (
-            name.startswith(("ldrd", "strd")) or re.match(r"v\w+(?:\.64)?\t?d?", name) is not None
-        )
-        cycles += ACCESS * (2 if double else 1)
+        cycles += ACCESS * (2 if name.startswith(("ldrd", "strd", "v")) else 1)
     elif name.startswith(("sdiv", "udiv")):
         cycles += DIVIDE
     elif name.startswith(("mrs", "msr", "cps")):
@@ -175,10 +159,10 @@ def _cycles(address: int, name: str, operands: str) -> int:
     return cycles
 
 
-def _registers(operands: str) -> int:
-    """Returns the number of words that the registers in a list contain."""
+def register_words(names: str) -> int:
+    """Returns the number of words of 4 bytes in a list of registers, such as ``r4-r7, lr``."""
     count = 0
-    for part in operands.partition("{")[2].partition("}")[0].split(","):
+    for part in names.split(","):
         first, _, last = part.strip().partition("-")
         number = int(last[1:]) - int(first[1:]) + 1 if last else 1
         count += number * (2 if first.startswith("d") else 1)
@@ -204,11 +188,9 @@ def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
         block.instructions.append(present)
         if present.jumps in addresses:
             block.jump, present.call = present.jumps, ""
-        elif (
-            present.jumps is not None
+        elif present.jumps is not None:
             # A jump to another function (a tail call). That function returns to the caller of this
             # function.
-        ):
             present.cycles += REFILL
     return blocks
 
@@ -217,23 +199,20 @@ def _loops(code: Code) -> list[Loop]:
     """Returns all loops of a function. A natural loop has a jump back to its head, and each path to
     this jump passes through the head."""
     entry = next(iter(code.blocks))
-    before: dict[int, list[int]] = {start: [] for start in code.blocks}
-    for block in code.blocks.values():
-        for after in block.exits():
-            before[after].append(block.start)
-    dominators = _dominators(code, entry, before)
+    ways = {block.start: block.exits() for block in code.blocks.values()}
+    before: dict[int, list[int]] = {start: [] for start in ways}
+    for start, exits in ways.items():
+        for after in exits:
+            before[after].append(start)
+    reached = {entry, *_after(ways, entry)}
     loops: dict[int, Loop] = {}
-    for block in code.blocks.values():
-        for head in block.exits():
-            if head in dominators[block.start]:
+    for start, exits in ways.items():
+        for head in exits:
+            around = {entry, *_after(ways, entry, head)} if head != entry else set()
+            if start == head or start in reached - around:
                 loop = loops.setdefault(head, Loop(head, {head}, set()))
-                loop.back.add(block.start)
-                waiting = [block.start]
-                while waiting:
-                    current = waiting.pop()
-                    if current not in loop.blocks:
-                        loop.blocks.add(current)
-                        waiting += before[current]
+                loop.back.add(start)
+                loop.blocks |= {start, *_after(before, start, head)} if start != head else set()
     return [*loops.values(), *_entered_twice(code, list(loops.values()))]
 
 
@@ -276,39 +255,12 @@ def _within(ways: Mapping[int, Iterable[int]], blocks: set[int]) -> dict[int, li
     return {start: [way for way in ways[start] if way in blocks] for start in blocks}
 
 
-def _after(ways: Mapping[int, Iterable[int]], start: int) -> set[int]:
-    reached: set[int] = set()
-    waiting = [start]
-    while waiting:
-        for after in ways[waiting.pop()]:
-            if after not in reached:
-                reached.add(after)
-                waiting.append(after)
-    return reached
+def _after(
+    ways: Mapping[int, Iterable[int]], start: int, without: int | None = None
+) -> Collection[int]:
+    """Returns the blocks that can follow a block, on paths that do not pass ``without``."""
 
+    def next_of(block: int) -> list[int]:
+        return [after for after in ways[block] if after != without]
 
-def _dominators(code: Code, entry: int, before: dict[int, list[int]]) -> dict[int, set[int]]:
-    reached = _reached(code, entry)
-    all_of = set(reached)
-    dominators = {start: ({start} if start == entry else set(all_of)) for start in reached}
-    changed = True
-    while changed:
-        changed = False
-        for start in reached:
-            if start == entry:
-                continue
-            ways = [dominators[block] for block in before[start] if block in dominators]
-            now = {start} | (set.intersection(*ways) if ways else set())
-            if now != dominators[start]:
-                dominators[start], changed = now, True
-    return {start: dominators.get(start, {start}) for start in code.blocks}
-
-
-def _reached(code: Code, entry: int) -> list[int]:
-    seen, waiting = {entry: None}, [entry]
-    while waiting:
-        for after in code.blocks[waiting.pop()].exits():
-            if after not in seen:
-                seen[after] = None
-                waiting.append(after)
-    return list(seen)
+    return reached_from(next_of(start), next_of)

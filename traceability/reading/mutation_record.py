@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from traceability.reading.published import last_score
-from traceability.reading.results import RESULTS, day_of, read_json
+from traceability.reading.results import RESULTS, day_of, read_object
 from traceability.schema import LastRecord, Mutant, Mutation, Place
 
 RECORD = RESULTS / "mutation.json"
@@ -14,17 +14,16 @@ RECORD = RESULTS / "mutation.json"
 
 def last_mutation(root: Path, sources: str) -> LastRecord | None:
     """Returns the result of the last mutation test, even if the sources have changed since."""
-    data = read_json(root / RECORD)
-    if not isinstance(data, dict):
+    data = read_object(root / RECORD)
+    if not data:
         return last_score(root, "mutation")
     last = _mutation(data)
-    current = data.get("sources") == sources
     return LastRecord(
         command="mutate",
         commit=data.get("commit", ""),
         found=last.found,
         tried=len(last.tried),
-        current=current,
+        current=data.get("sources") == sources,
         date=day_of(root / RECORD),
         justified=last.justified,
         total=last.total,
@@ -34,23 +33,10 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
 def read_mutation(root: Path, sources: str) -> Mutation | None:
     """Returns the faults that the mutation test tried in exactly the present sources. Returns None
     if there is no such run."""
-    data = read_json(root / RECORD)
-    if not isinstance(data, dict) or data.get("sources") != sources:
-        return None
-    return _mutation(data)
+    data = read_object(root / RECORD)
+    return _mutation(data) if data.get("sources") == sources else None
 
 
 def _mutation(data: dict[str, Any]) -> Mutation:
-    tried = [
-        Mutant(
-            Place(item["file"], item["line"]),
-            item["method"],
-            item["kind"],
-            item["change"],
-            item["killed_by"],
-            item["own"],
-            item.get("why", ""),
-        )
-        for item in data["tried"]
-    ]
+    tried = [Mutant(Place(item.pop("file"), item.pop("line")), **item) for item in data["tried"]]
     return Mutation(data["seed"], data["minutes"], data["total"], tried)

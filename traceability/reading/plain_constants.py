@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from traceability.reading.constants import unit_in
@@ -44,11 +44,20 @@ def plain_constants(root: Path) -> dict[str, Constant]:
     """Returns the constants by their names: ``folder::File::name`` for a constant in a folder of
     the simulator, ``file.NAME`` for a constant of a Python program. A range has two names, with
     ``.low`` and ``.high`` at the end. A name is left out if it has more than one value."""
-    values: dict[str, list[Constant]] = {}
+    return unambiguous(_constants(root))
+
+
+def _constants(root: Path) -> Iterator[tuple[str, Constant]]:
     for path in files_below(root, (SIMULATOR, *PROGRAMS), (".hpp", ".cpp", ".py")):
         read = _of_python if path.suffix == ".py" else constants_of_cpp
-        for name, constant in read(path, str(path.relative_to(root))):
-            values.setdefault(name, []).append(constant)
+        yield from read(path, str(path.relative_to(root)))
+
+
+def unambiguous(constants: Iterable[tuple[str, Constant]]) -> dict[str, Constant]:
+    """Returns the constants by their names. A name is left out if it has more than one value."""
+    values: dict[str, list[Constant]] = {}
+    for name, constant in constants:
+        values.setdefault(name, []).append(constant)
     return {
         name: found[0]
         for name, found in values.items()
@@ -57,7 +66,6 @@ def plain_constants(root: Path) -> dict[str, Constant]:
 
 
 def constants_of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
-    """Yields the constants of a file with their names."""
     text = path.read_text(encoding="utf-8")
     folder = f"{path.parent.name}::{path.stem}::"
 

@@ -7,11 +7,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from traceability.reading.change_kits import PATCH, Kit, count_lines
+from traceability.reading.change_kits import PATCH, touched_lines
 from traceability.reading.results import RESULTS, read_fresh, results_in
 from traceability.reading.task_record import PORTS
 from traceability.reading.toml_reader import Entries
 from traceability.schema import Place, Port
+from traceability.sources import text_of
 
 FOLDER = Path("ports")
 RESULT = RESULTS / "ports.json"  # folder of a port -> its test suites, and the sizes of its image
@@ -33,9 +34,7 @@ def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
 
 # The headers next to the folders of the ports belong to each port, because all ports use them.
 def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[str, Any]) -> Port:
-    changed = Kit(folder.name, item["title"], Place("", 0))
-    if (folder / PATCH).exists():
-        count_lines(changed, (folder / PATCH).read_text("utf-8"))
+    touched = touched_lines(text_of(folder / PATCH))
     suites = results.get(folder.name, {})
     return Port(
         title=item["title"],
@@ -48,11 +47,13 @@ def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[st
             for path in sorted([*folder.parent.glob("*.hpp"), *folder.rglob("*")])
             if path.suffix in (".hpp", ".cpp", ".ld") and "tests" not in path.parts
         },
-        composition_lines=changed.composition_lines,
-        outside_lines=changed.outside_lines,
-        tests={name: result.result for name, result in results_in(suites).items()}
-        if suites
-        else None,
+        composition_lines=touched.composition,
+        outside_lines=touched.outside,
+        tests=_results(suites) if suites else None,
         size=suites.get("image", {}),
         size_on_k64=results.get("k64", {}),
     )
+
+
+def _results(suites: dict[str, Any]) -> dict[str, str]:
+    return {name: each.result for name, each in results_in(suites).items() if each.result}

@@ -4,13 +4,13 @@ builds this firmware image from a composition."""
 from __future__ import annotations
 
 import re
-import subprocess
 import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.reading.image_record import read_image
+from traceability.reading.programs import output_of
 from traceability.reading.results import read_record
 from traceability.schema import ProductImage
 from traceability.sources import DESIGN, SRC, files_below
@@ -105,8 +105,7 @@ def module_names(root: Path) -> set[str]:
 def modules_in(elf: Path, modules: Iterable[str]) -> list[str]:
     """Returns those modules of the list that are in a firmware image. A module is in the image if
     the image has a symbol of its code or of its constants."""
-    words = ["arm-none-eabi-nm", "--demangle", str(elf)]
-    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    listed = output_of("arm-none-eabi-nm", "--demangle", elf)
     return sorted(modules_of(listed).intersection(modules))
 
 

@@ -37,8 +37,7 @@ class ProofEvent:
 
 
 def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
-    properties = entries.records(root / PROPERTIES, "property", ProofProperty, "name")
-    return {each.name: each for each in properties}
+    return entries.named(root / PROPERTIES, "property", ProofProperty, "name")
 
 
 def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:

@@ -6,8 +6,9 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from traceability.reading.results import RESULTS, read_json
+from traceability.reading.results import RESULTS, read_object
 from traceability.sources import DESIGN, files_below, hash_of
+from traceability.whole_file import write_whole
 
 RECORD = RESULTS / "prose.json"
 FOLDERS = (
@@ -22,16 +23,13 @@ def texts_hash(root: Path) -> str:
 
 
 def write_prose(root: Path, findings: int) -> None:
-    """Writes the number of findings and the hash of the texts."""
     content = {"findings": findings, "texts": texts_hash(root)}
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
-    (root / RECORD).write_text(json.dumps(content), encoding="utf-8")
+    write_whole(root / RECORD, json.dumps(content))
 
 
 def read_prose(root: Path) -> int | None:
     """Returns the number of findings in the present texts. Returns None if the texts changed since
     the linter read them."""
-    record = read_json(root / RECORD)
-    if not isinstance(record, dict) or record.get("texts") != texts_hash(root):
-        return None
-    return int(record["findings"])
+    record = read_object(root / RECORD)
+    fresh = record and record.get("texts") == texts_hash(root)
+    return int(record["findings"]) if fresh else None

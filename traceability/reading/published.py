@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from traceability.reading.results import read_json
+from traceability.reading.results import read_object
 from traceability.schema import LastRecord
 from traceability.whole_file import write_whole
 
@@ -38,8 +38,8 @@ def publish(root: Path, name: str, command: str, commit: str, result: Mapping[st
 def read_published(root: Path, name: str) -> Published | None:
     """Returns the last published result of a command. Returns None if there is no published
     result."""
-    data = read_json(root / RECORDS / f"{name}.json")
-    return Published(**data) if isinstance(data, dict) else None
+    data = read_object(root / RECORDS / f"{name}.json")
+    return Published(**data) if data else None
 
 
 def last_score(root: Path, name: str) -> LastRecord | None:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import re
 import time
-from dataclasses import dataclass, field
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
 import cattrs
 
 from traceability.reading import task_record
-from traceability.schema import HOST, VIRTUAL_K64, DriverFault
+from traceability.schema import HOST, VIRTUAL_K64, BindingResult, DriverFault
 from traceability.sources import file_hash, source_hash
 
 T = TypeVar("T")
@@ -39,23 +39,8 @@ BOTH = "tests/system/"
 COMPARED = "tests/usual_design/"
 
 
-@dataclass
-class Result:
-    result: str  # "passed", "failed", "skipped"
-    milliseconds: float
-    message: str
-    # names of the files with the recorded calls
-    recordings: list[str] = field(default_factory=list)
-    measured: str = ""  # text of the property "measured" that the test reports
-    # for a parameterised test: name of the instance -> result of the instance
-    instances: dict[str, str] = field(default_factory=dict)
-    # products whose firmware images the test executed
-    images: list[str] = field(default_factory=list)
-
-
 def read_times(root: Path) -> dict[str, float]:
-    times = read_json(root / TIMES)
-    return times if isinstance(times, dict) else {}
+    return read_object(root / TIMES)
 
 
 def read_json(path: Path) -> Any:
@@ -66,11 +51,18 @@ def read_json(path: Path) -> Any:
         return None
 
 
+def read_object(path: Path) -> dict[str, Any]:
+    """Returns the object in a JSON file. Returns an empty object if the file is missing or
+    incomplete, or contains another value."""
+    content = read_json(path)
+    return content if isinstance(content, dict) else {}
+
+
 def read_fresh(root: Path, path: Path, task: str) -> dict[str, Any] | None:
     """Returns the content of the JSON file that a task writes. Returns None if the file is missing
     or incomplete, or if the inputs of the task have changed since."""
-    content = read_json(root / path)
-    return content if isinstance(content, dict) and task_record.is_fresh(root, task) else None
+    content = read_object(root / path)
+    return content if content and task_record.is_fresh(root, task) else None
 
 
 def day_of(record: Path) -> str:
@@ -81,7 +73,7 @@ def day_of(record: Path) -> str:
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
     """Returns the numbers that the tests of a target reported in a property. Only tests that ran
     the named firmware image count."""
-    content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
+    content = read_object(root / RESULTS / f"{RUNS[binding]}.json")
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
     return [int(test[name]) for test in tests if name in test and test.get("image") == image]
 
@@ -89,9 +81,9 @@ def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[in
 def read_record(path: Path, kind: type[T]) -> T | None:
     """Returns the content of a JSON file as an object of a type. Returns None if the file is
     missing or incomplete, or does not fit the type."""
-    content = read_json(path)
+    content = read_object(path)
     try:
-        return RECORDS.structure(content, kind) if isinstance(content, dict) else None
+        return RECORDS.structure(content, kind) if content else None
     except cattrs.BaseValidationError:
         return None
 
@@ -116,8 +108,8 @@ def cost_of(root: Path, run_name: str) -> Path:
 def read_recording_factor(root: Path, sources: str) -> float | None:
     """Returns how many times longer the tests took with recordings than without. Returns None if
     one of the two runs used other sources than ``sources``."""
-    costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
-    if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
+    costs = [read_object(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
+    if any(cost.get("sources") != sources for cost in costs):
         return None
     recorded, plain = (float(cost["seconds"]) for cost in costs)
     return round(recorded / plain, 2)
@@ -137,8 +129,8 @@ def read_totals(root: Path) -> dict[str, float] | None:
 
 def count_totals(root: Path) -> dict[str, float] | None:
     """Returns the totals of gcovr. Returns None if gcovr found no source line of the design."""
-    record = read_json(root / COVERAGE)
-    if not isinstance(record, dict) or not record["line_total"]:
+    record = read_object(root / COVERAGE)
+    if not record or not record["line_total"]:
         return None
     return {name: record[name] for name in ("line_percent", "branch_percent")}
 
@@ -151,42 +143,37 @@ def read_results_hash(root: Path, binding: str) -> str | None:
     return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"
 
 
-def read_results(root: Path, binding: str) -> dict[str, Result]:
+def read_results(root: Path, binding: str) -> dict[str, BindingResult]:
     """Returns the test results of a target by ``Suite.Name``. All instances of a parameterised test
     have one common result."""
-    return results_in(read_json(root / RESULTS / f"{RUNS[binding]}.json") or {})
+    return results_in(read_object(root / RESULTS / f"{RUNS[binding]}.json"))
 
 
-def results_in(data: dict[str, Any]) -> dict[str, Result]:
+def results_in(data: dict[str, Any]) -> dict[str, BindingResult]:
     """Returns the test results from the content of a GoogleTest result file."""
-    results: dict[str, Result] = {}
+    results: dict[str, BindingResult] = {}
     for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
             name = plain_name(suite["name"], test["name"])
-            result = _result(test)
             own = f"{suite['name']}.{test['name']}".replace("/", "_")
-            result.recordings.append(own)
-            if "/" in test["name"] or TYPE.search(suite["name"]):
-                result.instances[own] = result.result
+            is_instance = "/" in test["name"] or TYPE.search(suite["name"]) is not None
+            result = _result(test, own, is_instance)
             results[name] = _together(results[name], result) if name in results else result
     return results
 
 
-def _together(earlier: Result, result: Result) -> Result:
+def _together(earlier: BindingResult, result: BindingResult) -> BindingResult:
     """Combines two results of one test: results of two instances, or of runs with two firmware
     images. The combined result is "failed" if one of the two results is "failed"."""
     worst = earlier if earlier.result == "failed" else result
-    failed = {
-        name: instance for name, instance in earlier.instances.items() if instance == "failed"
-    }
-    return Result(
-        worst.result,
-        earlier.milliseconds + result.milliseconds,
-        worst.message,
-        list(dict.fromkeys(earlier.recordings + result.recordings)),
-        result.measured,
-        earlier.instances | result.instances | failed,
-        sorted({*earlier.images, *result.images}),
+    failed = {name: "failed" for name, each in earlier.instances.items() if each == "failed"}
+    return replace(
+        worst,
+        milliseconds=round((earlier.milliseconds or 0.0) + (result.milliseconds or 0.0), 3),
+        recordings=list(dict.fromkeys([*earlier.recordings, *result.recordings])),
+        measured=result.measured,
+        instances={**earlier.instances, **result.instances, **failed},
+        images=sorted({*earlier.images, *result.images}),
     )
 
 
@@ -197,34 +184,34 @@ def plain_name(suite: str, name: str) -> str:
     return f"{whole.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
 
 
-def _result(test: dict[str, Any]) -> Result:
-    milliseconds = 1000 * float(re.sub("s$", "", str(test.get("time", "0"))))
-    images = [str(test["image"])] if "image" in test else []
+def _result(test: dict[str, Any], name: str, is_instance: bool) -> BindingResult:
     failures = [str(item.get("failure", "")) for item in test.get("failures", [])]
-    if failures:
-        return Result("failed", milliseconds, failures[0], images=images)
-    if test.get("status") != "RUN" or test.get("result") == "SKIPPED":
-        return Result("skipped", milliseconds, "")
-    measured = str(test.get("measured", ""))
-    return Result("passed", milliseconds, "", measured=measured, images=images)
+    ran = test.get("status") == "RUN" and test.get("result") != "SKIPPED"
+    result = "failed" if failures else "passed" if ran else "skipped"
+    return BindingResult(
+        result,
+        round(1000 * float(str(test.get("time", "0")).removesuffix("s")), 3),
+        failures[0] if failures else "",
+        recordings=[name],
+        measured=str(test.get("measured", "")) if result == "passed" else "",
+        instances={name: result} if is_instance else {},
+        images=[str(test["image"])] if "image" in test and result != "skipped" else [],
+    )
 
 
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
     """Returns the results of the faults that a test inserted in the drivers. Returns None if the
     test used other sources than ``sources``."""
-    data = read_json(root / RESULTS / "driver_faults.json")
-    if not isinstance(data, dict) or data.get("sources") != sources:
+    data = read_object(root / RESULTS / "driver_faults.json")
+    if data.get("sources") != sources:
         return None
     return [DriverFault(**item) for item in data["faults"]]
 
 
 def read_sizes(root: Path) -> dict[str, tuple[int, int]]:
     """Returns the size of each module in the firmware image: flash and RAM [byte]."""
-    data = read_json(root / RESULTS / "size_k64.json")
-    if not isinstance(data, dict):
-        return {}
     return {
         name: (int(size["flash"]), int(size["ram"]))
-        for name, size in data.items()
+        for name, size in read_object(root / RESULTS / "size_k64.json").items()
         if isinstance(size, dict) and "flash" in size
     }

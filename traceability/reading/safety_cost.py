@@ -1,8 +1,7 @@
 """Counts the files and lines that were added or edited for the safety functions since a base
 commit.
 
-In edited files, only lines of code count. New files outside ``extensions/safety`` do not count.
-"""
+In edited files, only lines of code count. New files outside ``extensions/safety`` do not count."""
 
 from __future__ import annotations
 

@@ -8,10 +8,11 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from traceability.reading.published import last_score
-from traceability.reading.results import RESULTS, day_of, read_fresh, read_json
+from traceability.reading.results import RESULTS, day_of, read_fresh, read_object
 from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
 from traceability.schema import LastRecord
 from traceability.sources import DESIGN
+from traceability.whole_file import write_whole
 
 RECORD = RESULTS / "drift.json"
 SOURCES = (
@@ -44,15 +45,13 @@ def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str
         "left_out": left_out,
         "outcomes": [asdict(outcome) for outcome in outcomes],
     }
-    path = root / RECORD
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(record, indent=1), encoding="utf-8")
+    write_whole(root / RECORD, json.dumps(record, indent=1))
 
 
 def last_seeded(root: Path) -> LastRecord | None:
     """Returns the result of the last run, even if files have changed since."""
-    record = read_json(root / RECORD)
-    if not isinstance(record, dict):
+    record = read_object(root / RECORD)
+    if not record:
         return last_score(root, "drift")
     caught = sum(outcome["caught"] for outcome in record["outcomes"])
     tried, current = len(record["outcomes"]), is_fresh(root, SEEDED_FAULTS)

@@ -7,6 +7,7 @@ import re
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 FAULTS = Path("tests/drift")
 # The stages at which a fault can be seeded: in the sources, in sources that have test results, in
@@ -21,8 +22,8 @@ class Edit:
     file."""
 
     file: str
-    find: str
-    put: str
+    find: str = ""
+    put: str = ""
 
     def apply(self, root: Path) -> int:
         """Changes the file. Returns the number of the first changed line."""
@@ -47,8 +48,7 @@ class Fault:
     matches.
 
     Without ``at``, the finding must be on the line where the first edit begins. A finding about a
-    folder has no line.
-    """
+    folder has no line."""
 
     name: str
     check: str
@@ -80,20 +80,7 @@ def read_faults(root: Path) -> list[Fault]:
     return faults
 
 
-def _fault(name: str, item: dict[str, object]) -> Fault:
-    changes = item.get("edits", [item])
-    assert isinstance(changes, list)
-    edits = [
-        Edit(str(change["file"]), str(change.get("find", "")), str(change.get("put", "")))
-        for change in changes
-    ]
-    return Fault(
-        name=name,
-        check=str(item["check"]),
-        says=str(item["says"]),
-        edits=edits,
-        place=str(item.get("place", edits[0].file)),
-        at=str(item.get("at", "")),
-        stage=str(item.get("stage", "sources")),
-        compiles=bool(item.get("compiles", True)),
-    )
+def _fault(name: str, item: dict[str, Any]) -> Fault:
+    first = {key: item.pop(key) for key in ("file", "find", "put") if key in item}
+    edits = [Edit(**change) for change in item.pop("edits", [first])]
+    return Fault(name, edits=edits, **{"place": edits[0].file, **item})

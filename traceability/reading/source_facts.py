@@ -19,6 +19,7 @@ from traceability.reading.ast_facts import (
 )
 from traceability.reading.comments import NO_COMMENT, Comment, Comments
 from traceability.reading.declared import Declared
+from traceability.reading.graphs import reached_from
 from traceability.reading.products import is_of_default
 from traceability.schema import Place
 from traceability.sources import DESIGN, SRC
@@ -84,11 +85,9 @@ class Facts:
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
     def comment(self, fact: ClassFact | MethodFact | FieldFact) -> Comment:
-        """Returns the comment of a declaration."""
         return self.comments.at(fact.place.file, fact.comment)
 
     def comment_of(self, name: str) -> Comment:
-        """Returns the comment of a class."""
         fact = self.classes.get(name)
         return self.comment(fact) if fact else NO_COMMENT
 
@@ -159,14 +158,11 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
     overriders: dict[str, list[str]] = {}
     methods = {method.id: method for fact in syntax.classes for method in fact.methods}
     for fact in syntax.classes:
-        above, visited = list(fact.bases), set()
-        while above:
-            base = above.pop()
-            if base in visited:
-                continue
-            visited.add(base)
+        bases = reached_from(
+            fact.bases, lambda base: classes[base].bases if base in classes else ()
+        )
+        for base in bases:
             subclasses.setdefault(base, []).append(fact.name)
-            above += classes[base].bases if base in classes else []
     for method in methods.values():
         upper = method.overrides
         while upper is not None:
@@ -230,8 +226,7 @@ class References:
 
     An object is a member or a variable whose type is a class of the project. The references to an
     object are followed through constructors, parameters, members and results, in all files for
-    which ``contains`` returns true.
-    """
+    which ``contains`` returns true."""
 
     def __init__(self, facts: Facts, contains: Callable[[str], bool]) -> None:
         self.facts = facts
@@ -371,8 +366,7 @@ class References:
     def own_targets(self, call: CallFact, kind: str) -> list[str]:
         """Returns the methods that a call may execute, if the calling method is a method of an
         object of exactly the class ``kind``. A member that a base class declares then refers only
-        to objects that the constructors of ``kind`` pass to the base class.
-        """
+        to objects that the constructors of ``kind`` pass to the base class."""
         owner = call.target.rpartition("::")[0]
         if not call.virtual:
             return [call.target]
@@ -432,8 +426,7 @@ class References:
 
         ``within`` maps a virtual method to an overriding method. A call of such a virtual method
         counts as a call of only this overriding method. Calls inside the methods in ``ends`` are
-        not followed.
-        """
+        not followed."""
         callers = dict.fromkeys(start, "")
         work = list(callers)
         while work:

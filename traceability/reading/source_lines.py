@@ -26,11 +26,6 @@ def place_of(root: Path, line: str) -> Place | None:
     is the file and the text, such as ``sim/plant/DriveTrain.hpp: kRadius``. Returns None if there
     is no such line."""
     file, _, text = line.partition(": ")
-    path = root / file
     word = re.compile(rf"(?<!\w){re.escape(text)}(?!\w)")
-    if not text or not path.is_file():
-        return None
-    for number, content in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-        if word.search(content):
-            return Place(file, number)
-    return None
+    lines = lines_below(root, [file], ()) if text and (root / file).is_file() else ()
+    return next((place for place, content in lines if word.search(content)), None)

@@ -6,6 +6,7 @@ import re
 from functools import cache
 from pathlib import Path
 
+from traceability.reading.graphs import reached_from
 from traceability.reading.gtest_cases import read_tests
 from traceability.sources import files_below
 
@@ -42,17 +43,11 @@ class SupportFiles:
     def _helpers(self, file: str) -> frozenset[str]:
         """Returns the headers in tests/ that a file includes, directly or indirectly, and the
         source files of these headers."""
-        reached: set[str] = set()
-        pending = [file]
-        while pending:
-            name = pending.pop()
-            if name in reached:
-                continue
-            reached.add(name)
-            pending += self.included(name)
-            if name.endswith(".hpp"):
-                pending += self._behind(name)
-        return frozenset(reached - {file})
+
+        def next_of(name: str) -> list[str]:
+            return [*self.included(name), *(self._behind(name) if name.endswith(".hpp") else [])]
+
+        return frozenset({*reached_from([file], next_of)} - {file})
 
     def _included(self, file: str) -> set[str]:
         named = INCLUDE.findall(self.text(file))

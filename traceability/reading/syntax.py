@@ -172,8 +172,7 @@ def includes_of(root: Path, file: str) -> list[IncludeFact]:
     """Returns the project files that a file includes. The source text is searched for the includes.
 
     The list of the compiler is not used, because it is not complete: if a translation unit has
-    already included a header, the list contains no further include of this header.
-    """
+    already included a header, the list contains no further include of this header."""
     includes: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, 1):

@@ -1,7 +1,6 @@
 """Reads the entries of the TOML files in ``design/``. Each entry has its place.
 
-If an entry cannot be read, the reader skips this entry and reports a problem.
-"""
+If an entry cannot be read, the reader skips this entry and reports a problem."""
 
 from __future__ import annotations
 
@@ -111,8 +110,7 @@ class Entries:
 
         An entry must contain a key for each field without a default value. A key for a field in
         ``may`` is optional. ``keys`` lists the fields whose key has another name. The field
-        ``place`` receives the place of the entry.
-        """
+        ``place`` receives the place of the entry."""
         types = {key: _type_of(hint) for key, hint in get_type_hints(record).items()}
         members = fields(record)
         key_of = {each.name: (keys or {}).get(each.name, each.name) for each in members}
@@ -129,6 +127,13 @@ class Entries:
             values = {each: item[key] for each, key in key_of.items() if key in item}
             records.append(record(**{**absent, **fixed, **values, "place": place}))
         return records
+
+    def named(
+        self, path: Path, name: str, record: type[T], own: str, **options: Any
+    ) -> dict[str, T]:
+        """Returns the entries like ``records``, by the value of their key ``own``."""
+        entries = self.records(path, name, record, own, **options)
+        return {getattr(entry, own): entry for entry in entries}
 
     def _places(self, path: Path, name: str, count: int) -> list[Place]:
         header = re.compile(rf"\s*\[\[\s*{re.escape(name)}\s*\]\]")

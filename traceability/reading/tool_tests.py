@@ -25,15 +25,13 @@ def python_task(folder: str) -> str:
 
 
 def results_of(folder: str) -> Path:
-    """Returns the path of the result file of the tests of a folder."""
     return RESULTS / f"pytest_{folder}.xml"
 
 
 def junit_counts(results: Path) -> Counts:
-    """Returns the counts in a result file of pytest."""
     passed = failed = skipped = 0
     for case in ET.parse(results).iter("testcase"):
-        if case.find("failure") is not None or case.find("error") is not None:
+        if _failed(case):
             failed += 1
         elif case.find("skipped") is not None:
             skipped += 1
@@ -44,11 +42,11 @@ def junit_counts(results: Path) -> Counts:
 
 def failed_tests(results: Path) -> list[str]:
     """Returns the names of the failed tests, in the form that pytest and ./wr debug use."""
-    return [
-        name_of(case)
-        for case in ET.parse(results).iter("testcase")
-        if case.find("failure") is not None or case.find("error") is not None
-    ]
+    return [name_of(case) for case in ET.parse(results).iter("testcase") if _failed(case)]
+
+
+def _failed(case: ET.Element) -> bool:
+    return case.find("failure") is not None or case.find("error") is not None
 
 
 def name_of(case: ET.Element) -> str:
@@ -85,8 +83,7 @@ def _long(file: Path) -> Iterator[bool]:
 
 def read_tool_tests(root: Path) -> dict[str, Counts | None]:
     """Returns the counts for each folder of tests. They are None if the tests did not run on the
-    present files. The result leaves out the folders ``AFTER_PAGES`` and ``LONG``.
-    """
+    present files. The result leaves out the folders ``AFTER_PAGES`` and ``LONG``."""
     folders = sorted({path.parent.name for path in (root / TESTS_OF_TOOLS).glob("*/test_*.py")})
     return {
         folder: junit_counts(path)

@@ -7,13 +7,13 @@ import functools
 import hashlib
 import os
 import re
-import subprocess
 from array import array
 from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.reading.products import PAPER, recorded_image_of
+from traceability.reading.programs import output_of
 from traceability.reading.result_cache import cached_result, code_of
 from traceability.reading.results import RESULTS, RUNS
 from traceability.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
@@ -49,8 +49,7 @@ class Row:
     this call, or calls of interrupts.
 
     Each execution of an interrupt has a different ``activation``. The code outside interrupts has
-    the activation 0.
-    """
+    the activation 0."""
 
     depth: int
     method: str
@@ -87,8 +86,7 @@ class Traces:
 
         ``turning`` contains addresses of functions. If a repeated sequence of calls contains no
         call of these functions, it is yielded only once. It can be yielded again after the next
-        call of one of these functions.
-        """
+        call of one of these functions."""
         events = self.events(test)
         calls = {address: [(name, True)] for address, name in names.items()}
         calls |= {address | EXIT: [(name, False)] for address, name in names.items()}
@@ -169,9 +167,8 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
     for binding, source in SOURCES.items():
         traces = Traces(root / source.folder)
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
-        done = (
-            root / RESULTS / f"{RUNS[binding]}.json"
-        ).exists()  # If there are no results, the tests are still running.
+        # If there are no results, the tests are still running.
+        done = (root / RESULTS / f"{RUNS[binding]}.json").exists()
         if tests and done and (root / source.executable).exists():
             cached = cache / f"symbols-{source.names}.pickle"
             traces.state = _state(traces.folder, root / source.executable)
@@ -199,10 +196,9 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
 
 
 def _symbols(executable: Path, names: str) -> dict[int, str]:
-    run = subprocess.run([names, "-C", str(executable)], capture_output=True, text=True, check=True)
     symbols: dict[int, str] = {}
     even = 0 if names == "nm" else 1
-    for line in run.stdout.splitlines():
+    for line in output_of(names, "-C", executable).splitlines():
         match = re.match(r"([0-9a-f]+) [tTwWuV] (.*)", line)
         name = match and (
             method_of(match[2]) or function_of(match[2]) or free_function_of(match[2])
@@ -241,8 +237,7 @@ def function_of(symbol: str) -> str:
 
 def free_function_of(symbol: str) -> str:
     """Returns ``part`` for ``int wr::(anonymous namespace)::part<4>(int)``. The result is empty for
-    other symbols.
-    """
+    other symbols."""
     pattern = r"(?:[^()]* )?wr::(?:\(anonymous namespace\)::)?(\w+)(?:<.*>)?\("
     match = None if "{lambda" in symbol else re.match(pattern, symbol)
     return match[1] if match else ""
@@ -263,8 +258,7 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
 
     If an interrupt occurs during the call of the parent, the calls by this interrupt do not count
     as calls of the parent. After a post, the posted method may run later, and in another
-    activation.
-    """
+    activation."""
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}
     reached = tree
@@ -301,11 +295,11 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
     return Embedding(matched, None) if matched is not None else Embedding({}, reached)
 
 
-def nodes_of(tree: TreeNode) -> list[TreeNode]:
-    nodes = [tree]
-    for child in tree.children:
-        nodes += nodes_of(child)
-    return nodes
+def nodes_of(tree: TreeNode | None) -> list[TreeNode]:
+    """Returns the nodes of an invocation tree, beginning at the root."""
+    if tree is None:
+        return []
+    return [tree, *(node for child in tree.children for node in nodes_of(child))]
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:

@@ -2,8 +2,7 @@
 
 A header and the source file of the same name are one translation unit. A header without a source
 file is a separate unit. Files below ``src/k64`` and in the folder ``k64`` of an extension are
-parsed for the K64, with the standard library of the K64 compiler.
-"""
+parsed for the K64, with the standard library of the K64 compiler."""
 
 from __future__ import annotations
 
@@ -15,6 +14,7 @@ from pathlib import Path
 
 from clang import cindex
 
+from traceability.reading.programs import output_of
 from traceability.sources import DESIGN, files_below
 
 BOARD = re.compile(r"(src|extensions/\w+)/k64/")
@@ -46,10 +46,7 @@ def clang_arguments(board: bool) -> list[str]:
         target = ["--target=thumbv7em-none-eabihf", *BOARD_FLAGS, "-nostdinc", "-nostdinc++"]
         return [*common, *target, *folders]
     compiler = shutil.which("g++") or "g++"
-    answer = subprocess.run(
-        [compiler, "-print-file-name=include"], capture_output=True, text=True, check=True
-    )
-    return [*common, "-isystem", answer.stdout.strip()]
+    return [*common, "-isystem", output_of(compiler, "-print-file-name=include").strip()]
 
 
 def _board_folders() -> list[str]:

@@ -44,8 +44,8 @@ def made_kit(root: Path, text: str = 'event = "It changes."\nclasses = ["New"]\n
 def test_lines_of_the_composition_and_others_are_counted_apart(tmp_path: Path) -> None:
     kit = made_kit(tmp_path)
     assert kit is not None
-    assert (kit.composition_lines, kit.outside_lines, kit.added_lines) == (1, 2, 3)
-    assert kit.patched == ["src/construction/Builder.hpp", "src/sensing/Sensor.cpp"]
+    files = ["src/construction/Builder.hpp", "src/sensing/Sensor.cpp"]
+    assert kit.touched == TouchedLines(outside=2, composition=1, added=3, files=files)
 
 
 def test_files_classes_and_tests_are_those_of_the_folder(tmp_path: Path) -> None:
@@ -95,11 +95,15 @@ def test_new_lines_are_those_that_replace_no_line() -> None:
 
 
 def test_lines_of_both_designs_are_counted_apart() -> None:
-    assert touched_lines(PATCH) == TouchedLines(outside=2, composition=1)
+    def numbers(patch: str) -> tuple[int, int]:
+        touched = touched_lines(patch)
+        return touched.outside, touched.composition
+
+    assert numbers(PATCH) == (2, 1)
     composed = PATCH.replace("src/sensing/Sensor", "tests/usual_design/patterns/PatternDesign")
-    assert touched_lines(composed) == TouchedLines(outside=0, composition=3)
+    assert numbers(composed) == (0, 3)
     baseline = composed.replace("/patterns/PatternDesign", "/usual/UsualDesign")
-    assert touched_lines(baseline) == TouchedLines(outside=2, composition=1)
+    assert numbers(baseline) == (2, 1)
 
 
 def test_tests_on_one_target_prove_nothing() -> None:

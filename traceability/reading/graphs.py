@@ -1,0 +1,21 @@
+"""Searches in graphs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TypeVar
+
+Node = TypeVar("Node")
+
+
+def reached_from(starts: Iterable[Node], next_of: Callable[[Node], Iterable[Node]]) -> list[Node]:
+    """Returns the nodes ``starts`` and all nodes that follow them directly or indirectly. Each node
+    occurs once."""
+    reached = dict.fromkeys(starts)
+    waiting = list(reached)
+    while waiting:
+        for node in next_of(waiting.pop()):
+            if node not in reached:
+                reached[node] = None
+                waiting.append(node)
+    return list(reached)
