@@ -544,7 +544,7 @@ def test_the_index_of_the_trees_leads_to_each_tree(portal: Portal, pages: dict[s
     assert declared
     for requirement in declared:
         assert pages["trees"].links[f"#tree-{requirement.id}"] == requirement.id
-    assert "Reading1 tree" in pages["trees"].headings  # the heading of a section with one tree
+    assert "Reading 1 tree" in pages["trees"].headings  # the heading of a section with one tree
 
 
 def test_a_tree_has_the_modules_of_its_nodes_as_filter(portal: Portal) -> None:
