@@ -15,7 +15,7 @@ from traceability.model.metrics import METHODS
 from traceability.model.report import Report
 from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
 from traceability.reading.fault_record import FAULTS, FUZZ, LOADS
-from traceability.reading.lint_record import NOT_RUN
+from traceability.reading.lint_record import FAILED, NOT_RUN
 from traceability.reading.products import RECORDED
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, LastRecord, Requirement
@@ -154,13 +154,14 @@ def _static_analysis(model: Model) -> Iterator[tuple[str, str]]:
     if model.build.lint is None:
         yield "The static analysis (./wr lint) was not run in this build.", "build_evidence"
         return
-    missing = [step for step, result in model.build.lint.steps.items() if result == NOT_RUN]
-    if missing:
-        yield (
-            "These steps of the static analysis (./wr lint) were not run in this build: "
-            f"{', '.join(missing)}.",
-            "build_evidence",
-        )
+    for result, words in ((FAILED, "failed"), (NOT_RUN, "were not run")):
+        steps = [step for step, one in model.build.lint.steps.items() if one == result]
+        if steps:
+            yield (
+                f"These steps of the static analysis (./wr lint) {words} in this build: "
+                f"{', '.join(steps)}.",
+                "build_evidence",
+            )
 
 
 def _tool_tests(model: Model) -> Iterator[tuple[str, str]]:
