@@ -74,6 +74,7 @@ class CallGraph:
     def __init__(self, model: Model, links: Links) -> None:
         self.links = links
         self.callers: dict[str, list[End]] = {}
+        self.callees: dict[str, list[Method]] = {}  # caller -> the methods that it calls
         for module in model.modules.values():
             for method in module.methods:
                 self._add(method.id, method.calls, links.method(method.id))
@@ -94,6 +95,8 @@ class CallGraph:
         """Adds the callers that are not methods of a module: nested classes, and constants that
         are initialised by a call of the method.
         """
+        for caller in method.called_by:
+            self.callees.setdefault(caller, []).append(method)
         ends = self.callers.setdefault(method.id, [])
         known = {end.method for end in ends}
         ends += [
@@ -107,7 +110,35 @@ class CallGraph:
         for method in module.methods:
             row = rows.setdefault(method.name, Row(method.name, self.links.method(method.id)))
             self._fill(row, module, method)
-        return [row for row in rows.values() if row.callers or row.callees]
+        nested = [self._nested_row(name, module) for name in self._nested_methods(module)]
+        return [row for row in rows.values() if row.callers or row.callees] + nested
+
+    def _nested_methods(self, module: Module) -> list[str]:
+        """Returns the methods of nested classes that other modules call, without constructors."""
+        outside = f"{module.name}::"
+        return [
+            name
+            for name, callers in sorted(self.callers.items())
+            if name.startswith(outside)
+            and name.count("::") == outside.count("::") + 1
+            and without_constructor(name) == name
+            and any(not caller.method.startswith(outside) for caller in callers)
+        ]
+
+    def _nested_row(self, name: str, module: Module) -> Row:
+        outside = f"{module.name}::"
+        callees = self.callees.get(name, [])
+        called = {method.id for method in callees}
+        return Row(
+            name.removeprefix(outside),
+            None,
+            [end for end in self.callers[name] if not end.method.startswith(outside)],
+            [
+                End(method.id, method.kind == "pure", self.links.method(method.id))
+                for method in callees
+                if not method.id.startswith(outside) and method.overrides not in called
+            ],
+        )
 
     def _fill(self, row: Row, module: Module, method: Method) -> None:
         outside = f"{module.name}::"

@@ -19,7 +19,7 @@ OTHER_SENSES = {"function", "target", "verdict"}
 OTHER_WORDS = (
     *("stop bit", "stop at a breakpoint", "stop the processor", "stop the monitor", "end stop"),
     *("hold a key", "only <em>hold</em>"),
-    *("product of voltage", "order in which", "reason in the order"),
+    *("product of voltage", "order in which", "reason in the order", "in this order"),
 )
 # HTML elements in which no term is linked, such as links, headings, code, pictures and controls.
 APART = (

@@ -36,7 +36,7 @@ def module_page(portal: Portal, module: Module) -> Page:
         inherited=inherited_methods(portal, module),
         first_tests=first_tests,
         other_tests=[test for test in portal.tests_of(module) if test not in first_tests],
-        through=requirement_methods(module),
+        through=requirement_methods(portal, module),
         siblings=[name for name in (logic.modules if logic else []) if name != module.name],
         ancestors=ancestors(portal, module),
         bars=coverage_bars(portal, module),
@@ -80,15 +80,15 @@ def inherited_methods(portal: Portal, module: Module) -> list[Method]:
     return methods
 
 
-def requirement_methods(module: Module) -> dict[str, list[str]]:
-    """Returns for each requirement of a module the names of the methods that satisfy it."""
-    methods: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
-    for method in module.methods:
-        for identifier in method.satisfies:
-            names = methods.setdefault(identifier, [])
-            if method.name not in names:
-                names.append(method.name)
-    return methods
+def requirement_methods(portal: Portal, module: Module) -> dict[str, list[str]]:
+    """Returns for each requirement of a module the names of the methods that satisfy it. The list
+    is empty if only the tree of the requirement contains the module.
+    """
+    return {
+        identifier: list(dict.fromkeys(m.name for m in module.methods if identifier in m.satisfies))
+        for identifier in portal.model.requirements
+        if identifier in module.requirements or module.name in portal.impacts.trees[identifier]
+    }
 
 
 def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:

@@ -9,12 +9,12 @@ method of the changed module through this class, ``callers`` lists it."""
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
-from traceability.schema import Requirement
+from traceability.schema import Requirement, TreeNode
 
 
 @dataclass
@@ -62,8 +62,9 @@ class Impacts:
     def __init__(self, model: Model) -> None:
         self.model = model
         self.affected = {name: self._next(name) for name in model.modules}
+        overriding = overriding_modules(model)
         self.trees = {
-            name: {node.module for node in nodes_of(requirement.tree)}
+            name: modules_of(requirement.tree, overriding) if requirement.tree else {}
             for name, requirement in model.requirements.items()
         }
 
@@ -198,7 +199,7 @@ class Impacts:
                 yield Reached(name, item.distance, f"{item.id} satisfies it")
             for name, modules in self.trees.items():
                 if item.id in modules:
-                    yield Reached(name, item.distance, f"its tree contains {item.id}")
+                    yield Reached(name, item.distance, modules[item.id])
 
     def _goals(self, requirements: list[Reached]) -> Iterator[Reached]:
         """Yields the safety goals that the affected requirements serve."""
@@ -225,6 +226,7 @@ class Impacts:
                 yield Reached(name, 1, f"executes {item.id}")
 
 
+<<<<<<< HEAD
 def first_of_each(elements: Iterable[Reached]) -> list[Reached]:
     """Returns the first record of each affected element, which has its shortest distance."""
     first: dict[str, Reached] = {}
@@ -235,3 +237,36 @@ def first_of_each(elements: Iterable[Reached]) -> list[Reached]:
 
 def by_distance(elements: Iterable[Reached]) -> list[Reached]:
     return sorted(elements, key=lambda item: item.distance)
+=======
+def overriding_modules(model: Model) -> dict[str, list[str]]:
+    """Returns for each abstract method the modules that override it."""
+    methods = [(module.name, m) for module in model.modules.values() for m in module.methods]
+    modules: dict[str, list[str]] = {m.id: [] for _, m in methods if m.kind == "pure"}
+    for name, method in methods:
+        if method.overrides in modules:
+            modules[method.overrides].append(name)
+    return modules
+
+
+def modules_of(tree: TreeNode, overriding: Mapping[str, list[str]]) -> dict[str, str]:
+    """Returns the modules of an invocation tree, each with the reason. A call of an abstract method
+    executes a method that overrides it. Therefore the modules of these methods belong to the tree,
+    too.
+    """
+    reasons: dict[str, str] = {}
+    above: dict[str, str] = {}
+    for node in nodes_of(tree):
+        method = node.resolved or node.label
+        for name in (node.module, method.partition("::")[0]):
+            reasons[name] = f"its tree contains {name}"
+        for name in overriding.get(method, []):
+            above.setdefault(name, f"its tree contains {method}, which {name} overrides")
+    return above | reasons
+
+
+def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
+    """Records an affected element. If ``reached`` already contains the element, does nothing,
+    because the first record of an element has its shortest distance.
+    """
+    reached.setdefault(name, Reached(name, distance, why))
+>>>>>>> 0115239e0449b4cb3bf62473434b73ac3e7bc12e

@@ -15,7 +15,7 @@ from traceability.model.metrics import METHODS
 from traceability.model.report import Report
 from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
 from traceability.reading.fault_record import FAULTS, FUZZ, LOADS
-from traceability.reading.lint_record import NOT_RUN
+from traceability.reading.lint_record import FAILED, NOT_RUN
 from traceability.reading.products import RECORDED
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, BuildEvidence, LastRecord, Requirement
@@ -132,11 +132,12 @@ def _build(build: BuildEvidence) -> Iterator[NotShown]:
         )
     if build.lint is None:
         texts.append("The static analysis (./wr lint) was not run in this build.")
-    elif missing := [step for step, result in build.lint.steps.items() if result == NOT_RUN]:
-        texts.append(
-            "These steps of the static analysis (./wr lint) were not run in this build: "
-            f"{', '.join(missing)}."
-        )
+    for result, words in ((FAILED, "failed"), (NOT_RUN, "were not run")) if build.lint else ():
+        if steps := [step for step, one in build.lint.steps.items() if one == result]:
+            texts.append(
+                f"These steps of the static analysis (./wr lint) {words} in this build: "
+                f"{', '.join(steps)}."
+            )
     if build.failed:
         texts.append(
             f"{_count(len(build.failed), 'Python test')} of the tools, the client and the "

@@ -66,6 +66,20 @@ def test_requirements_patterns_and_tests_to_look_at_again(model: Model) -> None:
     assert tree == [Reached("FR-15", 0, "its tree contains MainController")]
 
 
+def test_a_tree_with_an_abstract_method_contains_the_modules_that_override_it(
+    model: Model,
+) -> None:
+    requirement, rc = model.requirements["FR-15"], model.modules["RC"]
+    tree = requirement.tree
+    assert tree is not None
+    child = replace(tree.children[0], module="Mode", resolved="Mode::read")
+    model.requirements["FR-15"] = replace(requirement, tree=replace(tree, children=[child]))
+    methods = [replace(rc.methods[0], overrides="Mode::read")]
+    model.modules["RC"] = replace(rc, requirements=[], methods=methods)
+    why = "its tree contains Mode::read, which RC overrides"
+    assert of(model, "RC").requirements == [Reached("FR-15", 0, why)]
+
+
 def test_a_requirement_begins_with_the_modules_that_serve_it(model: Model) -> None:
     impact = of(model, "FR-15")
     assert impact.at(0) == [

@@ -23,12 +23,14 @@ def build(lint: LintRun | None) -> BuildEvidence:
     return BuildEvidence("abc", [], "Linux", 4, {}, {}, [], lint)
 
 
-def test_a_static_analysis_that_was_not_run_is_listed(tmp_path: Path) -> None:
+def test_a_static_analysis_that_was_not_run_or_failed_is_listed(tmp_path: Path) -> None:
     missing = "The static analysis (./wr lint) was not run in this build."
     part = "These steps of the static analysis (./wr lint) were not run in this build: clang-tidy."
     steps = {"ruff": "passed", "clang-tidy": "not run"}
     assert missing in texts(tmp_path, build=build(None))
     assert part in texts(tmp_path, build=build(LintRun("abc", steps)))
+    failed = "These steps of the static analysis (./wr lint) failed in this build: prose."
+    assert failed in texts(tmp_path, build=build(LintRun("abc", {**steps, "prose": "failed"})))
     complete = texts(tmp_path, build=build(LintRun("abc", {"clang-tidy": "passed"})))
     assert not [text for text in complete if "static analysis" in text]
 

@@ -66,6 +66,7 @@ def test_a_term_in_words_with_another_meaning_is_not_linked(glossary: GlossaryLi
         "<p>The left end stop, both end stops, an end\nstop.</p>",
         "<p>Add the product of voltage and time.</p>",
         "<p>Modules in the order in which they are built; the first reason in the order 2, 1.</p>",
+        "<p>The trace contains these calls, nested and in this order.</p>",
         "<p>The receiver offers only <em>hold</em> or <em>preset</em>.</p>",
     ],
 )
