@@ -226,7 +226,6 @@ class Impacts:
                 yield Reached(name, 1, f"executes {item.id}")
 
 
-<<<<<<< HEAD
 def first_of_each(elements: Iterable[Reached]) -> list[Reached]:
     """Returns the first record of each affected element, which has its shortest distance."""
     first: dict[str, Reached] = {}
@@ -237,7 +236,8 @@ def first_of_each(elements: Iterable[Reached]) -> list[Reached]:
 
 def by_distance(elements: Iterable[Reached]) -> list[Reached]:
     return sorted(elements, key=lambda item: item.distance)
-=======
+
+
 def overriding_modules(model: Model) -> dict[str, list[str]]:
     """Returns for each abstract method the modules that override it."""
     methods = [(module.name, m) for module in model.modules.values() for m in module.methods]
@@ -262,11 +262,3 @@ def modules_of(tree: TreeNode, overriding: Mapping[str, list[str]]) -> dict[str,
         for name in overriding.get(method, []):
             above.setdefault(name, f"its tree contains {method}, which {name} overrides")
     return above | reasons
-
-
-def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """Records an affected element. If ``reached`` already contains the element, does nothing,
-    because the first record of an element has its shortest distance.
-    """
-    reached.setdefault(name, Reached(name, distance, why))
->>>>>>> 0115239e0449b4cb3bf62473434b73ac3e7bc12e
