@@ -132,8 +132,9 @@ def _build(build: BuildEvidence) -> Iterator[NotShown]:
         )
     if build.lint is None:
         texts.append("The static analysis (./wr lint) was not run in this build.")
-    for result, words in ((FAILED, "failed"), (NOT_RUN, "were not run")) if build.lint else ():
-        if steps := [step for step, one in build.lint.steps.items() if one == result]:
+    results = build.lint.steps.items() if build.lint else ()
+    for result, words in (FAILED, "failed"), (NOT_RUN, "were not run"):
+        if steps := [step for step, one in results if one == result]:
             texts.append(
                 f"These steps of the static analysis (./wr lint) {words} in this build: "
                 f"{', '.join(steps)}."
