@@ -1,6 +1,5 @@
 """Measures the baseline design and the pattern design with the same tests, scenario, compiler and
-flags.
-"""
+flags."""
 
 from __future__ import annotations
 
@@ -119,8 +118,7 @@ def run_figures(measured: dict[str, Any]) -> dict[str, float]:
 
 def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str, float]:
     """Returns for each function its average number of instructions in a cycle. The largest number
-    is first.
-    """
+    is first."""
     starts = sorted({int(at, 16) & ~1: name for at, name in SYMBOL.findall(symbols)}.items())
     addresses = [at for at, _ in starts]
     counts: Counter[str] = Counter()
@@ -239,8 +237,7 @@ def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
 
 def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
     """Returns the number of tests of each design. The test suites are named Suite/Usual and
-    Suite/Patterns.
-    """
+    Suite/Patterns."""
     counts: dict[str, int] = defaultdict(int)
     for suite in results["testsuites"]:
         counts[suite["name"].rpartition("/")[2].lower()] += suite["tests"]

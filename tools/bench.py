@@ -170,8 +170,7 @@ def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
 
 def costs(reports: list[Report]) -> BenchRun:
     """Returns the times and the load that a board reports. The first two cycles are skipped,
-    because they execute earlier orders.
-    """
+    because they execute earlier orders."""
     measured = [report for report in reports if report.order_read][2:]
     if not measured:
         raise FailureError("the board sent no report of a cycle that read an order")

@@ -130,8 +130,7 @@ def with_date(pdf: bytes, when: int) -> bytes:
 
 def with_own_numbers(pdf: bytes) -> bytes:
     """Numbers the nodes of the PDF from 0, because the browser begins with a different number each
-    time.
-    """
+    time."""
     number = {name: at for at, name in enumerate(sorted(set(NODE.findall(pdf))))}
     return NODE.sub(lambda match: b"(node%08d)" % number[match[1]], pdf)
 
@@ -199,8 +198,7 @@ def name_of(page: str) -> str:
 
 def chapter(page: str, text: str) -> str:
     """Returns the content of a page for printing. Collapsed sections are expanded, and links lead
-    to places in the book.
-    """
+    to places in the book."""
     text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
 
     def place(match: re.Match[str]) -> str:
@@ -225,8 +223,7 @@ def beside(page: str, address: str) -> str:
 
 def inside(page: str, address: str) -> str:
     """Returns the target of a link of a page, as an address in the book. Returns an empty text if
-    the book does not contain the target.
-    """
+    the book does not contain the target."""
     if address.startswith(("http:", "https:")):
         return address
     file, _, anchor = address.partition("#")

@@ -26,8 +26,7 @@ def find_browser() -> str | None:
 
 def works(browser: str | None) -> bool:
     """Returns whether the browser starts. In some packages, the command of the browser only prints
-    a message.
-    """
+    a message."""
     if browser is None:
         return False
     try:
@@ -49,8 +48,7 @@ def result_of(
 
     ``page`` is the text of the page. The server also has the files of the folder, and the
     ``scripts`` by their addresses. The browser runs in real time and ends as soon as the result
-    has come.
-    """
+    has come."""
     came = threading.Event()
     posted: dict[str, Any] = {}
 

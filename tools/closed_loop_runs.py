@@ -1,6 +1,5 @@
 """Plays the scenarios of the closed loop on the host and on the virtual K64, and records the
-results.
-"""
+results."""
 
 from __future__ import annotations
 

@@ -43,8 +43,7 @@ def jobs() -> str:
 
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     """Configures the build if necessary. Then builds into build/<preset>. Only one build at a time
-    runs in each folder.
-    """
+    runs in each folder."""
     directory = root / "build" / preset
     made = directory / "build.ninja"
     arguments = ["--target", *targets] if targets else []
@@ -99,8 +98,7 @@ def program_of(root: Path, run_name: str) -> Path:
 
 def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     """Runs the tests of a build, or the tests on the virtual K64. Each processor runs a part of the
-    tests.
-    """
+    tests."""
     on_board = run_name == BOARD
     results = results_of(root, run_name)
     results.parent.mkdir(parents=True, exist_ok=True)
@@ -133,8 +131,7 @@ def run_shards(
     results: Path, program: Path, log: TextIO, variables: Mapping[str, str]
 ) -> tuple[list[dict[str, Any]], float, str]:
     """Returns the suites with their results, the processor time [s], and the failure of a process
-    if there is one.
-    """
+    if there is one."""
     shards = [Shard(results, number, int(jobs()), variables) for number in range(int(jobs()))]
     with ThreadPoolExecutor(len(shards)) as pool:
         ends = list(pool.map(lambda shard: shard.run(program), shards))
@@ -150,8 +147,7 @@ def run_shards(
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
     """Returns the tests to repeat with the other firmware images: the tests that ran with the image
-    PAPER. Tests that are only for one product are left out.
-    """
+    PAPER. Tests that are only for one product are left out."""
     return [
         f"{suite['name']}.{test['name']}"
         for suite in suites

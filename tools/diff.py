@@ -83,8 +83,7 @@ def commit_of(root: Path, name: str) -> str:
 
 def load(root: Path, name: str) -> Revision:
     """Returns the recorded revision. If there is no record, reads the sources and records the
-    revision.
-    """
+    revision."""
     commit = commit_of(root, name)
     found = read_revision(root, commit)
     if found is None:

@@ -3,8 +3,7 @@ the check of the links.
 
 The last two steps take most of the time. ``./wr check`` leaves these two steps out if the changes
 since the last pages cannot cause new findings in them. The pages then stay as they are, until a
-command needs them.
-"""
+command needs them."""
 
 from __future__ import annotations
 
@@ -51,8 +50,7 @@ def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bo
 
     ``texts`` is the hash of all inputs of the pages that are not read into the model. With
     ``keep``, the pages stay as they are if neither these inputs nor the names of the model differ
-    from those of the last pages.
-    """
+    from those of the last pages."""
     words = [sys.executable, "-m", "tools.documents", str(root), texts, *([KEEP] if keep else [])]
     with (
         subprocess.Popen(
@@ -96,8 +94,7 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 def main(root: Path, texts: str, *, keep: bool) -> int:
     """Runs the process. Returns 0 if no step failed, even if there are findings. Otherwise, returns
-    INCOMPLETE.
-    """
+    INCOMPLETE."""
     steps = Steps(root, len(PARTS))
     with no_collection():
         findings, complete = make(root, steps, Pages(root, texts, keep))
@@ -108,8 +105,7 @@ def main(root: Path, texts: str, *, keep: bool) -> int:
 @contextmanager
 def no_collection() -> Iterator[None]:
     """Disables garbage collection, which would take a fifth of the time. The process keeps the
-    model until its end. There is therefore nothing to collect earlier.
-    """
+    model until its end. There is therefore nothing to collect earlier."""
     gc.disable()
     try:
         yield

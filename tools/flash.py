@@ -139,8 +139,7 @@ def checked(image: Path) -> str:
 
 def add_key(image: Path, key_file: Path, keyed: Path) -> str:
     """Writes a copy of the firmware image with the key. Raises FailureError if the key cannot
-    be used, or if the image has no place for a key.
-    """
+    be used, or if the image has no place for a key."""
     try:
         keyed.write_bytes(with_key(image.read_bytes(), read_key(key_file)))
     except KeyFileError as error:

@@ -1,6 +1,5 @@
 """Finds parts of the language and of the library that have no bound in time or memory. No firmware
-image may contain these parts.
-"""
+image may contain these parts."""
 
 from __future__ import annotations
 

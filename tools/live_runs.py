@@ -192,7 +192,6 @@ def _wrong(
 
 def _bytes(root: Path) -> int:
     """Returns the number of bytes that the page loads before the robot starts. These are the
-    bytes of the module, of a firmware image and of the data of the page, if these files exist.
-    """
+    bytes of the module, of a firmware image and of the data of the page, if these files exist."""
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

@@ -78,8 +78,7 @@ def prove(
     root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
     """Proves properties, several of them in parallel. Prints a line for each property, in the given
-    order.
-    """
+    order."""
     listed = list(properties)
     results: dict[str, ProofResult] = {}
     with ThreadPoolExecutor(WORKERS) as pool:

@@ -169,8 +169,7 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
 
 def write_source(root: Path, made: Release, path: Path) -> None:
     """Writes the archive of the sources. Each file has the time of the commit. A file is executable
-    in the archive if it is executable in git.
-    """
+    in the archive if it is executable in git."""
     words = ["archive", "--format=tar.gz", f"--prefix={made.name}/source/", made.commit]
     subprocess.run(["git", *words, "--output", path], cwd=root, check=True)
 
@@ -212,8 +211,7 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
 
 def bring_results(root: Path, copy: Path) -> None:
     """Copies the results of tests and measurements, because they contain times that differ in a
-    second run. Recordings also contain the addresses of the recorded program.
-    """
+    second run. Recordings also contain the addresses of the recorded program."""
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
     covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.pickle")]
     for name in (RESULTS, TASKS, TIMES, MODULE, *recorded, *covered):

@@ -1,6 +1,5 @@
 """./wr review: records a person's review of a requirement, or records the present texts as the
-baseline.
-"""
+baseline."""
 
 from __future__ import annotations
 
@@ -178,8 +177,7 @@ def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
     """Yields the texts that a reviewer reads, with their changes. For a file that supports a test,
-    such as a fixture or a scenario, yields the path and the changes, but not the whole text.
-    """
+    such as a fixture or a scenario, yields the path and the changes, but not the whole text."""
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
         if text.kind != "support":

@@ -146,8 +146,7 @@ def test_all(root: Path, *, long: bool, ci: bool) -> int:
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
     """Returns the counts of the tests of all tasks. The tests with sanitizers are the same tests as
-    the tests with traces, and are not counted again.
-    """
+    the tests with traces, and are not counted again."""
     counts = Counts()
     for name, values in run.values.items():
         if "passed" in values and (name in counted or name != TESTS_SANITIZE):

@@ -74,8 +74,7 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     An instruction belongs to the module of its source line, even if the instruction was inlined
     elsewhere. An object belongs to the module that defines it. The module is read from the
     ``recorded`` image, because link-time optimisation removes this information from the other
-    image.
-    """
+    image."""
     sizes: dict[str, Size] = defaultdict(Size)
     all_objects = list(objects(elf, homes(recorded or elf)))
     for section in sections(elf):
@@ -107,8 +106,7 @@ def homes(elf: Path) -> dict[str, str]:
 
 def objects(elf: Path, modules: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
     """Yields the address, the module and the size of each object. A virtual method table belongs to
-    its class.
-    """
+    its class."""
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
         plain = name.partition(".lto_priv")[0]
         table = CLASS_TABLE.match(plain)
@@ -123,8 +121,7 @@ def add(part: Size, section: Section, size: int) -> None:
 
 def owner(section: Section) -> str:
     """Returns the part to which a whole section belongs. The result is empty if the section belongs
-    to several parts.
-    """
+    to several parts."""
     if not section.in_flash:
         return ""
     return {0: VECTORS, FIELD: CONFIGURATION}.get(section.address, "")

@@ -93,8 +93,7 @@ def clone(root: Path, copy: Path) -> None:
 
 def environment(root: Path, copy: Path) -> dict[str, str]:
     """Returns the environment of the second build. Python looks for modules in the copy first.
-    The tests get the seed of the last run in ``root``.
-    """
+    The tests get the seed of the last run in ``root``."""
     path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))
     run = read_run(root, RUNS[HOST])
     seed = {"WR_SEED": run.seeds[0]} if run and len(run.seeds) == 1 else {}

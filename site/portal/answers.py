@@ -23,8 +23,7 @@ ITEM = "\n- "  # begins an item of a list in an answer
 @dataclass
 class Question:
     """A question, its answer, and the links that a reader of the portal clicks to reach the
-    answer.
-    """
+    answer."""
 
     ask: str
     answer: str
@@ -52,8 +51,7 @@ class Question:
     @property
     def steps(self) -> list[str]:
         """Returns the addresses of the pages to open, in order. The last address also contains the
-        anchor of the answer on its page.
-        """
+        anchor of the answer on its page."""
         last = self.clicks[-1]
         return [*self.clicks[:-1], f"{last.partition('#')[0]}#{self.part}" if self.part else last]
 
@@ -66,8 +64,7 @@ def questions_of(root: Path) -> list[Question]:
 
 def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:
     """Returns a copy of the question. In its answer, the value of this build replaces the name of
-    each metric.
-    """
+    each metric."""
 
     def value(match: re.Match[str]) -> str:
         return metric_text(metrics, match[1])
@@ -85,8 +82,7 @@ def metric_text(metrics: Mapping[str, Any], name: str, unit: str = "") -> str:
 
 def value_of(metrics: Mapping[str, Any], name: str) -> Any:
     """Returns the value of a metric, or of a key of a last record. Returns None if the metric was
-    not measured, or if there is no last record.
-    """
+    not measured, or if there is no last record."""
     if not name.startswith(LAST):
         return metrics[name]
     command, _, key = name.removeprefix(LAST).partition(".")

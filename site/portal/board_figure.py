@@ -1,6 +1,5 @@
 """The drawing of the pin headers of the board FRDM-K64F, with the pins that the firmware uses. The
-pin table of the firmware lists these pins.
-"""
+pin table of the firmware lists these pins."""
 
 from __future__ import annotations
 
@@ -48,8 +47,7 @@ class Row:
 
 def headers() -> list[Row]:
     """Returns the rows of all headers as a reader sees the board from above, in the Arduino R3
-    layout. The pins with even numbers are at the edges of the board.
-    """
+    layout. The pins with even numbers are at the edges of the board."""
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
     low_outer = low_inner + SIZE + 4
@@ -79,8 +77,7 @@ class Used:
     @property
     def part(self) -> tuple[str, str]:
         """Returns the name and the CSS class of the part of the robot that is connected to this
-        pin.
-        """
+        pin."""
         matches = (
             (name, kind)
             for words, name, kind in PARTS
@@ -98,8 +95,7 @@ class Used:
 
 def used_pins(root: Path) -> dict[str, Used]:
     """Returns the pins of the headers that the firmware uses. The key is the header and the number
-    of the pin, as in "J1-4".
-    """
+    of the pin, as in "J1-4"."""
     text = (root / HEADER).read_text(encoding="utf-8")
     return {
         place: Used(pin, signal, effect)
@@ -134,8 +130,7 @@ def board_figure(root: Path) -> str:
 
 def _legend(used: dict[str, Used]) -> Markup:
     """Returns the legend: a button for each part of the robot. When the reader presses a button,
-    the script app.js marks the pins of this part.
-    """
+    the script app.js marks the pins of this part."""
     parts = [part for part in dict.fromkeys(pin.part for pin in used.values()) if part[0]]
     buttons = (
         Markup('<button type="button" class="btn {}" data-part="{}">{}</button>').format(

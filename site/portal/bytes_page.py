@@ -1,6 +1,5 @@
 """The page "Follow a byte". It shows chains of recorded steps, for example from a byte of the PC to
-a motor.
-"""
+a motor."""
 
 from __future__ import annotations
 
@@ -41,8 +40,7 @@ class Row:
 @dataclass
 class Followed:
     """A chain of steps with its rows. If the recording does not contain the whole chain, there are
-    no rows, and ``missing`` names the first step that was not found.
-    """
+    no rows, and ``missing`` names the first step that was not found."""
 
     chain: Chain
     rows: list[Row]
@@ -90,8 +88,7 @@ def _describe(
 
 def _choose_requirements(rows: list[Row]) -> None:
     """Sets the requirements that each row shows. A requirement comes first if its invocation tree
-    contains the method of the row, and also the method of the row above or below.
-    """
+    contains the method of the row, and also the method of the row above or below."""
     for number, row in enumerate(rows):
         if row.links is None:
             continue

@@ -2,8 +2,7 @@
 
 PlantUML does not support CSS variables. The PlantUML text therefore uses a marker colour for each
 CSS variable of the theme. Afterwards this module replaces each marker colour in the SVG by its
-variable. A single run of Java draws all diagrams whose text changed.
-"""
+variable. A single run of Java draws all diagrams whose text changed."""
 
 from __future__ import annotations
 
@@ -104,8 +103,7 @@ RELATIONS = [
 
 def role_family(role: str) -> str:
     """Returns the family of a role. Each role of a pattern belongs to one of five families, and
-    each family has a colour.
-    """
+    each family has a colour."""
     if role in FAMILIES:
         return FAMILIES[role]
     return "concrete" if role.startswith("Concrete") else "abstraction"
@@ -160,8 +158,7 @@ def preamble() -> list[str]:
 
 def between(model: Model, bound: set[str]) -> set[str]:
     """Returns the modules without a role that are between two modules with a role in the class
-    hierarchy.
-    """
+    hierarchy."""
 
     def leads_to_bound(name: str) -> bool:
         module = model.modules.get(name)
@@ -253,8 +250,7 @@ def uses(module: Module) -> set[str]:
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
     """Returns the diagram of a state machine. An arrow is dashed if one of its transitions occurred
-    in no test, unless the test results are stale.
-    """
+    in no test, unless the test results are stale."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -287,8 +283,7 @@ def is_narrow(machine: StateMachine) -> bool:
 
 def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
     """Returns the edges of the diagram. All transitions from a state to another state share a
-    single edge.
-    """
+    single edge."""
     merged: dict[tuple[str, str], list[Transition]] = {}
     for step in machine.transitions:
         merged.setdefault((step.source, step.target), []).append(step)
@@ -308,8 +303,7 @@ def label_lines(step: Transition) -> list[str]:
 
 def located(svg: str, requirement: str) -> str:
     """Returns the diagram of a state machine. The edges and labels of the given requirement are
-    highlighted.
-    """
+    highlighted."""
 
     def mark(match: re.Match[str]) -> str:
         lit = " lit" if requirement in match[2].split() else ""
@@ -423,8 +417,7 @@ def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
 
 def finish(svg: str, diagram: Diagram) -> str:
     """Returns the SVG for a page. The colours are CSS variables, the ids are unique on the page,
-    the links are ordinary HTML links, and the text has the font of the page.
-    """
+    the links are ordinary HTML links, and the text has the font of the page."""
     root = ET.fromstring(svg)
     clean(root)
     width, height = root.get("width", "0").strip("px"), root.get("height", "0").strip("px")
@@ -450,8 +443,7 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> None:
     """Moves each label away from the lines of the other edges. If a label is then below the bottom
-    of the drawing, increases the height of the drawing.
-    """
+    of the drawing, increases the height of the drawing."""
     paths = {line.get("id", ""): line.get("d", "") for line in root.iter("path")}
     states = [
         Box(x, y, x + float(state.get("width", "0")), y + float(state.get("height", "0")))
@@ -476,8 +468,7 @@ def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> di
     another group. The attribute ``data-for`` of a group lists the requirements. Returns the text
     lines of the labels with their positions.
 
-    The labels come after all edges in the SVG. Therefore no edge is drawn over a label.
-    """
+    The labels come after all edges in the SVG. Therefore no edge is drawn over a label."""
     line = f"path[@id='{identifier}']"
     drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
     parts = list(drawing)
@@ -543,8 +534,7 @@ def restyle(element: ET.Element) -> None:
 
 def plain_role(element: ET.Element) -> None:
     """Removes the quotation marks « » around the name of a role, and centres the name in the space
-    of the former text.
-    """
+    of the former text."""
     element.text = (element.text or "").strip("«»")
     middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
     element.attrib.pop("lengthAdjust", None)
@@ -554,8 +544,7 @@ def plain_role(element: ET.Element) -> None:
 
 def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
     """Returns the PlantUML text of each diagram. The key is the path of the file in the site. The
-    links in a text are relative to the folder of the diagrams.
-    """
+    links in a text are relative to the folder of the diagrams."""
     return {
         f"{DIAGRAMS}/{diagram.id}.puml": diagram.text.replace("[[@/", "[[../") + "\n"
         for diagram in diagrams

@@ -59,8 +59,7 @@ def dossier_page(portal: Portal, requirement: Requirement) -> Page:
 
 def dossier(portal: Portal) -> dict[str, Any]:
     """Returns the values of the page with all sheets. The sheets are in the order of the
-    requirements, and the cover shows the number of requirements with each verdict.
-    """
+    requirements, and the cover shows the number of requirements with each verdict."""
     sheets = [sheet_of(portal, requirement) for requirement in portal.model.requirements.values()]
     states = Counter(sheet.verdict.state for sheet in sheets)
     return {

@@ -68,8 +68,7 @@ def types_table(frames: FrameTable) -> str:
 
 def fields_table(layout: Layout) -> str:
     """Returns the table of the fields of a frame. A field that exists once for each wheel has a
-    single row for all wheels.
-    """
+    single row for all wheels."""
     fields = list(layout.fields)
     rows = []
     while fields:
@@ -89,16 +88,14 @@ def field_row(field: Field, of_other_wheels: Iterable[Field]) -> tuple[str, ...]
 
 def shown_name(field: Field) -> str:
     """Returns the name of a field. If each wheel has such a field, returns the first name and the
-    last number.
-    """
+    last number."""
     name = field.name if field.wheel is None else f"{field.stem}0`` to ``{WHEEL_COUNT - 1}"
     return f"``{name}``"
 
 
 def counters_table(frames: FrameTable) -> str:
     """Returns the table of the counters, each with its first checks. The counters of all wheels
-    have a single row.
-    """
+    have a single row."""
     fields = (field for layout in frames.frames.values() for field in layout.fields)
     rows = (
         (shown_name(field), field.meaning, field.check)
@@ -156,8 +153,7 @@ def shown_unit(unit: str, scale: float) -> str:
 
 def values_table(enumeration: Enumeration) -> str:
     """Returns the table of the numbers of an enumeration, with the text that the client shows for
-    each number.
-    """
+    each number."""
     has_checks = any(entry.check for entry in enumeration.entries)
     heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
     heads += [enumeration.detail] if enumeration.detail else []
@@ -174,8 +170,7 @@ def values_table(enumeration: Enumeration) -> str:
 
 def live_frames(root: Path) -> str:
     """Returns the HTML element that shows the frames while the simulated robot runs in the page. If
-    the WebAssembly module was not built, returns a sentence that reports this.
-    """
+    the WebAssembly module was not built, returns a sentence that reports this."""
     if not (root / MODULE).exists():
         return "<p>The WebAssembly module that runs the robot was not built.</p>\n"
     return LIVE_FRAMES

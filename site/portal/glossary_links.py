@@ -34,8 +34,7 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 class GlossaryLinks:
     """The glossary terms in lower case. The plural of a term is also linked to the term. The link
-    shows the first sentence of the term. ``constants`` contains the numbers of this sentence.
-    """
+    shows the first sentence of the term. ``constants`` contains the numbers of this sentence."""
 
     def __init__(self, root: Path, constants: Mapping[str, str]) -> None:
         path = root / f"{GLOSSARY.id}.rst"
@@ -82,8 +81,7 @@ def without_apart(html: str) -> tuple[str, list[int], list[int]]:
     """Returns the text of the page in lower case, without the elements in which no term is linked.
     A line break counts as a space. The removed elements divide the text into parts. Also returns
     two lists with a number for each part: its position in the text, and the distance from there to
-    its position on the page.
-    """
+    its position on the page."""
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])

@@ -1,6 +1,5 @@
 """The addresses of the pages that show the elements of the model. An address starts with ``@/``,
-which means the root folder of the site.
-"""
+which means the root folder of the site."""
 
 from __future__ import annotations
 
@@ -19,8 +18,7 @@ ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + T
 
 def slug(name: str) -> str:
     """Returns a name in a form that an address may contain. Letters, digits, ``_``, ``.`` and ``-``
-    do not change. Each other character becomes a hyphen and its code in hexadecimal digits.
-    """
+    do not change. Each other character becomes a hyphen and its code in hexadecimal digits."""
     return re.sub(r"[^A-Za-z0-9_.-]", lambda hit: f"-{ord(hit.group()):x}", name)
 
 
@@ -72,8 +70,7 @@ class Links:
 
     def find_method(self, identifier: str) -> Method | None:
         """Returns the method with this identifier. If the module does not declare the method,
-        returns the method that the module inherits.
-        """
+        returns the method that the module inherits."""
         name, _, method = identifier.partition("::")
         seen: set[str] = set()
         pending = [name]
@@ -95,8 +92,7 @@ class Links:
 
     def safety(self, identifier: str) -> str | None:
         """Returns the address of a safety goal, hazard or assumption of use. A goal has a page; a
-        hazard or an assumption is a section of a page.
-        """
+        hazard or an assumption is a section of a page."""
         case = self.model.safety
         return (
             address_in(case.goals, "safety/{}.html", identifier)

@@ -48,8 +48,7 @@ def module_page(portal: Portal, module: Module) -> Page:
 
 def doxygen_file(portal: Portal, module: Module) -> Path | None:
     """Returns the path of the XML file that Doxygen wrote for the class of a module, or ``None`` if
-    there is no such file.
-    """
+    there is no such file."""
     path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
     return path if path.is_file() else None
 
@@ -102,8 +101,7 @@ def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]
 
 def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
     """Returns for each file of a driver its source lines with code. A line that the virtual K64
-    executed maps to 1, and a missed line maps to 0.
-    """
+    executed maps to 1, and a missed line maps to 0."""
     measured = portal.model.board_lines or {}
     return {
         path: {line: int(hit) for line, hit in sorted(measured[path].items())}

@@ -68,8 +68,7 @@ EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
     """Yields one part of the pages: part number ``part`` of ``parts`` parts. Several processes
-    build the parts.
-    """
+    build the parts."""
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 
@@ -147,8 +146,7 @@ def home_page(portal: Portal) -> Page:
 
 def best_method(portal: Portal, requirement: Requirement) -> Method | None:
     """Returns the last method of the invocation tree that satisfies the requirement. If no method
-    satisfies the requirement, returns the last method. Methods without a body are skipped.
-    """
+    satisfies the requirement, returns the last method. Methods without a body are skipped."""
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     methods = [m for m in (real_method(portal, node) for _, node in reversed(nodes)) if m]
     satisfying = [m for m in methods if requirement.id in m.satisfies]
@@ -175,8 +173,7 @@ def products(portal: Portal) -> dict[str, Any]:
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
     """Returns a row for the public methods and a row for the tests. A row contains the number of
-    these items, and the number of items without a requirement.
-    """
+    these items, and the number of items without a requirement."""
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)
@@ -206,8 +203,7 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 
 def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
     """Returns for each diagram its PlantUML file, the address of the page that shows it, and its
-    title.
-    """
+    title."""
     sources = []
     for application in portal.model.patterns.values():
         page = portal.links.pattern(application.id) or ""
@@ -225,8 +221,7 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 def execution(portal: Portal) -> dict[str, Any]:
     """Returns the values of the page of the execution contexts, such as interrupts and threads. The
     context with the highest priority is the first. A context without a priority, such as the
-    program after a reset, comes last.
-    """
+    program after a reset, comes last."""
     contexts = portal.model.contexts.values()
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)
@@ -270,8 +265,7 @@ def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
 
 def trees(portal: Portal) -> dict[str, Any]:
     """Returns the invocation trees of each section of the requirements. Also returns the values
-    that each tree has for the filters of the page.
-    """
+    that each tree has for the filters of the page."""
     by_section: dict[str, list[Requirement]] = {}
     facets: dict[str, Facets] = {}
     for requirement in portal.model.requirements.values():
@@ -294,8 +288,7 @@ def suites(portal: Portal) -> dict[str, list[str]]:
 @dataclass
 class UseRow:
     """A use of a logic module by another logic module. ``why`` is the reason why the design allows
-    the use. The code contains the use at ``places`` places; ``first`` lists at most two of them.
-    """
+    the use. The code contains the use at ``places`` places; ``first`` lists at most two of them."""
 
     source: str
     target: str
@@ -322,8 +315,7 @@ def use_rows(portal: Portal) -> list[UseRow]:
 
 def uses(portal: Portal) -> dict[str, Any]:
     """Returns the uses as rows and as the cells of a matrix. The matrix lists the logic modules in
-    the order of the module structure.
-    """
+    the order of the module structure."""
     rows = use_rows(portal)
     named = {name for row in rows for name in (row.source, row.target)}
     return {
@@ -338,8 +330,7 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
     """Returns the name of each logic module. If several logic modules have the same name, the name
-    of its parent is added to each of them.
-    """
+    of its parent is added to each of them."""
     logic_modules = portal.model.logic_modules
     count = Counter(logic_modules[identifier].name for identifier in identifiers)
 

@@ -65,8 +65,7 @@ COMPARED = (
 
 def compared(portal: Portal, change: LikelyChange) -> Compared | None:
     """Returns the products without and with the extension that makes the change, or None if no
-    extension makes the change.
-    """
+    extension makes the change."""
     by_extension = {f"extensions/{pair.extension}": pair for pair in COMPARED}
     examples = (portal.model.modules[name].logic for name in change.examples)
     made = (change.made.extension,) if change.made else ()
@@ -88,8 +87,7 @@ def filled(step: str, change: LikelyChange) -> str:
 
 def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
     """Returns the checks that a new module must pass when this change is made: the checks for every
-    new module, the checks of the state machines for a new state, and the clauses of the pattern.
-    """
+    new module, the checks of the state machines for a new state, and the clauses of the pattern."""
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]
@@ -122,8 +120,7 @@ def kind_of(name: str) -> str:
 @dataclass
 class FamilyMember:
     """A module in a family of subclasses. Its methods are divided into new methods (``own``),
-    overridden methods, and methods that it inherits unchanged.
-    """
+    overridden methods, and methods that it inherits unchanged."""
 
     module: Module
     depth: int
@@ -147,8 +144,7 @@ def family_members(
     portal: Portal, module: Module, depth: int, above: list[Method]
 ) -> Iterator[FamilyMember]:
     """Yields the module and all its subclasses. ``above`` contains the methods that the module
-    inherits.
-    """
+    inherits."""
     methods = [m for m in unique(module.methods) if m.access == "public" or m.kind != "plain"]
     methods = [m for m in methods if m.kind != "constructor" and m.name[0] != "~"]
     inherited = {method.name for method in above}

@@ -190,16 +190,14 @@ class Portal:
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
         """Returns the page of a navigation entry. ``values`` computes the values for the template
-        of this page.
-        """
+        of this page."""
         entry = self.navigation.entries[name]
         page = entry.address.removesuffix(".html")
         return self.page(page, entry.title, name, name, **values(self))
 
     def _row_of(self, test: str) -> Markup:
         """Returns the row of a test in a table. ``row_of`` stores the result, because many pages
-        show the same row.
-        """
+        show the same row."""
         template = self.templates.get_template("test_row.html")
         return Markup(template.render(test=self.model.tests[test]))
 
@@ -226,8 +224,7 @@ class Portal:
 
     def element_targets(self) -> dict[str, str]:
         """Returns for each element of the architecture the address of the first module that
-        implements it. The address is "" if the model does not contain such a module.
-        """
+        implements it. The address is "" if the model does not contain such a module."""
         modules = self.model.modules
         return {
             element.id: next(
@@ -239,8 +236,7 @@ class Portal:
 
     def drawn_modules(self) -> list[str]:
         """Returns the modules that the live view of the first page marks in the drawing: the
-        modules of the states, and the modules in ``CONNECTING``.
-        """
+        modules of the states, and the modules in ``CONNECTING``."""
         states = [
             module
             for name in (OPERATION_STATES, READING_MODES)
@@ -253,8 +249,7 @@ class Portal:
 
     def executed(self, requirement: Requirement) -> str:
         """Returns "ok" if a test executed the invocation tree, "bad" if no recorded test executed
-        it, and "none" if no test was recorded.
-        """
+        it, and "none" if no test was recorded."""
         if requirement.runs:
             return "ok"
         measured = requirement.tree is not None and requirement.tree.ran is not None
@@ -262,15 +257,13 @@ class Portal:
 
     def met_evidence(self, requirement: Requirement) -> int:
         """Returns the number of metrics that are evidence of a requirement and within their
-        bounds.
-        """
+        bounds."""
         measured = self.report.measured
         return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
     def showing(self, step: Transition) -> list[str]:
         """Returns the tests in which a transition occurred. Tests that verify a requirement of the
-        transition come first.
-        """
+        transition come first."""
         tests = self.model.tests
         return sorted(
             (name for name in step.tests if name in tests),
@@ -299,8 +292,7 @@ class Portal:
 
     def stack_of(self, module: Module) -> tuple[int, str] | None:
         """Computes for each context the stack bytes that the methods of a module use in the deepest
-        chain of calls. Returns the greatest number, and the name of its context.
-        """
+        chain of calls. Returns the greatest number, and the name of its context."""
         begin = f"{module.name}::"
         stack = self.model.stack
         shares = [
@@ -336,8 +328,7 @@ class Portal:
 
     def body_lines(self, place: Place | None) -> list[tuple[int, Markup]]:
         """Returns the source lines of a place as highlighted HTML, each with its line number.
-        Returns an empty list if there is no place.
-        """
+        Returns an empty list if there is no place."""
         if place is None:
             return []
         lines = self.code.lines(place.file)
@@ -369,8 +360,7 @@ class Portal:
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
         """Returns for each file and source line how often tests executed the line. For a line that
-        was measured on the virtual K64, the number is only 1 (executed) or 0.
-        """
+        was measured on the virtual K64, the number is only 1 (executed) or 0."""
         hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
             for path, lines in module.line_hits.items():
@@ -388,8 +378,7 @@ class Portal:
 
     def own_tests(self, module: Module) -> list[Test]:
         """Returns the tests to read first: the tests in the test file of the module, then the tests
-        that verify a requirement which the module satisfies.
-        """
+        that verify a requirement which the module satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         satisfied = {identifier for method in module.methods for identifier in method.satisfies}
         tests = self.tests_of(module)
@@ -401,8 +390,7 @@ class Portal:
 
     def source_of(self, source: SourceReference) -> Markup:
         """Returns the document or safety goal from which a requirement was derived. The result is a
-        link if the portal has a page for this document or goal.
-        """
+        link if the portal has a page for this document or goal."""
         if not source.kind:
             return self.names.text(source.name)
         if source.kind == "goal":
@@ -432,8 +420,7 @@ class Portal:
 
     def passed(self, tests: list[Test]) -> int | None:
         """Returns the number of test runs that passed. Returns ``None`` if there are no results of
-        the present sources.
-        """
+        the present sources."""
         runs = [run for test in tests for run in test.results.values()]
         if self.model.results_stale or not any(run.result for run in runs):
             return None
@@ -450,8 +437,7 @@ class Portal:
 
     def passed_on(self, binding: str) -> tuple[int | None, int]:
         """Returns the number of passed tests and the number of all tests on a target. The first
-        number is ``None`` if the results are stale.
-        """
+        number is ``None`` if the results are stale."""
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
         is_fresh = not self.model.stale_on(binding)
         return sum(run.result == "passed" for run in runs) if is_fresh else None, len(runs)
@@ -461,15 +447,13 @@ class Portal:
 
     def runs(self, tests: Iterable[Test]) -> int:
         """Returns the number of runs of the tests. A test has one run on each target for which it
-        is built.
-        """
+        is built."""
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
         """Returns links to the callers of a method. A caller can also be a nested class, the
         initialiser of a constant, or a function outside classes. If no object of the call is known,
-        the link to the called abstract method follows.
-        """
+        the link to the called abstract method follows."""
         callers = []
         for name, through in method.called_by.items():
             module, _, rest = name.partition("::")
@@ -482,15 +466,13 @@ class Portal:
 
     def computed_from(self, constant: str) -> list[Markup]:
         """Returns links to the methods and constants that use a constant. The constant is the
-        result of a method, and ``constant`` is the id of this method.
-        """
+        result of a method, and ``constant`` is the id of this method."""
         methods = (method for module in self.model.modules.values() for method in module.methods)
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
         """Returns the likely changes that a module hides. The result also contains each change that
-        edits the module because the module implements one variant.
-        """
+        edits the module because the module implements one variant."""
         return [
             change.application
             for change in self.model.changes.values()
@@ -499,8 +481,7 @@ class Portal:
 
     def in_paper(self, name: str) -> list[PaperElement]:
         """Returns the names that the paper uses for a module and its methods, or for a pattern
-        application.
-        """
+        application."""
         return [
             element
             for element in self.model.paper
@@ -510,8 +491,7 @@ class Portal:
 
     def is_later(self, check: str) -> bool:
         """Returns whether the result of a check is not known yet when the pages are written. A
-        check that already has a finding is decided.
-        """
+        check that already has a finding is decided."""
         return check in LATER and not self.findings_of(check)
 
     def verdict_of(self, check: str) -> Markup:
@@ -530,16 +510,14 @@ class Portal:
 
     def checks_by_state(self) -> dict[str, int]:
         """Returns for each state of a check the number of the checks in this state, if there are
-        any.
-        """
+        any."""
         counts = Counter(map(self._state_of, self.checks))
         return {state: counts[state] for state in (HOLDS, FOUND, STALE, AFTER) if counts[state]}
 
     def unrecorded_faults(self) -> int:
         """Returns the number of listed seeded faults that the last record does not contain. A
         published record contains the number of the faults, but not their names. The result is then
-        the least possible number.
-        """
+        the least possible number."""
         faults, last = self.model.faults, self.model.last.get("drift")
         if self.model.outcomes is not None:
             return sum(self.outcome_of(fault) is None for fault in faults)
@@ -552,16 +530,14 @@ class Portal:
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """Returns the result of the run with a seeded fault, or ``None`` if no run with this fault
-        was made with the present sources.
-        """
+        was made with the present sources."""
         return next(
             (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None
         )
 
     def verdict_on(self, fault: Fault) -> Markup:
         """Returns the verdict on a seeded fault: whether the expected check found the fault, and
-        whether the compiler behaved as the fault declares.
-        """
+        whether the compiler behaved as the fault declares."""
         outcome = self.outcome_of(fault)
         if outcome is None:
             return names.glyph("none", "not seeded")

@@ -49,8 +49,7 @@ def windows_of(portal: Portal) -> Mapping[str, Window]:
 
 def context_of(portal: Portal, activation: Activation) -> ExecutionContext | None:
     """Returns the interrupt or thread of the design that owns the interrupt line of an
-    activation.
-    """
+    activation."""
     contexts = portal.model.contexts.values()
     return next((context for context in contexts if activation.line in context.lines), None)
 
@@ -74,8 +73,7 @@ def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
 
 def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
     """Returns the links of a recorded method. If the class inherits the method, these are the links
-    of the method in the base class.
-    """
+    of the method in the base class."""
     method = portal.links.find_method(name)
     if method is None:
         function = portal.model.functions.get(name)

@@ -46,8 +46,7 @@ class Change:
 
 def read_recording(path: Path) -> list[Values]:
     """Returns the values of each report in a file. The file is an MCAP or CSV file of the client,
-    or a CSV file of the scenario player, which has other columns.
-    """
+    or a CSV file of the scenario player, which has other columns."""
     if path.suffix == MCAP:
         return list(read_mcap(path))
     with path.open(newline="", encoding="utf-8") as lines:
@@ -62,8 +61,7 @@ def read_recording(path: Path) -> list[Values]:
 
 def raw_columns(report: Layout) -> set[str]:
     """Returns the names of the columns in the CSV file of the scenario player. A number is stored
-    as in the frame, and each bit has a separate column.
-    """
+    as in the frame, and each bit has a separate column."""
     bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {field.name for field in report.fields if not field.bits}
 
@@ -94,8 +92,7 @@ class Series:
     """A plot: the names of the columns with the measured value and with the set-point.
 
     The set-point is drawn only at the times when the column ``quantity`` has the value ``ordered``.
-    If ``quantity`` is empty, the set-point is drawn at all times.
-    """
+    If ``quantity`` is empty, the set-point is drawn at all times."""
 
     title: str
     unit: str
@@ -139,8 +136,7 @@ def _plot(reports: Sequence[Values], series: Series) -> LoopPlot:
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
     """Yields each report with its time since the first report [s]. A reset of the robot restarts
-    its clock, but the returned time continues.
-    """
+    its clock, but the returned time continues."""
     start, offset, last = None, 0.0, 0.0
     for report in reports:
         at = float(report["time_ms"]) / MS_OF_S

@@ -1,6 +1,5 @@
 """The list of requirements, and the page of each requirement. The page shows the invocation tree
-next to the calls that a test recorded.
-"""
+next to the calls that a test recorded."""
 
 from __future__ import annotations
 
@@ -66,16 +65,14 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
     """Returns for each top-level logic module the number of its methods that satisfy the
-    requirement.
-    """
+    requirement."""
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
     return Counter(module.logic.partition("/")[0] for module in modules if module)
 
 
 def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
     """Returns statements about the invocation tree, each with true or false: the tree is declared,
-    the tree is possible, the tree was executed on a target.
-    """
+    the tree is possible, the tree was executed on a target."""
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     possible = all(node.reachable for _, node in nodes)
     targets = portal.model.results_hashes
@@ -151,8 +148,7 @@ def played_scenarios(model: Model, requirement: Requirement) -> dict[str, list[F
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
     """Returns a row for each method in the tree that has a body. The row shows which source lines
-    the tests executed on each target.
-    """
+    the tests executed on each target."""
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
     for binding, methods in requirement.coverage.items():
         for method in methods:
@@ -187,8 +183,7 @@ class Row:
 
 def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
     """Returns the rows of the invocation tree and of a recorded run. A node of the tree and the
-    recorded call that it matches are in the same row.
-    """
+    recorded call that it matches are in the same row."""
     rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     places = run.places if run else [None] * len(nodes)
@@ -208,8 +203,7 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 def shortened(rows: list[Row]) -> list[Row]:
     """Returns the rows. If more than MOST_BETWEEN consecutive calls match no node, a single row
-    replaces them and shows their number.
-    """
+    replaces them and shows their number."""
     shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)
@@ -221,8 +215,7 @@ def shortened(rows: list[Row]) -> list[Row]:
 
 def add_trunks(rows: list[Row]) -> None:
     """Adds to each row the vertical lines that join the parents of the tree to their children. The
-    line of a parent ends at the last child.
-    """
+    line of a parent ends at the last child."""
     placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
     for number, (index, depth) in enumerate(placed):
         if depth == 0:

@@ -49,8 +49,7 @@ def safety(portal: Portal) -> dict[str, Any]:
 @dataclass
 class OpenPoint:
     """A known exception or an open point of a safety goal, or the part of a requirement that its
-    verification does not show.
-    """
+    verification does not show."""
 
     id: str  # of the goal or of the requirement
     kind: str
@@ -69,8 +68,7 @@ def open_points(portal: Portal) -> Iterator[OpenPoint]:
 @dataclass
 class ProductRuns:
     """A product, and the numbers of tests and fault scenarios that ran its firmware image on the
-    virtual board.
-    """
+    virtual board."""
 
     name: str
     safe: bool  # whether the product has safety functions
@@ -171,7 +169,6 @@ def cycles(portal: Portal) -> Iterator[Compared]:
 
 def longest(record: Mapping[str, BenchScenario] | None, name: str) -> float | None:
     """Returns the longest time in a scenario of the bench [ms], or ``None`` when it was not
-    measured.
-    """
+    measured."""
     run = record[name].runs.get(TIMING) if record and name in record else None
     return run.report_ms.maximum if run else None

@@ -1,6 +1,5 @@
 """Draws sequence diagrams of recorded calls from one module to another. A diagram shows only calls
-in the invocation trees of chosen requirements.
-"""
+in the invocation trees of chosen requirements."""
 
 from __future__ import annotations
 
@@ -67,8 +66,7 @@ class Message:
 @dataclass(frozen=True)
 class Loop:
     """A group of messages that occurs several times without another message in between. ``times``
-    is the number of occurrences.
-    """
+    is the number of occurrences."""
 
     times: int
     messages: tuple[Message, ...]
@@ -77,8 +75,7 @@ class Loop:
 @dataclass
 class CycleMessages:
     """The messages from a clock pulse to the next clock pulse. Equal cycles that follow each other
-    are stored once; ``times`` is their number.
-    """
+    are stored once; ``times`` is their number."""
 
     begin: int  # [ns]
     parts: tuple[Message | Loop, ...]
@@ -170,8 +167,7 @@ def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> 
 
 def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
     """Returns the messages, with a loop in place of each group that is repeated immediately. If
-    groups overlap, the group that covers more messages becomes the loop.
-    """
+    groups overlap, the group that covers more messages becomes the loop."""
     parts: list[Message | Loop] = []
     at = 0
     while at < len(messages):

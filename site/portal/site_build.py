@@ -1,6 +1,5 @@
 """Builds the site. Several processes write the bodies of the generated pages. At the same time,
-Sphinx reads the hand-written pages. Then Sphinx writes all pages.
-"""
+Sphinx reads the hand-written pages. Then Sphinx writes all pages."""
 
 from __future__ import annotations
 

@@ -62,8 +62,7 @@ IDENTITY = Path("src/CMakeLists.txt")
 
 def sections(root: Path, path: Path) -> str:
     """Returns the sections of a file in Markdown, without the title of the file. They become
-    sections of a page in ``docs/``, which includes them.
-    """
+    sections of a page in ``docs/``, which includes them."""
     text = (root / path).read_text("utf-8").partition("\n")[2]
     return text.replace("\n## ", "\n# ").replace("](docs/", "](/docs/")
 
@@ -161,8 +160,7 @@ def copy_docs(docs: Path, target: Path) -> set[str]:
 
 def write_members(modules: list[Module], pages: Path) -> set[str]:
     """Writes a source file for each module. From this file, Breathe generates the section of the
-    module's page that lists the members of the class.
-    """
+    module's page that lists the members of the class."""
     for module in modules:
         write_changed(
             pages / "modules" / f"{module.name}.rst",
@@ -190,8 +188,7 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
     """Writes the input of Breathe: the classes of the modules, without elements that Breathe does
     not support.
 
-    Breathe reads a class again if its file is newer. Therefore only changed files are replaced.
-    """
+    Breathe reads a class again if its file is newer. Therefore only changed files are replaced."""
     compounds = []
     for module in modules:
         if path := doxygen_file(portal, module):
@@ -207,8 +204,7 @@ class GeneratedPages:
     """The pages whose bodies come from templates. Sphinx inserts each body into the layout.
 
     The page of a module also contains the members of its class, which Breathe generates. ``made()``
-    waits until the folder ``bodies`` contains all bodies. Then ``made()`` returns the pages.
-    """
+    waits until the folder ``bodies`` contains all bodies. Then ``made()`` returns the pages."""
 
     def __init__(
         self, bodies: Path, frame: str, site: Path, made: Callable[[], list[Page]]
@@ -222,8 +218,7 @@ class GeneratedPages:
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
         """Returns the pages of modules that Sphinx must write again, because their body or layout
-        is newer than the written page.
-        """
+        is newer than the written page."""
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
 

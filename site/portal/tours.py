@@ -1,6 +1,5 @@
 """Guided tours. A tour leads the reader from page to page. After the last page, it proposes an
-action.
-"""
+action."""
 
 from __future__ import annotations
 
@@ -14,8 +13,7 @@ TOURS = Path("design/tours.toml")
 @dataclass
 class Tour:
     """A tour through the pages. Each stop has the address of a page, and a task for the reader.
-    ``action`` is a command to try at the end, with its effect.
-    """
+    ``action`` is a command to try at the end, with its effect."""
 
     id: str
     title: str

@@ -2,8 +2,7 @@
 """Runs all fuzzers of the firmware several times, and prints a line of JSON after each round.
 
 This program needs only the standard library. It can run on any worker, in the folder of the
-project.
-"""
+project."""
 
 from __future__ import annotations
 

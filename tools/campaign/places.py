@@ -139,8 +139,7 @@ class Places:
 
     def _resolved(self, die: DIE) -> DIE:
         """Returns the type without typedef, const and volatile. If the type is a class that is only
-        declared, returns the definition of the class in another file.
-        """
+        declared, returns the definition of the class in another file."""
         while die.tag in _WRAPPERS:
             inner = _type_of(die)
             if inner is None:

@@ -78,8 +78,7 @@ class Point:
     part.
 
     In ``before``, ``#`` is replaced by the number of the first mutant. ``cut`` is the operator
-    between two operands. ``inside`` replaces the text of ``cut``.
-    """
+    between two operands. ``inside`` replaces the text of ``cut``."""
 
     start: int
     end: int
@@ -101,8 +100,7 @@ def find_points(
     root: Path, unit: str, files: list[str], wanted: set[str] | None = None
 ) -> dict[str, list[Point]]:
     """Returns for each file the points in the bodies of the requested functions, in the order of
-    the text. By default, all functions are searched.
-    """
+    the text. By default, all functions are searched."""
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
     finder.units(tree.cursor)
@@ -266,8 +264,7 @@ class _Finder:
 
 def _layers(cursor: Cursor) -> list[Cursor]:
     """Returns an expression and the expressions inside it, down to the first node that the compiler
-    did not add. The outermost expression is first.
-    """
+    did not add. The outermost expression is first."""
     found = [cursor]
     while found[-1].kind == CursorKind.UNEXPOSED_EXPR:
         children = list(found[-1].get_children())
