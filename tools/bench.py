@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tools.bench_runs import keep
 from tools.lock import only_one
-from tools.steps import FailureError, MissingError
+from tools.steps import FailureError, MissingError, UsageError
 from tools.tasks import graph
 from traceability.reading import task_record
 from traceability.reading.bench_record import (
@@ -57,12 +57,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--seconds", type=positive, help="with --port: end each scenario after this time [s]"
     )
-    parser.set_defaults(run=lambda root, options: bench(root, options, parser))
+    parser.set_defaults(run=bench)
 
 
-def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def bench(root: Path, options: argparse.Namespace) -> int:
     if options.seconds and not options.port:
-        parser.error(f"--seconds {options.seconds} needs --port")
+        raise UsageError(f"--seconds {options.seconds} needs --port")
     if options.port:
         if not options.port.exists():
             raise MissingError(f"there is no port {options.port}: connect the board first")
