@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
 
-from tools.browser import find_browser, result_of, works
+from tools.browser import find_browser, result_of
 from tools.cmake_build import BOARD_PROGRAM, build
 from tools.steps import FailureError
 from tools.task_graph import Outcome
@@ -149,7 +149,7 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
     values: dict[str, Any] = {"scenarios": len(scenarios), "bytes": _bytes(root)}
     if shutil.which("node"):
         engines["Node"] = play_in_node(root, scenarios)
-    if browser is not None and works(browser):
+    if browser is not None:
         result = play_in_browser(root, browser, scenarios)
         engines["browser"] = result["runs"]
         factors = sorted(run["factor"] for run in result["runs"])

@@ -14,7 +14,7 @@ from typing import TextIO
 from tools.baseline import TESTS as BASELINE_TESTS
 from tools.baseline import compare, image_name
 from tools.bench_runs import measure_all
-from tools.browser import find_browser, works
+from tools.browser import find_browser
 from tools.call_runs import record_all
 from tools.change_runs import IMAGES as CHANGE_IMAGES
 from tools.change_runs import TESTS as CHANGE_TESTS
@@ -381,7 +381,7 @@ def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
         return json.dumps([commit(root), {name: is_fresh(root, name) for name in names}])
 
     def pages(log: TextIO) -> Outcome:
-        if not works(find_browser()):
+        if find_browser() is None:
             log.write("There is no browser. The tests that need a browser are skipped.\n")
             return run_pytest(root, "site", log, f"{NOT_LONG} and not browser")
         outcome = run_pytest(root, "site", log)
