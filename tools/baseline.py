@@ -35,6 +35,7 @@ from traceability.reading.baseline_record import (
 )
 from traceability.reading.call_graph import table_bytes
 from traceability.sources import SRC, files_below
+from traceability.whole_file import write_json
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
@@ -71,9 +72,7 @@ def compare(root: Path, log: TextIO) -> None:
         "parts": {design: costs_by_part(root, runs[design], design) for design in DESIGNS},
         "changes": {change: try_change(root, log, change) for change in changes_of(root)},
     }
-    path = root / RESULT
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    write_json(root / RESULT, result)
 
 
 def image_name(design: str) -> str:

@@ -24,6 +24,7 @@ from traceability.reading.bench_record import (
 )
 from traceability.reading.products import DEFAULT, PAPER, image_of
 from traceability.schema import BenchRun, BenchScenario
+from traceability.whole_file import write_json
 
 SECONDS = 600  # time limit of a run
 
@@ -52,9 +53,7 @@ def measure_paper(root: Path, log: TextIO) -> str:
 
 
 def keep(root: Path, path: Path, record: Record) -> None:
-    content = {name: asdict(scenario) for name, scenario in record.items()}
-    (root / path).parent.mkdir(parents=True, exist_ok=True)
-    (root / path).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    write_json(root / path, {name: asdict(scenario) for name, scenario in record.items()})
 
 
 def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:

@@ -21,6 +21,7 @@ from traceability.reading.call_record import (
 )
 from traceability.reading.chains import declared_chains, first_missing, follow
 from traceability.reading.traces import read_symbols
+from traceability.whole_file import write_whole
 
 SECONDS = 300  # time limit of a scenario
 NAMES = "arm-none-eabi-nm"
@@ -50,8 +51,7 @@ def record_all(root: Path, log: TextIO) -> str:
                 f"{first_missing(chain, recording)!r} after the previous steps"
             )
     content = {"recordings": {name: packed(recording) for name, recording in recordings.items()}}
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
-    (root / RECORD).write_text(json.dumps(content, separators=(",", ":")), encoding="utf-8")
+    write_whole(root / RECORD, json.dumps(content, separators=(",", ":")))
     calls = sum(len(recording.spans) for recording in recordings.values())
     return f"{len(recordings)} parts of scenarios, {calls} calls"
 

@@ -3,7 +3,6 @@ results."""
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 from pathlib import Path
@@ -20,6 +19,7 @@ from traceability.reading.closed_loop_record import (
 )
 from traceability.reading.products import image_of
 from traceability.schema import HOST, VIRTUAL_K64
+from traceability.whole_file import write_json
 
 HOST_PROGRAM = "weeding_robot_host"
 SECONDS = 300  # time limit of a scenario
@@ -34,8 +34,7 @@ def play_all(root: Path, log: TextIO) -> Outcome:
         }
         for item in declared(root)
     }
-    (root / OUTCOMES).parent.mkdir(parents=True, exist_ok=True)
-    (root / OUTCOMES).write_text(json.dumps({"runs": runs}, indent=1), encoding="utf-8")
+    write_json(root / OUTCOMES, {"runs": runs})
     return _outcome(runs)
 
 

@@ -101,7 +101,6 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     tests."""
     on_board = run_name == BOARD
     results = results_of(root, run_name)
-    results.parent.mkdir(parents=True, exist_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
     # The files with the coverage counters of the last run are removed. Otherwise, the program would
@@ -116,8 +115,7 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
         again = {**seed, "WR_IMAGE": str(root / image), "GTEST_FILTER": ":".join(names)}
         more = run_shards(results, program, log, again)
         suites, seconds, ended = suites + more[0], seconds + more[1], ended or more[2]
-    merged = {"testsuites": suites}
-    results.write_text(json.dumps(merged) + "\n")
+    results.write_text(json.dumps({"testsuites": suites}) + "\n")
     cost = {"sources": source_hash(root), "seconds": seconds}
     cost_of(root, run_name).write_text(json.dumps(cost) + "\n")
     write_failures(results, log)
@@ -132,6 +130,7 @@ def run_shards(
 ) -> tuple[list[dict[str, Any]], float, str]:
     """Returns the suites with their results, the processor time [s], and the failure of a process
     if there is one."""
+    results.parent.mkdir(parents=True, exist_ok=True)
     shards = [Shard(results, number, int(jobs()), variables) for number in range(int(jobs()))]
     with ThreadPoolExecutor(len(shards)) as pool:
         ends = list(pool.map(lambda shard: shard.run(program), shards))

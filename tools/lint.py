@@ -33,7 +33,7 @@ from traceability.reading.lint_record import (
 from traceability.reading.prose_record import FOLDERS, read_prose, write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
-from traceability.whole_file import write_whole
+from traceability.whole_file import write_json, write_whole
 
 # The logic modules that each logic module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
@@ -265,7 +265,6 @@ def joined(root: Path, unit: tuple[Path, ...]) -> Path:
     included files."""
     folder = root / "build" / "lint" / "units"
     file = folder / unit[0].relative_to(root)
-    file.parent.mkdir(parents=True, exist_ok=True)
     for found in settings(root, unit[0]):
         if found.parent != root:
             write_whole(folder / found.relative_to(root), found.read_text(encoding="utf-8"))
@@ -305,7 +304,7 @@ def check_changed(
             failed |= found
     log.writelines(f"{path.relative_to(root)}:\n{text}\n" for path, text in failed.items())
     good = {name_of(root, unit): key for unit, key in keys.items() if not failed.keys() & unit}
-    write_whole(store, json.dumps(good, indent=1))
+    write_json(store, good)
     count = sum(map(len, units))
     if failed:
         raise FailureError(f"clang-tidy rejects {len(failed)} of {count} files")

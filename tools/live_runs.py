@@ -23,6 +23,7 @@ from tools.task_graph import Outcome
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.live_record import MODULE, RECORD
 from traceability.reading.products import PAPER, image_of
+from traceability.whole_file import write_json
 
 COMPILER = "clang++-19"
 PRESET, TARGET = "web", "live"
@@ -139,10 +140,9 @@ def differences(native: Run, run: dict[str, Any]) -> list[str]:
 
 def measure_live(root: Path, log: TextIO) -> Outcome:
     """Compares the runs of all example scenarios, and measures the speed in the browser."""
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     browser = find_browser()
     if not (root / MODULE).exists():
-        (root / RECORD).write_text("{}\n", encoding="utf-8")
+        write_json(root / RECORD, {})
         return Outcome("not run, because there is no module")
     scenarios = examples(root)
     engines: dict[str, list[dict[str, Any]]] = {}
@@ -165,7 +165,7 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
     if engines:
         different = {line.partition(":")[0] for line in wrong}
         values["scenarios_equal"] = len(scenarios) - len(different)
-    (root / RECORD).write_text(json.dumps(values, indent=1) + "\n", encoding="utf-8")
+    write_json(root / RECORD, values)
     if wrong:
         return Outcome(f"a run differs from the native run: {wrong[0]}", failed=True)
     speed = values.get("real_time_factor")

@@ -4,7 +4,6 @@ tests find."""
 from __future__ import annotations
 
 import argparse
-import json
 import random
 import time
 from pathlib import Path
@@ -16,7 +15,7 @@ from tools.tasks import graph
 from traceability.reading.published import publish
 from traceability.reading.results import read_json
 from traceability.reading.task_record import TESTS_TRACE
-from traceability.whole_file import write_whole
+from traceability.whole_file import write_json
 
 if TYPE_CHECKING:
     from tools.mutation.points import Mutant
@@ -216,7 +215,7 @@ class _Run:
             "minutes": round(self.took, 1),
         }
         result = record(self.tried, origin, len(self.mutants), self.justifications)
-        write_whole(self.root / RESULT, json.dumps(result, indent=1))
+        write_json(self.root / RESULT, result)
 
     def survivors(self) -> list[Mutant]:
         """Returns the mutants that no test found and no entry of design/mutants.toml justifies."""

@@ -4,7 +4,6 @@ on the folder of the project."""
 from __future__ import annotations
 
 import argparse
-import json
 import re
 import shutil
 import subprocess
@@ -37,6 +36,7 @@ from traceability.reading.task_record import IMAGES
 from traceability.reading.task_record import RECORD as TASKS
 from traceability.reading.traces import SOURCES
 from traceability.sources import file_hash
+from traceability.whole_file import write_json
 
 FOLDER = Path("build/release")
 SITE = Path("build/site")
@@ -106,8 +106,7 @@ def release(root: Path, *, verify: bool, published: bool = False) -> int:
         return 0
     different = compare_with_second(root, folder)
     record = {"commit": made.commit, "reproducible": not different}
-    (root / RESULTS).mkdir(parents=True, exist_ok=True)
-    (root / RECORD).write_text(json.dumps(record) + "\n", encoding="utf-8")
+    write_json(root / RECORD, record)
     for line in different:
         print(line)
     if published:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 from collections import defaultdict
@@ -26,6 +25,7 @@ from traceability.reading.products import (
     modules_in,
     recorded_image_of,
 )
+from traceability.whole_file import write_json
 
 ELF = image_of(DEFAULT, ".elf")
 SIZES = Path("build/results/size_k64.json")
@@ -206,10 +206,3 @@ def write_sizes(root: Path) -> dict[str, Size]:
     write_json(root / SIZES, {name: vars(size) for name, size in sorted(sizes.items())})
     write_json(root / TOTALS, {"flash": whole.flash, "ram": whole.ram})
     return sizes
-
-
-def write_json(path: Path, content: object) -> None:
-    text = json.dumps(content, indent=1) + "\n"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists() or path.read_text(encoding="utf-8") != text:
-        path.write_text(text, encoding="utf-8")
