@@ -10,7 +10,6 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
-from itertools import groupby
 from pathlib import Path
 
 from tools.steps import FailureError, UsageError
@@ -21,6 +20,7 @@ from traceability.exports.revision import (
     revision_of,
     write_revision,
 )
+from traceability.grouping import grouped
 from traceability.reading.build_evidence import git
 from traceability.reading.comparison_record import Comparison, Difference, write_comparison
 from traceability.sources import DESIGN
@@ -135,10 +135,7 @@ def lines_of(found: list[Difference]) -> list[str]:
     if not found:
         return ["no differences"]
     lines = []
-    for section, group in groupby(
-        sorted(found, key=lambda one: one.section), lambda one: one.section
-    ):
-        members = list(group)
+    for section, members in sorted(grouped(found, lambda one: one.section).items()):
         width = max(len(one.subject) for one in members)
         lines += ["", f"{section}: {len(members)}"]
         lines += [f"  {difference.subject:<{width}}  {difference.text}" for difference in members]

@@ -6,11 +6,11 @@ import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 from portal.links import ROOT
+from traceability.sources import text_of
 
 QUESTIONS = Path("design/questions.toml")
 # The name of a metric in an answer. A name such as {last.mutation.commit} means a value of the last
@@ -57,9 +57,8 @@ class Question:
 
 
 def questions_of(root: Path) -> list[Question]:
-    path = root / QUESTIONS
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    return [Question(**entry) for entry in tomllib.loads(text).get("question", [])]
+    entries = tomllib.loads(text_of(root / QUESTIONS)).get("question", [])
+    return [Question(**entry) for entry in entries]
 
 
 def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:
@@ -88,11 +87,3 @@ def value_of(metrics: Mapping[str, Any], name: str) -> Any:
     command, _, key = name.removeprefix(LAST).partition(".")
     record = metrics["last"].get(command)
     return None if record is None else record[key]
-
-
-def by_topic(questions: list[Question]) -> dict[str, list[Question]]:
-    topics = list(dict.fromkeys(question.topic for question in questions))
-    ordered = sorted(questions, key=lambda question: topics.index(question.topic))
-    return {
-        topic: list(group) for topic, group in groupby(ordered, lambda question: question.topic)
-    }

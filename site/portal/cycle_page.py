@@ -23,7 +23,7 @@ from portal.recorded_calls import (
     shown_time,
     windows_of,
 )
-from traceability.reading.call_record import Activation, Recording, Span
+from traceability.reading.call_record import Activation, Recording
 
 RECORDING = "drive"
 WIDTH = 1000  # sizes in units of the drawing
@@ -201,29 +201,14 @@ def bars_of(
     for lane in sorted(rows):
         tops[lane] = top
         top += rows[lane] * ROW + ROW
-    return [
-        _bar(
-            portal, span, order=order, activations=activations, tops=tops, first=first, scale=scale
-        )
-        for span in chosen
-    ]
-
-
-def _bar(
-    portal: Portal,
-    span: Span,
-    *,
-    order: list[int | None],
-    activations: list[Activation],
-    tops: dict[int, int],
-    first: int,
-    scale: float,
-) -> Bar:
-    lane = order.index(activations[span.activation].priority)
-    method = portal.links.find_method(span.method)
-    href = portal.links.source(method.body or method.place) if method else None
-    x, width = (span.begin - first) * scale, (span.end - span.begin) * scale
-    return Bar(x, tops[lane] + span.depth * ROW, width, span.method, href, lane)
+    bars = []
+    for span in chosen:
+        lane = order.index(activations[span.activation].priority)
+        method = portal.links.find_method(span.method)
+        href = portal.links.source(method.body or method.place) if method else None
+        x, width = (span.begin - first) * scale, (span.end - span.begin) * scale
+        bars.append(Bar(x, tops[lane] + span.depth * ROW, width, span.method, href, lane))
+    return bars
 
 
 def data_of(portal: Portal, shown_cycle: Cycle) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from pathlib import Path
 from portal.fonts import FAMILY, write_fonts
 from portal.label_places import Box, best_move, box_of, move
 from portal.links import Links
+from traceability.grouping import grouped
 from traceability.model.design_model import Model
 from traceability.schema import Module, PatternApplication, StateMachine, Transition
 
@@ -261,7 +262,8 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
     if is_narrow(machine):
         lines.append("left to right direction")
     lines.append(f"[*] --> {machine.initial}")
-    edges = merged_transitions(machine)
+    # All transitions from a state to another state share a single edge.
+    edges = grouped(machine.transitions, lambda step: (step.source, step.target))
     for (source, target), steps in edges.items():
         text = "\\n".join(line for step in steps for line in label_lines(step))
         unseen = not stale and not all(step.tests for step in steps)
@@ -279,15 +281,6 @@ def is_narrow(machine: StateMachine) -> bool:
     return all(
         len(line) <= SHORT_LABEL for step in machine.transitions for line in label_lines(step)
     )
-
-
-def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
-    """Returns the edges of the diagram. All transitions from a state to another state share a
-    single edge."""
-    merged: dict[tuple[str, str], list[Transition]] = {}
-    for step in machine.transitions:
-        merged.setdefault((step.source, step.target), []).append(step)
-    return merged
 
 
 def label_lines(step: Transition) -> list[str]:
@@ -325,9 +318,7 @@ LINES = {
 
 def high_level_diagram(model: Model, links: Links) -> Diagram:
     lines = preamble()
-    lines += [
-        f"skinparam rectangleFontColor {MARKERS['text']}",
-    ]
+    lines.append(f"skinparam rectangleFontColor {MARKERS['text']}")
     grouped = {name for group in model.groups for name in group.modules}
     for number, group in enumerate(model.groups):
         fill = f"{MARKERS['plain']};line:{MARKERS['edge'][1:]};line.dashed"
@@ -347,6 +338,7 @@ def high_level_diagram(model: Model, links: Links) -> Diagram:
 
 
 def node(name: str) -> str:
+    """Returns the name of an element inside the text of a diagram."""
     return re.sub(r"\W", "_", name)
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from portal.glossary_terms import Term, terms_of
 from portal.links import ROOT
 from portal.navigation import Entry
+from traceability.sources import text_of
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
@@ -37,8 +38,7 @@ class GlossaryLinks:
     shows the first sentence of the term. ``constants`` contains the numbers of this sentence."""
 
     def __init__(self, root: Path, constants: Mapping[str, str]) -> None:
-        path = root / f"{GLOSSARY.id}.rst"
-        source = path.read_text(encoding="utf-8") if path.exists() else ""
+        source = text_of(root / f"{GLOSSARY.id}.rst")
         terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source, constants)}
         self.terms = {words: term for words, term in terms.items() if words not in OTHER_SENSES}
         self.longer = {

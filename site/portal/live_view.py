@@ -14,6 +14,7 @@ from typing import Any
 from portal import plots
 from portal.portal import Portal
 from portal.writing import remove_others, write_changed
+from traceability.grouping import grouped
 from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.declared_safety import SCENARIOS
@@ -176,10 +177,8 @@ def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, A
     name and kind of each parameter that is passed in a register. The returned dictionary contains
     no overloaded methods, no methods without such a parameter, and no methods that may return their
     result in memory."""
-    found: dict[str, list[Method]] = {}
-    for module in portal.designs:
-        for method in module.methods:
-            found.setdefault(method.id, []).append(method)
+    methods = (method for module in portal.designs for method in module.methods)
+    found = grouped(methods, lambda method: method.id)
     return {
         numbers[name]: {"first": int(one[0].kind != "static"), "parameters": kinds}
         for name, one in found.items()

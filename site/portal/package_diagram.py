@@ -8,7 +8,7 @@ import tomllib
 from itertools import pairwise
 from pathlib import Path
 
-from portal.diagrams import MARKERS, Diagram, preamble
+from portal.diagrams import MARKERS, Diagram, node, preamble
 
 CONTRACTS = Path("pyproject.toml")
 PACKAGES = "packages"  # id of the diagram
@@ -41,10 +41,6 @@ def package_diagrams(root: Path) -> list[Diagram]:
 
 def arrows(layers: list[str]) -> list[str]:
     return [f"{node(a)} --> {node(b)}" for a, b in pairwise(layers)]
-
-
-def node(name: str) -> str:
-    return name.replace(".", "_")
 
 
 def box(root: Path, name: str) -> str:

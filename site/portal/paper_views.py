@@ -13,8 +13,9 @@ from markupsafe import Markup
 from portal import names
 from portal.links import ROOT, paper_anchor
 from portal.portal import Page, Portal
+from traceability.grouping import grouped
 from traceability.reading.products import DEFAULT, PAPER
-from traceability.schema import LikelyChange, LogicModule, Method, Module, PaperElement
+from traceability.schema import LikelyChange, LogicModule, Method, Module
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
 ROLE_CHECKS = ("module-count", "pattern-subclass-unbound")  # for a change that adds a module
@@ -27,9 +28,6 @@ COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified",
 
 def change_page(portal: Portal, change: LikelyChange) -> Page:
     application = portal.model.patterns[change.application]
-    untouched: dict[str, list[str]] = {}
-    for name in change.untouched:
-        untouched.setdefault(portal.model.modules[name].logic, []).append(name)
     return portal.page(
         f"changes/{change.application}",
         f"Change: {application.title}",
@@ -39,7 +37,7 @@ def change_page(portal: Portal, change: LikelyChange) -> Page:
         application=application,
         hider=portal.model.modules[change.hidden_by],
         steps=[filled(step, change) for step in change.steps],
-        untouched=untouched,
+        untouched=grouped(change.untouched, lambda name: portal.model.modules[name].logic),
         tests=[portal.model.tests[name] for name in change.tests],
         checks=checks_of(portal, change),
         compared=compared(portal, change),
@@ -102,10 +100,8 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
 
 def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
     """Returns the hidden names of a module or of a folder, by kind."""
-    by_kind = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
-    for name in owner.hides:
-        by_kind.setdefault(kind_of(name), []).append(name)
-    return {kind: words for kind, words in by_kind.items() if words}
+    registers = list(owner.registers) if isinstance(owner, Module) else []
+    return ({"registers": registers} if registers else {}) | grouped(owner.hides, kind_of)
 
 
 def kind_of(name: str) -> str:
@@ -170,10 +166,8 @@ def concordance(portal: Portal) -> dict[str, Any]:
     by_key = {(element.kind, element.name): element for element in model.paper}
     places = [(place, by_key.get((place.kind, place.id))) for place in model.paper_places]
     own = {id(element) for _, element in places}
-    kinds: dict[str, list[PaperElement]] = {}
-    for element in model.paper:
-        if id(element) not in own:
-            kinds.setdefault(element.kind, []).append(element)
+    others = (element for element in model.paper if id(element) not in own)
+    kinds = grouped(others, lambda element: element.kind)
     back = {m.name: paper_names for m in portal.designs if (paper_names := portal.in_paper(m.name))}
     return {
         "places": places,

@@ -24,6 +24,7 @@ from portal.navigation import Navigation, hand_written
 from portal.package_diagram import package_diagrams
 from portal.tours import tours_of
 from portal.tuned_values import chosen_values, constant_named, other_lines
+from traceability.checks.registry import Check
 from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
@@ -72,19 +73,6 @@ DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenari
 
 
 @dataclass
-class CheckText:
-    """The texts that explain a check, copied from the registry of checks."""
-
-    id: str
-    title: str
-    why: str
-    holds: str
-    blind: str
-    fix: str
-    result: str = ""  # address of the section that shows the values that the check examines
-
-
-@dataclass
 class Page:
     """A page of the site. ``nav`` names its entry in the navigation."""
 
@@ -104,7 +92,7 @@ def heading_anchor(title: str) -> str:
 class Portal:
     """All values that a template may use."""
 
-    def __init__(self, root: Path, model: Model, report: Report, checks: list[CheckText]) -> None:
+    def __init__(self, root: Path, model: Model, report: Report, checks: list[Check]) -> None:
         self.root = root
         self.model = model
         self.report = report
@@ -124,6 +112,7 @@ class Portal:
             model, self.docs, len(self.checks), len(model.faults), len(self.questions)
         )
         self.designs = [m for m in model.modules.values() if not m.datatype]
+        self.top_logic_modules = [m for m in model.logic_modules.values() if m.parent is None]
         self.diagrams = self._diagrams()
         finished = diagrams.draw(self.diagrams, root / "build" / "diagrams")
         self.drawn = {name: Markup(svg) for name, svg in finished.items()}
@@ -221,6 +210,10 @@ class Portal:
         """Returns the nodes of an invocation tree with their depths. The root is the first node."""
         below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
         return [(depth, node), *below]
+
+    def nodes(self, requirement: Requirement) -> list[tuple[int, TreeNode]]:
+        """Returns the nodes of the invocation tree of a requirement, if there is a tree."""
+        return self.flat(requirement.tree) if requirement.tree else []
 
     def element_targets(self) -> dict[str, str]:
         """Returns for each element of the architecture the address of the first module that

@@ -4,7 +4,6 @@ in the invocation trees of chosen requirements."""
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -13,7 +12,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from portal.diagrams import MARKERS, Diagram, draw, preamble
+from portal.diagrams import MARKERS, Diagram, draw, node, preamble
 from portal.links import Links
 from portal.portal import Portal
 from portal.recorded_calls import (
@@ -205,10 +204,6 @@ def flat(parts: Sequence[Message | Loop]) -> Iterator[Message]:
         yield from part.messages if isinstance(part, Loop) else (part,)
 
 
-def alias(name: str) -> str:
-    return re.sub(r"\W", "_", name)
-
-
 def sequence_diagram(
     sequence: DeclaredSequence, cycles: list[CycleMessages], links: Links
 ) -> Diagram:
@@ -266,18 +261,18 @@ def _look() -> list[str]:
 def _participant(name: str, links: Links) -> str:
     address = links.logic(name) or links.module(name)
     if name == PC or address is None:
-        return f'participant "{name}" as {alias(name)}'
+        return f'participant "{name}" as {node(name)}'
     logic = links.model.logic_modules.get(name)
     name, module = (logic.name if logic else name), name
     fill = MARKERS["role-concrete-fill"]
-    return f'participant "{name}" as {alias(module)} [[{address}]] {fill}'
+    return f'participant "{name}" as {node(module)} [[{address}]] {fill}'
 
 
 def _arrow(message: Message, links: Links) -> str:
     address = links.method(message.method) if message.method else None
     text = f"[[{address} {message.text}]]" if address else message.text
     arrow = "->" if message.method else "->>"
-    return f"{alias(message.source)} {arrow} {alias(message.target)} : {text}"
+    return f"{node(message.source)} {arrow} {node(message.target)} : {text}"
 
 
 # ---- the page ----------------------------------------------------------------

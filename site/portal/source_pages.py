@@ -8,14 +8,12 @@ from markupsafe import Markup
 
 from portal.module_page import line_kind
 from portal.portal import Page, Portal
+from traceability.grouping import grouped
 from traceability.reading.products import RECORDED
 
 
 def folders(portal: Portal) -> dict[str, list[str]]:
-    files: dict[str, list[str]] = {}
-    for path in portal.model.files:
-        files.setdefault(path.rpartition("/")[0], []).append(path)
-    return files
+    return grouped(portal.model.files, lambda path: path.rpartition("/")[0])
 
 
 @dataclass

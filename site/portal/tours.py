@@ -7,6 +7,8 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
+from traceability.sources import text_of
+
 TOURS = Path("design/tours.toml")
 
 
@@ -22,6 +24,4 @@ class Tour:
 
 
 def tours_of(root: Path) -> list[Tour]:
-    path = root / TOURS
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    return [Tour(**entry) for entry in tomllib.loads(text).get("tour", [])]
+    return [Tour(**entry) for entry in tomllib.loads(text_of(root / TOURS)).get("tour", [])]
