@@ -157,23 +157,11 @@ def preamble() -> list[str]:
 # ---- pattern applications ----------------------------------------------------
 
 
-def between(model: Model, bound: set[str]) -> set[str]:
+def between(links: Links, bound: set[str]) -> set[str]:
     """Returns the modules without a role that are between two modules with a role in the class
     hierarchy."""
-
-    def leads_to_bound(name: str) -> bool:
-        module = model.modules.get(name)
-        return module is not None and any(b in bound or leads_to_bound(b) for b in module.bases)
-
-    modules: set[str] = set()
-    for name in bound:
-        pending = list(model.modules[name].bases)
-        while pending:
-            base = pending.pop()
-            if base in model.modules and base not in bound | modules and leads_to_bound(base):
-                modules.add(base)
-                pending += model.modules[base].bases
-    return modules
+    above = {base for name in bound for base in links.ancestors(name)} - bound
+    return {name for name in above if bound & set(links.ancestors(name))}
 
 
 def shown_members(module: Module, role: str) -> list[str]:
@@ -216,7 +204,7 @@ def pattern_diagram(model: Model, application: PatternApplication, links: Links)
     for binding in application.roles:
         if binding.module in model.modules:
             roles.setdefault(binding.module, []).append(binding.role)
-    extra = between(model, set(roles))
+    extra = between(links, set(roles))
     shown = [*roles, *sorted(extra)]
     lines = preamble()
     for name in shown:

@@ -72,18 +72,19 @@ class Links:
         """Returns the method with this identifier. If the module does not declare the method,
         returns the method that the module inherits."""
         name, _, method = identifier.partition("::")
-        seen: set[str] = set()
-        pending = [name]
+        names = (f"{owner}::{method}" for owner in (name, *self.ancestors(name)))
+        return next((self.methods[name] for name in names if name in self.methods), None)
+
+    def ancestors(self, module: str) -> list[str]:
+        """Returns the direct and indirect base classes; the direct base classes come first."""
+        names: list[str] = []
+        pending = [module]
         while pending:
-            candidate = pending.pop(0)
-            if candidate in seen:
-                continue
-            seen.add(candidate)
-            if inherited := self.methods.get(f"{candidate}::{method}"):
-                return inherited
-            if module := self.model.modules.get(candidate):
-                pending += module.bases
-        return None
+            owner = self.model.modules.get(pending.pop(0))
+            new = [base for base in (owner.bases if owner else []) if base not in names]
+            names += new
+            pending += new
+        return names
 
     def method_anchor(self, method: Method) -> str:
         module = self.model.modules[method.module]

@@ -38,7 +38,7 @@ def module_page(portal: Portal, module: Module) -> Page:
         other_tests=[test for test in portal.tests_of(module) if test not in first_tests],
         through=requirement_methods(module),
         siblings=[name for name in (logic.modules if logic else []) if name != module.name],
-        ancestors=ancestors(portal, module),
+        ancestors=portal.links.ancestors(module.name),
         bars=coverage_bars(portal, module),
         changes=portal.changes_of(module.name),
         in_paper=portal.in_paper(module.name),
@@ -53,24 +53,11 @@ def doxygen_file(portal: Portal, module: Module) -> Path | None:
     return path if path.is_file() else None
 
 
-def ancestors(portal: Portal, module: Module) -> list[str]:
-    """Returns the direct and indirect base classes; the direct base classes come first."""
-    names: list[str] = []
-    pending = list(module.bases)
-    while pending:
-        base = pending.pop(0)
-        if base not in names:
-            names.append(base)
-            if base in portal.model.modules:
-                pending += portal.model.modules[base].bases
-    return names
-
-
 def inherited_methods(portal: Portal, module: Module) -> list[Method]:
     """Returns the public methods that the module inherits and does not override."""
     overridden = {m.name for m in module.methods}
     methods: list[Method] = []
-    for base in ancestors(portal, module):
+    for base in portal.links.ancestors(module.name):
         for method in portal.model.modules[base].methods if base in portal.model.modules else []:
             skip = method.kind == "constructor" or method.name.startswith(("~", "operator"))
             if method.access == "public" and not skip and method.name not in overridden:

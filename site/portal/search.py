@@ -11,7 +11,6 @@ from pathlib import Path
 from portal.glossary_terms import terms_of
 from portal.links import ROOT, paper_anchor
 from portal.messages import codes_by_name, messages
-from portal.module_page import ancestors
 from portal.names import views_of
 from portal.page_words import parts_of
 from portal.portal import SITE, Portal
@@ -271,7 +270,7 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
     methods = {
         f"{module.name}::{method.name}"
         for module in model.modules.values()
-        for owner in [module.name, *ancestors(portal, module)]
+        for owner in [module.name, *links.ancestors(module.name)]
         if owner in model.modules
         for method in model.modules[owner].methods
     }
