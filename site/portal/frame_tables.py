@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from portal.tables import list_table
+from portal.templates import TEMPLATES
 from traceability.reading.live_record import MODULE
 from weeding_robot_client.layout import (
     BY_QUANTITY,
@@ -20,21 +21,6 @@ from weeding_robot_client.layout import (
 TABLE = Path("design/frames.toml")
 # Number of columns of a table of values -> widths of these columns [per cent].
 VALUES_WIDTHS = {4: (12, 22, 24, 42), 5: (8, 16, 16, 28, 32), 6: (8, 14, 14, 22, 16, 26)}
-LIVE_FRAMES = """\
-<link rel="stylesheet" href="../_static/live/live.css">
-<script src="../_static/live/frames.js" defer></script>
-<script src="../_static/live/can_run.js" defer></script>
-<script src="../_static/live/frame_view.js" defer></script>
-<div class="lv-watch" data-frames-of="../live/" data-scripts="../_static/live/" hidden>
-  <p class="lv-row">
-    <button class="btn" type="button" data-go>Watch the line</button>
-    <select class="lv-pick" data-kind aria-label="Type of the frame"></select>
-    <span class="small mut" data-direction></span>
-  </p>
-  <div class="lv-bytes" data-parts></div>
-  <p data-detail></p>
-</div>
-"""
 
 
 def frame_tables(root: Path) -> dict[str, str]:
@@ -173,4 +159,4 @@ def live_frames(root: Path) -> str:
     the WebAssembly module was not built, returns a sentence that reports this."""
     if not (root / MODULE).exists():
         return "<p>The WebAssembly module that runs the robot was not built.</p>\n"
-    return LIVE_FRAMES
+    return (TEMPLATES / "live_frames.html").read_text(encoding="utf-8")

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemBytecodeCache
 from markupsafe import Markup
 
 from portal import diagrams, names
@@ -22,6 +22,7 @@ from portal.highlight import Highlighter
 from portal.links import Links, paper_anchor, slug
 from portal.navigation import Navigation, hand_written
 from portal.package_diagram import package_diagrams
+from portal.templates import environment
 from portal.tours import tours_of
 from portal.tuned_values import chosen_values, constant_named, other_lines
 from traceability.checks.registry import Check
@@ -51,8 +52,6 @@ from traceability.schema import (
     Transition,
     TreeNode,
 )
-
-SITE = Path(__file__).resolve().parents[1]
 
 OPERATION_STATES, READING_MODES = "operation-states", "reading-modes"
 # The drawing of the first page marks a connection while one of these modules is called.
@@ -136,23 +135,17 @@ class Portal:
     def _environment(self) -> Environment:
         compiled = self.root / "build" / "pages-cache" / "templates"
         compiled.mkdir(parents=True, exist_ok=True)
-        environment = Environment(
-            loader=FileSystemLoader(SITE / "templates"),
-            bytecode_cache=FileSystemBytecodeCache(str(compiled)),
-            autoescape=True,
-            undefined=StrictUndefined,
-            trim_blocks=True,
-            lstrip_blocks=True,
-        )
-        environment.filters["text"] = self.names.text
-        environment.filters["gist"] = names.gist
-        environment.filters["changed_words"] = names.changed_words
-        environment.filters["file_name"] = names.file_name
-        environment.filters["anchor"] = slug
-        environment.filters["bold"] = Markup("<b>{}</b>").format
+        templates = environment()
+        templates.bytecode_cache = FileSystemBytecodeCache(str(compiled))
+        templates.filters["text"] = self.names.text
+        templates.filters["gist"] = names.gist
+        templates.filters["changed_words"] = names.changed_words
+        templates.filters["file_name"] = names.file_name
+        templates.filters["anchor"] = slug
+        templates.filters["bold"] = Markup("<b>{}</b>").format
         for kind in ("mod", "meth", "logic", "pat", "req", "src", "change", "check"):
-            environment.filters[kind] = getattr(self.names, kind)
-        environment.globals.update(
+            templates.filters[kind] = getattr(self.names, kind)
+        templates.globals.update(
             model=self.model,
             report=self.report,
             portal=self,
@@ -168,7 +161,7 @@ class Portal:
                 functools.partial(constant_named, self.root, self.model)
             ),
         )
-        return environment
+        return templates
 
     def page(self, name: str, title: str, nav: str, template: str, **values: Any) -> Page:
         wide, bare = values.pop("wide", False), values.pop("bare", False)

@@ -9,15 +9,14 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from portal.plots import ROBOT, Drawing, draw
+from portal.templates import SITE, environment
 from traceability.schema import Curve, LoopPlot
 from weeding_robot_client.layout import LAYOUTS, WHEEL_COUNT, Layout
 from weeding_robot_client.mcap_file import TOPIC, read_mcap
 
-SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
 MS_OF_S = 1000
 VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # names of quantities in the reports
@@ -188,14 +187,15 @@ def recording_page(path: Path) -> str:
     if not reports:
         raise RecordingError(f"{path} has no report")
     drawings: list[Drawing] = [made for plot in plots(reports) if (made := draw(plot))]
-    environment = Environment(
-        loader=FileSystemLoader(SITE / "templates"), autoescape=True, undefined=StrictUndefined
-    )
-    return environment.get_template("recording.html").render(
-        title=path.name,
-        style=Markup((SITE / "theme" / "static" / "portal.css").read_text(encoding="utf-8")),
-        reports=len(reports),
-        seconds=list(timed(reports))[-1][0],
-        drawings=drawings,
-        changes=changes(reports),
+    return (
+        environment()
+        .get_template("recording.html")
+        .render(
+            title=path.name,
+            style=Markup((SITE / "theme" / "static" / "portal.css").read_text(encoding="utf-8")),
+            reports=len(reports),
+            seconds=list(timed(reports))[-1][0],
+            drawings=drawings,
+            changes=changes(reports),
+        )
     )

@@ -13,7 +13,8 @@ from portal.links import ROOT, paper_anchor
 from portal.messages import codes_by_name, messages
 from portal.names import views_of
 from portal.page_words import parts_of
-from portal.portal import SITE, Portal
+from portal.portal import Portal
+from portal.templates import SITE
 from traceability.schema import Module
 
 # Group, key, title, text and address of an entry, and then more search words. The search words of

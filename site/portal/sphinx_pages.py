@@ -22,7 +22,7 @@ from portal.module_page import MEMBERS, doxygen_file
 from portal.package_diagram import PACKAGES
 from portal.pin_map import HEADER as PINS
 from portal.pin_map import pin_map
-from portal.portal import SITE, Page, Portal
+from portal.portal import Page, Portal
 from portal.sphinx_extension import NAMES
 from portal.sphinx_warnings import WarningCollector
 from portal.tables import (
@@ -44,6 +44,7 @@ from portal.tables import (
     review_questions,
     room_table,
 )
+from portal.templates import SITE
 from portal.writing import remove_others, write_changed
 from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
