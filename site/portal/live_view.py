@@ -7,7 +7,6 @@ import hashlib
 import json
 import re
 from dataclasses import asdict, dataclass
-from itertools import dropwhile, takewhile
 from pathlib import Path
 from typing import Any
 
@@ -91,10 +90,7 @@ def run(portal: Portal) -> dict[str, Any]:
         "scenarios": scenarios(portal.root, portal.model),
         "module_bytes": module.stat().st_size if built else 0,
         "recorded": shown,
-        "drawings": {
-            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
-            for scenario in shown
-        },
+        "drawings": {scenario.name: plots.draw_all(scenario.plots) for scenario in shown},
         "machines": list(portal.model.machines.values()),
         "measured": read_live(portal.root),
         "wide": True,
@@ -291,10 +287,8 @@ def field(field_entry: Field) -> dict[str, Any]:
 
 def first_comment(text: str) -> str:
     """Returns the text of the first comment of a scenario, which can have several lines."""
-    lines = dropwhile(lambda line: not line.startswith("#"), text.splitlines())
-    return " ".join(
-        line[1:].strip() for line in takewhile(lambda line: line.startswith("#"), lines)
-    )
+    comment = re.search(r"(?:^#.*\n?)+", text, re.MULTILINE)
+    return " ".join(line[1:].strip() for line in comment[0].splitlines()) if comment else ""
 
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:

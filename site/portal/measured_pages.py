@@ -94,10 +94,8 @@ def missed_lines(model: Model, place: Place) -> MissedLines:
 
 
 def overlap(one: Place, other: Place) -> bool:
-    same_file = one.file == other.file
-    return (
-        same_file and one.line <= (other.end or other.line) and other.line <= (one.end or one.line)
-    )
+    first, last = max(one.line, other.line), min(one.end or one.line, other.end or other.line)
+    return one.file == other.file and first <= last
 
 
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
@@ -130,10 +128,7 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
         "safe": SAFE_MODULE in HAS[product],
         "also": [name for name in images_of(tests) if name in PRODUCTS and name != product],
         "scenarios": scenarios,
-        "drawings": {
-            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
-            for scenario in scenarios
-        },
+        "drawings": {scenario.name: plots.draw_all(scenario.plots) for scenario in scenarios},
         "within": within,
         "number": lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
     }

@@ -206,14 +206,9 @@ def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
     if kind == "arrow":
         return f"{ROOT}architecture.html#high-level", name
     if kind == "element":
-        drawn_element = next(
-            (element for element in model.architecture if element.id == name), None
-        )
-        return (
-            (f"{ROOT}architecture.html#{name}", drawn_element.name)
-            if drawn_element
-            else (None, name)
-        )
+        drawn = {element.id: element.name for element in model.architecture}
+        address = f"{ROOT}architecture.html#{name}" if name in drawn else None
+        return address, drawn.get(name, name)
     page, _, part = (f"docs/{name}" if kind == "docs" else name).partition("#")
     address = f"{page}.html"
     entries = portal.navigation.entries.values()

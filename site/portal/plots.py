@@ -6,6 +6,7 @@ The theme sets the colour and the width of a curve by its CSS class."""
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -94,6 +95,11 @@ def draw(plot: LoopPlot) -> Drawing | None:
     )
     text = f"{plot.title} in {plot.unit}, {x.first:g} s to {x.last:g} s: {ends}"
     return Drawing(plot.title, plot.unit, x.ticks, y.ticks, lines, text)
+
+
+def draw_all(plots: Iterable[LoopPlot]) -> list[Drawing]:
+    """Returns the drawings of the plots that have points."""
+    return [drawing for drawing in map(draw, plots) if drawing]
 
 
 def class_of(curve: Curve) -> str:

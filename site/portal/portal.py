@@ -229,9 +229,8 @@ class Portal:
             if name in self.model.machines
             for module in self.model.machines[name].states.values()
         ]
-        return [
-            name for name in dict.fromkeys([*states, *CONNECTING]) if name in self.model.modules
-        ]
+        names = dict.fromkeys([*states, *CONNECTING])
+        return [name for name in names if name in self.model.modules]
 
     def executed(self, requirement: Requirement) -> str:
         """Returns "ok" if a test executed the invocation tree, "bad" if no recorded test executed
@@ -367,12 +366,8 @@ class Portal:
         that verify a requirement which the module satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         satisfied = {identifier for method in module.methods for identifier in method.satisfies}
-        tests = self.tests_of(module)
-        own = [test for test in tests if test.place.file == file]
-        verifying = [
-            t for t in tests if t.place.file != file and satisfied.intersection(t.verifies)
-        ]
-        return [*own, *verifying]
+        tests = sorted(self.tests_of(module), key=lambda test: test.place.file != file)
+        return [t for t in tests if t.place.file == file or satisfied.intersection(t.verifies)]
 
     def source_of(self, source: SourceReference) -> Markup:
         """Returns the document or safety goal from which a requirement was derived. The result is a
@@ -382,14 +377,8 @@ class Portal:
         if source.kind == "goal":
             return Markup("safety goal {}").format(self.names.safety(source.name))
         if source.kind == "paper":
-            place = next(
-                (
-                    paper_place
-                    for paper_place in self.model.paper_places
-                    if paper_place.id == source.name
-                ),
-                None,
-            )
+            places = self.model.paper_places
+            place = next((one for one in places if one.id == source.name), None)
             address = f"@/concordance.html#{paper_anchor(source.name)}" if place else None
             title = f": {place.title}" if place else ""
             return Markup("paper, {}{}").format(names.anchor(address, source.name), title)
@@ -517,9 +506,8 @@ class Portal:
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """Returns the result of the run with a seeded fault, or ``None`` if no run with this fault
         was made with the present sources."""
-        return next(
-            (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None
-        )
+        outcomes = self.model.outcomes or []
+        return next((outcome for outcome in outcomes if outcome.name == fault.name), None)
 
     def verdict_on(self, fault: Fault) -> Markup:
         """Returns the verdict on a seeded fault: whether the expected check found the fault, and

@@ -11,7 +11,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from portal.plots import ROBOT, Drawing, draw
+from portal.plots import ROBOT, draw_all
 from portal.templates import SITE, environment
 from traceability.schema import Curve, LoopPlot
 from weeding_robot_client.layout import LAYOUTS, WHEEL_COUNT, Layout
@@ -186,7 +186,6 @@ def recording_page(path: Path) -> str:
     reports = read_recording(path)
     if not reports:
         raise RecordingError(f"{path} has no report")
-    drawings: list[Drawing] = [made for plot in plots(reports) if (made := draw(plot))]
     return (
         environment()
         .get_template("recording.html")
@@ -195,7 +194,7 @@ def recording_page(path: Path) -> str:
             style=Markup((SITE / "theme" / "static" / "portal.css").read_text(encoding="utf-8")),
             reports=len(reports),
             seconds=list(timed(reports))[-1][0],
-            drawings=drawings,
+            drawings=draw_all(plots(reports)),
             changes=changes(reports),
         )
     )
