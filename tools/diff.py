@@ -21,6 +21,7 @@ from traceability.exports.revision import (
     write_revision,
 )
 from traceability.grouping import grouped
+from traceability.model.build import build
 from traceability.reading.build_evidence import git
 from traceability.reading.comparison_record import Comparison, Difference, write_comparison
 from traceability.sources import DESIGN
@@ -94,8 +95,6 @@ def load(root: Path, name: str) -> Revision:
 
 def read_sources(root: Path, commit: str) -> Revision:
     """Reads the sources of a commit. They are unpacked into a temporary folder."""
-    from traceability.model.build import build
-
     with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:
         copy = Path(folder)
         unpack(root, commit, copy)

@@ -8,14 +8,12 @@ import json
 import sys
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from tools.python_imports import importing_tests
 from tools.steps import UsageError, need_file
+from traceability.model.build import build
+from traceability.model.impact import Impact, Impacts, Reached, UnknownSubjectError
 from traceability.reading.build_evidence import git
-
-if TYPE_CHECKING:
-    from traceability.model.impact import Impact, Reached
 
 WIDTH = 100
 RANGE = ".."  # separates two commits
@@ -52,9 +50,6 @@ def impact(root: Path, options: argparse.Namespace) -> int:
 
 
 def impact_of(root: Path, subject: str) -> Impact:
-    from traceability.model.build import build
-    from traceability.model.impact import Impacts, UnknownSubjectError
-
     path = Path(subject)
     if path.is_file() and path.resolve().is_relative_to(root):
         subject = str(path.resolve().relative_to(root))
@@ -74,8 +69,6 @@ def impact_of(root: Path, subject: str) -> Impact:
 
 def with_python(root: Path, found: Impact) -> Impact:
     """Adds the Python tests that import the changed Python files, directly or indirectly."""
-    from traceability.model.impact import Reached
-
     python = [path for path in found.unfollowed if path.endswith(".py")]
     for test, path in importing_tests(root, python).items():
         near = test == path
