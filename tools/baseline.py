@@ -16,7 +16,7 @@ from typing import Any, TextIO
 
 import lizard
 
-from tools.cmake_build import BOARD_PROGRAM, copy_sources, jobs
+from tools.cmake_build import board_words, copy_sources, jobs
 from tools.includes import included
 from tools.sizes import Size, image_sizes, output, total
 from tools.steps import FailureError, run
@@ -50,7 +50,7 @@ def compare(root: Path, log: TextIO) -> None:
     """Compares the two designs, and writes build/results/usual_design.json."""
     run(log, [root / "build/host/tests/usual_design" / TESTS])
     runs = {design: measure_run(root, log, design) for design in DESIGNS}
-    sizes = {design: sizes_of(root, design) for design in DESIGNS}
+    sizes = {design: image_sizes(image_of(root, design, ".elf")) for design in DESIGNS}
     figures = {
         design: {
             **run_figures(runs[design]),
@@ -91,15 +91,8 @@ def measure_run(root: Path, log: TextIO, design: str) -> dict[str, Any]:
     record = root / WORK / f"{design}.json"
     record.parent.mkdir(parents=True, exist_ok=True)
     record.unlink(missing_ok=True)
-    run(
-        log,
-        [
-            root / "build/host/sim" / BOARD_PROGRAM,
-            *("--image", image_of(root, design, ".bin")),
-            *("--elf", image_of(root, design, ".elf")),
-            *("--scenario", root / SCENARIO, "--bench", record, "--profile"),
-        ],
-    )
+    words = board_words(root, image_of(root, design, ".bin"))
+    run(log, [*words, "--scenario", root / SCENARIO, "--bench", record, "--profile"])
     measured: dict[str, Any] = json.loads(record.read_text(encoding="utf-8"))
     return measured
 
@@ -148,10 +141,6 @@ def costs_by_part(root: Path, measured: dict[str, Any], design: str) -> dict[str
 
 
 # ---- flash and RAM -----------------------------------------------------------
-
-
-def sizes_of(root: Path, design: str) -> dict[str, Size]:
-    return image_sizes(image_of(root, design, ".elf"))
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, TextIO
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.cmake_build import board_words
 from tools.steps import FailureError, run
 from traceability.reading.bench_record import (
     BENCH,
@@ -83,10 +83,8 @@ def play(
     output = root / "build" / "bench" / f"{product}-{name}-{timing}.json"
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)
-    program = root / "build" / "host" / "sim" / BOARD_PROGRAM
     words = [
-        *(str(program), "--image", str(root / image_of(product, ".bin"))),
-        *("--elf", str(root / image_of(product, ".elf"))),
+        *board_words(root, image_of(product, ".bin")),
         *("--scenario", str(root / FOLDER / f"{name}.scenario"), "--timing", timing),
         *("--bench", str(output), *more),
     ]

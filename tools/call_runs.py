@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import TextIO
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.cmake_build import board_words
 from tools.steps import FailureError, run
 from traceability.reading.call_record import (
     ELF,
@@ -61,8 +61,7 @@ def play(root: Path, window: Window, output: Path, log: TextIO) -> Path:
     event in each line."""
     output.unlink(missing_ok=True)
     words = [
-        *(str(root / "build" / "host" / "sim" / BOARD_PROGRAM), "--image", str(root / IMAGE)),
-        *("--elf", str(root / ELF), "--scenario", str(root / window.file)),
+        *(*board_words(root, IMAGE), "--scenario", str(root / window.file)),
         *("--calls", str(output), "--between", str(window.begin), str(window.end)),
     ]
     run(log, ["timeout", str(SECONDS), *words])

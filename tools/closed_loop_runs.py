@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 from typing import TextIO
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.cmake_build import board_words
 from tools.task_graph import Outcome
 from traceability.reading.closed_loop_record import (
     EXAMPLES,
@@ -42,11 +42,9 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
     reports = root / csv_of(name, binding)
     reports.parent.mkdir(parents=True, exist_ok=True)
     reports.unlink(missing_ok=True)
-    folder = root / "build" / "host" / "sim"
-    words: list[str | Path] = [folder / HOST_PROGRAM, "--paper"]
+    words: list[str | Path] = [root / "build/host/sim" / HOST_PROGRAM, "--paper"]
     if binding == VIRTUAL_K64:
-        image, elf = (root / image_of(PRODUCT, suffix) for suffix in (".bin", ".elf"))
-        words = [folder / BOARD_PROGRAM, "--image", image, "--elf", elf, "--stack"]
+        words = [*board_words(root, image_of(PRODUCT, ".bin")), "--stack"]
     words += ["--scenario", root / EXAMPLES / f"{name}.scenario", "--reports", reports]
     log.write(f"$ {' '.join(str(word) for word in words)}\n")
     try:

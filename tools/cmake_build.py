@@ -56,6 +56,12 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
         run(log, ["cmake", "--build", directory, "--parallel", jobs(), *arguments])
 
 
+def board_words(root: Path, image: Path) -> list[str]:
+    """Returns the command that runs a firmware image on the virtual K64."""
+    program, elf = root / "build/host/sim" / BOARD_PROGRAM, image.with_suffix(".elf")
+    return [str(program), "--image", str(root / image), "--elf", str(root / elf)]
+
+
 def gtest_counts(results: Path) -> Counts:
     """Counts the tests in a result file of GoogleTest. Disabled tests count as skipped."""
     passed = failed = skipped = 0

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tools.cmake_build import BOARD_PROGRAM, BOARD_TESTS, TESTS, build
+from tools.cmake_build import BOARD_TESTS, TESTS, board_words, build
 from tools.firmware import add_product
 from tools.lock import only_one
 from tools.steps import FailureError, MissingError, UsageError, log_of, need_file
@@ -161,10 +161,10 @@ def images(root: Path, *, shows: bool) -> None:
 def board_target(root: Path, product: str, scenario: str | None, shows: bool) -> Target:
     images(root, shows=shows)
     port = free_port()
-    image, elf = (root / recorded_image_of(product, suffix) for suffix in (".bin", ".elf"))
-    program = root / "build" / "host" / "sim" / BOARD_PROGRAM
+    image = recorded_image_of(product, ".bin")
     world = ["--scenario", scenario] if scenario else ["--link", str(root / "build" / "pc-link")]
-    words = [str(program), "--image", str(image), "--elf", str(elf), "--robot", *world]
+    words = [*board_words(root, image), "--robot", *world]
+    elf = root / image.with_suffix(".elf")
     return Target(gdb_of_board(elf, port), [*words, "--gdb", str(port)], port)
 
 

@@ -6,7 +6,8 @@ import argparse
 import os
 from pathlib import Path
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.closed_loop_runs import HOST_PROGRAM
+from tools.cmake_build import board_words
 from tools.firmware import add_product
 from tools.lock import only_one
 from tools.steps import FailureError, MissingError, UsageError, need_file
@@ -15,7 +16,6 @@ from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_ima
 from weeding_robot_client.exit_codes import FOUND
 from weeding_robot_client.options import positive
 
-PROGRAM = "weeding_robot_host"
 LAST_PORT = 65535
 
 
@@ -122,12 +122,10 @@ def need_files(options: argparse.Namespace) -> None:
 def command(root: Path, options: argparse.Namespace) -> list[str]:
     """Returns the program and its options. A scenario replaces the PC link."""
     stepped = options.fast or options.scenario is not None
-    program = BOARD_PROGRAM if options.board else PROGRAM
-    words = [str(root / "build" / "host" / "sim" / program)]
+    words = [str(root / "build/host/sim" / HOST_PROGRAM)]
     if options.board:
         of = image_of if options.gdb is None else recorded_image_of
-        image, elf = (root / of(options.product, suffix) for suffix in (".bin", ".elf"))
-        words += ["--image", str(image), "--elf", str(elf), "--robot"]
+        words = [*board_words(root, of(options.product, ".bin")), "--robot"]
     elif options.product == PAPER:
         words.append("--paper")
     link, control = options.link, options.control
