@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from tools.bench_runs import keep
@@ -90,35 +90,15 @@ def print_bench(root: Path) -> None:
 # ---- on a board --------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Orders:
-    """A period in which the same order is sent every 100 ms."""
-
-    first: float
-    last: float
-    wish: Wish
-
-
-def orders_of(text: str) -> list[Orders]:
-    """Returns the orders of a scenario of the bench."""
-    return [
-        Orders(
-            order.first / 1000,
-            order.last / 1000,
-            Wish.of(Quantity.VELOCITY, order.velocity, order.steering),
-        )
-        for order in orders_in(text)
-    ]
-
-
-def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
+def wishes(scenario: str, seconds: float | None) -> Iterator[Wish]:
     """Yields an order for each cycle of 100 ms, until the scenario ends or ``seconds`` have
     passed."""
-    end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
-    for period in orders:
-        cycles = round((min(period.last, end) - period.first) * 1000 / PERIOD_MS) + 1
-        for _ in range(max(cycles, 0)):
-            yield period.wish
+    orders = orders_in(scenario)
+    end = orders[-1].last if seconds is None else orders[0].first + 1000 * seconds
+    for order in orders:
+        cycles = round((min(order.last, end) - order.first) / PERIOD_MS) + 1
+        wish = Wish.of(Quantity.VELOCITY, order.velocity, order.steering)
+        yield from [wish] * max(cycles, 0)
 
 
 def on_board(root: Path, port: Path, seconds: float | None) -> int:
@@ -128,7 +108,7 @@ def on_board(root: Path, port: Path, seconds: float | None) -> int:
         text = (root / FOLDER / f"{paper.name}.scenario").read_text(encoding="utf-8")
         print(f"{paper.title} ... ", end="", flush=True)
         try:
-            run = costs(drive(port, wishes(orders_of(text), seconds)))
+            run = costs(drive(port, wishes(text, seconds)))
         except FailureError as error:
             print(f"FAILED: {error}")
             return 1
