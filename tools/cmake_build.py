@@ -13,7 +13,6 @@ import threading
 from collections import defaultdict
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -137,16 +136,28 @@ def run_shards(
     """Returns the suites with their results, the processor time [s], and the failure of a process
     if there is one."""
     results.parent.mkdir(parents=True, exist_ok=True)
-    shards = [Shard(results, number, int(jobs()), variables) for number in range(int(jobs()))]
+    shards = range(int(jobs()))
+    parts = [results.with_suffix(f".{number}.part") for number in shards]
+    logs = [results.with_suffix(f".{number}.log") for number in shards]
+
+    def run_shard(number: int) -> tuple[str, float]:
+        """Returns the failure of a process, if there is one, and its processor time [s]."""
+        parts[number].unlink(missing_ok=True)
+        numbers = {"GTEST_TOTAL_SHARDS": str(len(shards)), "GTEST_SHARD_INDEX": str(number)}
+        words: list[str | Path] = [program, f"--gtest_output=json:{parts[number]}"]
+        with logs[number].open("w") as output:
+            try:
+                return "", run(output, words, env={**os.environ, **numbers, **variables})
+            except FailureError as error:
+                return str(error), 0.0
+
     with ThreadPoolExecutor(len(shards)) as pool:
-        ends = list(pool.map(lambda shard: shard.run(program), shards))
-    for shard in shards:
-        log.write(shard.log.read_text(errors="replace"))
+        ends = list(pool.map(run_shard, shards))
+    log.writelines(path.read_text(errors="replace") for path in logs)
     ended = next((end for end, _ in ends if end), "")
-    if not all(shard.results.exists() for shard in shards):
+    if not all(path.exists() for path in parts):
         raise FailureError(ended or "the tests wrote no results")
-    parts = [json.loads(shard.results.read_text()) for shard in shards]
-    suites = [suite for part in parts for suite in part["testsuites"]]
+    suites = [suite for path in parts for suite in json.loads(path.read_text())["testsuites"]]
     return suites, sum(seconds for _, seconds in ends), ended
 
 
@@ -161,42 +172,9 @@ def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
     ]
 
 
-@dataclass(frozen=True)
-class Shard:
-    """A part of the tests of a program. It runs in a separate process."""
-
-    whole: Path
-    number: int
-    total: int
-    variables: Mapping[str, str] = field(default_factory=dict)
-
-    @property
-    def results(self) -> Path:
-        return self.whole.with_suffix(f".{self.number}.part")
-
-    @property
-    def log(self) -> Path:
-        return self.whole.with_suffix(f".{self.number}.log")
-
-    def run(self, program: Path) -> tuple[str, float]:
-        """Returns the failure of the process, if there is one, and the processor time [s]."""
-        self.results.unlink(missing_ok=True)
-        numbers = {"GTEST_TOTAL_SHARDS": str(self.total), "GTEST_SHARD_INDEX": str(self.number)}
-        with self.log.open("w") as log:
-            try:
-                words: list[str | Path] = [program, f"--gtest_output=json:{self.results}"]
-                return "", run(log, words, env={**os.environ, **numbers, **self.variables})
-            except FailureError as error:
-                return str(error), 0.0
-
-
 def outcome_of(counts: Counts) -> Outcome:
     """Returns the outcome of tests, which is a failure if a test failed or no test ran."""
-    values = {
-        "passed": counts.passed,
-        "failed_tests": counts.failed,
-        "skipped": counts.skipped,
-    }
+    values = {"passed": counts.passed, "failed_tests": counts.failed, "skipped": counts.skipped}
     return Outcome(str(counts), bool(counts.failed or not counts.passed), values)
 
 
@@ -207,9 +185,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
     def ask(*words: str) -> list[str]:
         command = ["ninja", "-C", str(folder), "-t", *words]
-        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.split(
-            "\n"
-        )
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        return done.stdout.split("\n")
 
     # Ninja quotes the inputs for a shell.
     inputs = {shlex.split(line)[0] for line in ask("inputs", *targets) if line}
