@@ -121,8 +121,8 @@ def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
     from traceability.exports.metrics_file import site_figures, write_metrics
     from traceability.model.build import build
 
-    built: Built | None = None
-    report: Report | None = None
+    built: Built
+    report: Report
     findings: list[Finding] = []
 
     def make_model(_log: TextIO) -> str:
@@ -138,19 +138,16 @@ def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
 
     def run_all(_log: TextIO) -> str:
         nonlocal report
-        assert built is not None
         report = run_checks(*built)
         findings.extend(report.findings)
         return counted(findings)
 
     def make_site(_log: TextIO) -> str:
-        assert built is not None and report is not None
         result = build_site(root, built.model, report)
         findings.extend(result.warnings)
         return f"{result.pages} pages"
 
     def check_links(_log: TextIO) -> str:
-        assert built is not None and report is not None
         site = root / "build" / "site"
         dead_links = run_link_checks(*built, site)
         findings.extend(dead_links)
@@ -169,7 +166,6 @@ def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
         for title in PARTS[2:]:
             steps.skip(title, missing)
         return findings, False
-    assert built is not None and report is not None
     if pages.stay(built.model):
         write_tool_files(root, built.model, report)
         for title in PARTS[2:]:
@@ -229,9 +225,9 @@ def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> 
         write_revision(root, revision_of(model, commit, report, read_json(metrics) or {}))
 
 
-def is_unreadable(built: Built | None) -> bool:
+def is_unreadable(built: Built) -> bool:
     """Returns whether a file of design/ could not be read. Every page would then be incomplete."""
-    return bool(built and built.facts.declared.entries.unreadable)
+    return bool(built.facts.declared.entries.unreadable)
 
 
 def counted(findings: list[Finding]) -> str:

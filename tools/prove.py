@@ -47,12 +47,10 @@ def run(root: Path, options: argparse.Namespace) -> int:
     if missing := missing_program():
         raise MissingError(f"{missing} is not installed; install it with ./wr setup")
     with only_one(root, "prove"):
-        if options.properties:
-            properties = [declared.proofs[name] for name in options.properties]
-            results = prove(root, declared, properties, print)
-            return 0 if all(result.verdict == "proven" for result in results.values()) else 1
-        if options.again:
-            results = prove(root, declared, declared.proofs.values(), print)
+        if not options.properties and not options.again:
+            return 1 if graph(root).run([PROOFS]).failed else 0
+        chosen = [declared.proofs[name] for name in options.properties or declared.proofs]
+        results = prove(root, declared, chosen, print)
+        if not options.properties:
             print(f"recorded in {record_proofs(root, declared, results).relative_to(root)}")
-            return 0 if all(result.verdict == "proven" for result in results.values()) else 1
-        return 1 if graph(root).run([PROOFS]).failed else 0
+        return 0 if all(result.verdict == "proven" for result in results.values()) else 1

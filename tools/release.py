@@ -7,7 +7,6 @@ import argparse
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +20,7 @@ from tools.sbom import NAME as SBOM
 from tools.sbom import sbom_text
 from tools.steps import FailureError, MissingError, UsageError
 from tools.tasks import DOCUMENTS, K64_FIRMWARE, graph, pages_graph
-from tools.verify_build import clone, environment
+from tools.verify_build import clone, run_in_copy
 from traceability.exports.svd import write_svd
 from traceability.exports.tool_files import FILES
 from traceability.exports.verification_table import JSON, JUNIT, SCHEMA
@@ -201,9 +200,7 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
         print(f"Makes the release again in {copy}", flush=True)
         clone(root, copy)
         bring_results(root, copy)
-        words = [sys.executable, "-m", "tools", "release"]
-        done = subprocess.run(words, cwd=copy, env=environment(root, copy), check=False)
-        if done.returncode:
+        if run_in_copy(root, copy, "release"):
             raise FailureError("the release in the new folder failed; see its messages above")
         return differences(folder, copy / FOLDER)
 
