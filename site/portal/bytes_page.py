@@ -17,7 +17,7 @@ from portal.recorded_calls import (
     shown_time,
     windows_of,
 )
-from traceability.reading.call_record import Recording, Span
+from traceability.reading.call_record import Recording
 from traceability.reading.chains import Chain, Step, declared_chains, first_missing, follow
 
 SHOWN = 4  # number of requirements that a step shows
@@ -70,20 +70,16 @@ def _followed(portal: Portal, chain: Chain, recording: Recording) -> Followed:
     trees = requirements_by_method(portal)
     rows = [Row(step, step.at - steps[0].at, brief=step.text) for step in steps]
     for row in rows:
-        if row.step.span is not None:
-            _describe(portal, row, recording.spans[row.step.span], recording, trees)
+        if row.step.span is None:
+            continue
+        span = recording.spans[row.step.span]
+        activation = recording.activations[span.activation]
+        method = portal.links.find_method(span.method)
+        row.context, row.priority = name_of(portal, activation), activation.priority
+        row.links = links_of(portal, span.method, trees)
+        row.brief = method.brief if method else ""
     _choose_requirements(rows)
     return Followed(chain, rows)
-
-
-def _describe(
-    portal: Portal, row: Row, span: Span, recording: Recording, trees: dict[str, list[str]]
-) -> None:
-    activation = recording.activations[span.activation]
-    method = portal.links.find_method(span.method)
-    row.context, row.priority = name_of(portal, activation), activation.priority
-    row.links = links_of(portal, span.method, trees)
-    row.brief = method.brief if method else ""
 
 
 def _choose_requirements(rows: list[Row]) -> None:

@@ -225,13 +225,10 @@ def relation_lines(model: Model, application: PatternApplication) -> list[str]:
             for b in (r.module for r in application.roles if r.role == other):
                 module = model.modules.get(a)
                 derives = module is not None and b in module.bases and role != "Decorator"
-                if module and b in model.modules and a != b and not derives and b in uses(module):
+                used = module is not None and b in (*module.uses, *module.bases)
+                if used and b in model.modules and a != b and not derives:
                     lines.append(f"{a} {arrow} {b}")
     return lines
-
-
-def uses(module: Module) -> set[str]:
-    return {*module.uses, *module.bases}
 
 
 # ---- state machines ----------------------------------------------------------

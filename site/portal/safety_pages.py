@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -35,10 +36,11 @@ EVIDENCE = (
 
 def safety(portal: Portal) -> dict[str, Any]:
     case = portal.model.safety
+    levels = Counter(hazard.level for hazard in case.hazards.values())
     return {
         "case": case,
         "figures": portal.metrics,
-        "by_level": [(level, count(portal, level)) for level in reversed(case.levels)],
+        "by_level": [(level, levels[level]) for level in reversed(case.levels)],
         "open_points": list(open_points(portal)),
         "tested": product_runs(portal),
         "evidence": EVIDENCE,
@@ -101,10 +103,6 @@ def images_of(tests: Iterable[Test]) -> list[str]:
     return sorted(
         {image for test in tests for run in test.results.values() for image in run.images}
     )
-
-
-def count(portal: Portal, level: str) -> int:
-    return sum(hazard.level == level for hazard in portal.model.safety.hazards.values())
 
 
 def hazards_page(portal: Portal) -> Page:

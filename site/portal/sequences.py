@@ -4,7 +4,7 @@ in the invocation trees of chosen requirements."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -89,9 +89,7 @@ class Drawn:
     windows: list[Window]
     cycles: list[CycleMessages]
     diagram: Diagram | None
-    methods: list[
-        tuple[str, list[str]]
-    ]  # each called method, with the requirements of the sequence
+    methods: list[tuple[str, list[str]]]  # each called method, with the shown requirements
 
 
 def declared_sequences(root: Path, entries: Entries | None = None) -> list[DeclaredSequence]:
@@ -207,16 +205,9 @@ def flat(parts: Sequence[Message | Loop]) -> Iterator[Message]:
 def sequence_diagram(
     sequence: DeclaredSequence, cycles: list[CycleMessages], links: Links
 ) -> Diagram:
-    names = list(
-        dict.fromkeys(
-            name
-            for cycle in cycles
-            for message in flat(cycle.parts)
-            for name in (message.source, message.target)
-        )
-    )
-    ends = [name for name in (PC, LINE) if name in names]
-    ordered = [*ends, *(name for name in names if name not in ends)]
+    sent = (message for cycle in cycles for message in flat(cycle.parts))
+    names = dict.fromkeys(name for message in sent for name in (message.source, message.target))
+    ordered = sorted(names, key=lambda name: (name != PC, name not in (PC, LINE)))
     common = [line for line in preamble() if not line.startswith(CLASSES_ONLY)]
     lines = [*common, *_look()]
     lines += [_participant(name, links) for name in ordered]
@@ -285,39 +276,31 @@ def drawn_sequences(portal: Portal) -> list[Drawn]:
         return []
     windows = windows_of(portal)
     trees = requirements_by_method(portal)
-    return [
-        _drawn(portal, sequence, recordings, windows, trees)
-        for sequence in declared_sequences(portal.root)
-        if all(name in recordings for name in sequence.recordings)
-    ]
-
-
-def _drawn(
-    portal: Portal,
-    sequence: DeclaredSequence,
-    recordings: Mapping[str, Recording],
-    windows: Mapping[str, Window],
-    trees: Mapping[str, list[str]],
-) -> Drawn:
-    lines = {
-        method: [identifier for identifier in ids if identifier in sequence.requirements]
-        for method, ids in trees.items()
-    }
-    methods = frozenset(method for method, ids in lines.items() if ids)
-    cycles: list[CycleMessages] = []
-    for name in sequence.recordings:
-        recording = recordings[name]
-        cycles += cycles_of(recording, messages_of(portal, recording, methods, sequence.by_logic))
-    called = dict.fromkeys(
-        message.method for cycle in cycles for message in flat(cycle.parts) if message.method
-    )
-    return Drawn(
-        sequence,
-        [windows[name] for name in sequence.recordings],
-        cycles,
-        sequence_diagram(sequence, cycles, portal.links) if cycles else None,
-        [(method, lines[method]) for method in called],
-    )
+    drawn = []
+    for sequence in declared_sequences(portal.root):
+        if any(name not in recordings for name in sequence.recordings):
+            continue
+        lines = {
+            method: [identifier for identifier in ids if identifier in sequence.requirements]
+            for method, ids in trees.items()
+        }
+        methods = frozenset(method for method, ids in lines.items() if ids)
+        cycles: list[CycleMessages] = []
+        for recording in (recordings[name] for name in sequence.recordings):
+            messages = messages_of(portal, recording, methods, sequence.by_logic)
+            cycles += cycles_of(recording, messages)
+        sent = (message for cycle in cycles for message in flat(cycle.parts))
+        called = dict.fromkeys(message.method for message in sent if message.method)
+        drawn.append(
+            Drawn(
+                sequence,
+                [windows[name] for name in sequence.recordings],
+                cycles,
+                sequence_diagram(sequence, cycles, portal.links) if cycles else None,
+                [(method, lines[method]) for method in called],
+            )
+        )
+    return drawn
 
 
 def sequences(portal: Portal) -> dict[str, Any]:
