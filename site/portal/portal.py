@@ -194,11 +194,6 @@ class Portal:
     def clauses(self) -> int:
         return sum(clause.holds for clauses in self.report.clauses.values() for clause in clauses)
 
-    @property
-    def early(self) -> int:
-        """Returns the number of checks that are decided before the pages are written."""
-        return sum(not self.is_later(check) for check in self.checks)
-
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
         """Returns the nodes of an invocation tree with their depths. The root is the first node."""
         below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
