@@ -83,10 +83,7 @@ def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
 
     # The findings of these checks come first, because the faults that these checks find cause
     # many other findings.
-    first = (
-        "syntax-error",
-        "design-entry",
-    )
+    first = ("syntax-error", "design-entry")
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))
     names = list(failed)

@@ -9,6 +9,7 @@ import sys
 import textwrap
 from pathlib import Path
 
+from tools.diff import commit_of
 from tools.python_imports import importing_tests
 from tools.steps import UsageError, need_file
 from traceability.model.build import build
@@ -82,8 +83,8 @@ def with_python(root: Path, found: Impact) -> Impact:
 def changed_files(root: Path, commits: str) -> list[str]:
     """Returns the files that differ between two commits."""
     for name in commits.split(RANGE):
-        if name and not git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"):
-            raise UsageError(f"git has no commit {name}; name a commit, a branch or a tag")
+        if name:
+            commit_of(root, name)
     return git(root, "diff", "--no-renames", "--name-only", commits).splitlines()
 
 
