@@ -19,7 +19,7 @@ LINKS = (
     '<a href="#own">own</a> <img src="diagrams/one.svg"> <details><summary>all</summary></details>'
     '<button type="button">Copy</button>'
 )
-pytestmark = pytest.mark.reads("site/templates/book.html")
+pytestmark = pytest.mark.reads("site/templates/book.html", "site/templates/book.css")
 needs_browser = pytest.mark.skipif(find_browser() is None, reason="there is no browser")
 
 
