@@ -1,7 +1,6 @@
 """Sphinx settings of the pages.
 
-portal.sphinx_pages adds the paths, the first page and the navigation.
-"""
+portal.sphinx_pages adds the paths, the first page and the navigation."""
 
 project = "Weeding robot"
 copyright = ""  # noqa: A001 - the name that Sphinx reads

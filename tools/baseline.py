@@ -1,6 +1,5 @@
 """Measures the baseline design and the pattern design with the same tests, scenario, compiler and
-flags.
-"""
+flags."""
 
 from __future__ import annotations
 
@@ -17,7 +16,7 @@ from typing import Any, TextIO
 
 import lizard
 
-from tools.cmake_build import BOARD_PROGRAM, copy_sources, jobs
+from tools.cmake_build import board_words, copy_sources, jobs
 from tools.includes import included
 from tools.sizes import Size, image_sizes, output, total
 from tools.steps import FailureError, run
@@ -36,6 +35,7 @@ from traceability.reading.baseline_record import (
 )
 from traceability.reading.call_graph import table_bytes
 from traceability.sources import SRC, files_below
+from traceability.whole_file import write_json
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
@@ -50,7 +50,7 @@ def compare(root: Path, log: TextIO) -> None:
     """Compares the two designs, and writes build/results/usual_design.json."""
     run(log, [root / "build/host/tests/usual_design" / TESTS])
     runs = {design: measure_run(root, log, design) for design in DESIGNS}
-    sizes = {design: sizes_of(root, design) for design in DESIGNS}
+    sizes = {design: image_sizes(image_of(root, design, ".elf")) for design in DESIGNS}
     figures = {
         design: {
             **run_figures(runs[design]),
@@ -72,9 +72,7 @@ def compare(root: Path, log: TextIO) -> None:
         "parts": {design: costs_by_part(root, runs[design], design) for design in DESIGNS},
         "changes": {change: try_change(root, log, change) for change in changes_of(root)},
     }
-    path = root / RESULT
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    write_json(root / RESULT, result)
 
 
 def image_name(design: str) -> str:
@@ -93,15 +91,8 @@ def measure_run(root: Path, log: TextIO, design: str) -> dict[str, Any]:
     record = root / WORK / f"{design}.json"
     record.parent.mkdir(parents=True, exist_ok=True)
     record.unlink(missing_ok=True)
-    run(
-        log,
-        [
-            root / "build/host/sim" / BOARD_PROGRAM,
-            *("--image", image_of(root, design, ".bin")),
-            *("--elf", image_of(root, design, ".elf")),
-            *("--scenario", root / SCENARIO, "--bench", record, "--profile"),
-        ],
-    )
+    words = board_words(root, image_of(root, design, ".bin"))
+    run(log, [*words, "--scenario", root / SCENARIO, "--bench", record, "--profile"])
     measured: dict[str, Any] = json.loads(record.read_text(encoding="utf-8"))
     return measured
 
@@ -119,8 +110,7 @@ def run_figures(measured: dict[str, Any]) -> dict[str, float]:
 
 def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str, float]:
     """Returns for each function its average number of instructions in a cycle. The largest number
-    is first.
-    """
+    is first."""
     starts = sorted({int(at, 16) & ~1: name for at, name in SYMBOL.findall(symbols)}.items())
     addresses = [at for at, _ in starts]
     counts: Counter[str] = Counter()
@@ -151,10 +141,6 @@ def costs_by_part(root: Path, measured: dict[str, Any], design: str) -> dict[str
 
 
 # ---- flash and RAM -----------------------------------------------------------
-
-
-def sizes_of(root: Path, design: str) -> dict[str, Size]:
-    return image_sizes(image_of(root, design, ".elf"))
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:
@@ -239,8 +225,7 @@ def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
 
 def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
     """Returns the number of tests of each design. The test suites are named Suite/Usual and
-    Suite/Patterns.
-    """
+    Suite/Patterns."""
     counts: dict[str, int] = defaultdict(int)
     for suite in results["testsuites"]:
         counts[suite["name"].rpartition("/")[2].lower()] += suite["tests"]

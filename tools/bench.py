@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from tools.bench_runs import keep
 from tools.lock import only_one
-from tools.steps import FailureError, MissingError
+from tools.steps import FailureError, MissingError, UsageError
 from tools.tasks import graph
 from traceability.reading import task_record
 from traceability.reading.bench_record import (
@@ -57,12 +57,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--seconds", type=positive, help="with --port: end each scenario after this time [s]"
     )
-    parser.set_defaults(run=lambda root, options: bench(root, options, parser))
+    parser.set_defaults(run=bench)
 
 
-def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def bench(root: Path, options: argparse.Namespace) -> int:
     if options.seconds and not options.port:
-        parser.error(f"--seconds {options.seconds} needs --port")
+        raise UsageError(f"--seconds {options.seconds} needs --port")
     if options.port:
         if not options.port.exists():
             raise MissingError(f"there is no port {options.port}: connect the board first")
@@ -90,35 +90,15 @@ def print_bench(root: Path) -> None:
 # ---- on a board --------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Orders:
-    """A period in which the same order is sent every 100 ms."""
-
-    first: float
-    last: float
-    wish: Wish
-
-
-def orders_of(text: str) -> list[Orders]:
-    """Returns the orders of a scenario of the bench."""
-    return [
-        Orders(
-            order.first / 1000,
-            order.last / 1000,
-            Wish.of(Quantity.VELOCITY, order.velocity, order.steering),
-        )
-        for order in orders_in(text)
-    ]
-
-
-def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
+def wishes(scenario: str, seconds: float | None) -> Iterator[Wish]:
     """Yields an order for each cycle of 100 ms, until the scenario ends or ``seconds`` have
     passed."""
-    end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
-    for period in orders:
-        cycles = round((min(period.last, end) - period.first) * 1000 / PERIOD_MS) + 1
-        for _ in range(max(cycles, 0)):
-            yield period.wish
+    orders = orders_in(scenario)
+    end = orders[-1].last if seconds is None else orders[0].first + 1000 * seconds
+    for order in orders:
+        cycles = round((min(order.last, end) - order.first) / PERIOD_MS) + 1
+        wish = Wish.of(Quantity.VELOCITY, order.velocity, order.steering)
+        yield from [wish] * max(cycles, 0)
 
 
 def on_board(root: Path, port: Path, seconds: float | None) -> int:
@@ -128,7 +108,7 @@ def on_board(root: Path, port: Path, seconds: float | None) -> int:
         text = (root / FOLDER / f"{paper.name}.scenario").read_text(encoding="utf-8")
         print(f"{paper.title} ... ", end="", flush=True)
         try:
-            run = costs(drive(port, wishes(orders_of(text), seconds)))
+            run = costs(drive(port, wishes(text, seconds)))
         except FailureError as error:
             print(f"FAILED: {error}")
             return 1
@@ -170,8 +150,7 @@ def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
 
 def costs(reports: list[Report]) -> BenchRun:
     """Returns the times and the load that a board reports. The first two cycles are skipped,
-    because they execute earlier orders.
-    """
+    because they execute earlier orders."""
     measured = [report for report in reports if report.order_read][2:]
     if not measured:
         raise FailureError("the board sent no report of a cycle that read an order")

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, TextIO
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.cmake_build import board_words
 from tools.steps import FailureError, run
 from traceability.reading.bench_record import (
     BENCH,
@@ -24,6 +24,7 @@ from traceability.reading.bench_record import (
 )
 from traceability.reading.products import DEFAULT, PAPER, image_of
 from traceability.schema import BenchRun, BenchScenario
+from traceability.whole_file import write_json
 
 SECONDS = 600  # time limit of a run
 
@@ -41,8 +42,7 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 def measure_paper(root: Path, log: TextIO) -> str:
     """Plays the scenarios with the product without safety functions. A comparison with the
-    times of the robot shows the cost of these functions.
-    """
+    times of the robot shows the cost of these functions."""
     record: Record = {}
     for paper in SCENARIOS:
         raw, _ = play(root, log, paper.name, MANUAL, product=PAPER)
@@ -53,9 +53,7 @@ def measure_paper(root: Path, log: TextIO) -> str:
 
 
 def keep(root: Path, path: Path, record: Record) -> None:
-    content = {name: asdict(scenario) for name, scenario in record.items()}
-    (root / path).parent.mkdir(parents=True, exist_ok=True)
-    (root / path).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    write_json(root / path, {name: asdict(scenario) for name, scenario in record.items()})
 
 
 def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
@@ -85,10 +83,8 @@ def play(
     output = root / "build" / "bench" / f"{product}-{name}-{timing}.json"
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)
-    program = root / "build" / "host" / "sim" / BOARD_PROGRAM
     words = [
-        *(str(program), "--image", str(root / image_of(product, ".bin"))),
-        *("--elf", str(root / image_of(product, ".elf"))),
+        *board_words(root, image_of(product, ".bin")),
         *("--scenario", str(root / FOLDER / f"{name}.scenario"), "--timing", timing),
         *("--bench", str(output), *more),
     ]

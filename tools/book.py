@@ -8,10 +8,12 @@ import posixpath
 import re
 import subprocess
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
-from tools.browser import find_browser, works
+from markupsafe import Markup
+
+from portal.templates import environment
+from tools.browser import find_browser
 from tools.steps import FailureError, MissingError
 from traceability.reading.build_evidence import git
 
@@ -51,24 +53,6 @@ SCREEN_ONLY = re.compile(
 PLACE = re.compile(r'\b(id|href|src|aria-labelledby|aria-describedby)="([^"]*)"')
 DATE = re.compile(rb"\(D:\d{14}[^)]*\)")  # date in a PDF: YYYYMMDDhhmmss and the time zone
 NODE = re.compile(rb"\(node(\d{8})\)")
-STYLE = """
-@page {
-  size: A4; margin: 18mm 16mm 20mm;
-  @bottom-center { content: counter(page); font: 9pt sans-serif }
-}
-body { font-size: 9.5pt }
-.main { max-width: none; margin: 0; padding: 0 }
-.book-title { padding-top: 60mm }
-.book-part { break-before: page; padding-top: 80mm }
-section.chapter { break-before: page }
-.tools, .filters, .mx .dot, nav, video, iframe { display: none !important }
-table { font-size: 8pt }
-table.mx { table-layout: auto; width: 100% }
-.mx th:nth-child(n) { width: auto }
-pre, tr, figure { break-inside: avoid }
-pre { white-space: pre-wrap }
-svg, img { max-width: 100%; height: auto }
-"""
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -89,7 +73,7 @@ def print_book(root: Path, pdf: Path) -> Path:
     """Prints the PDF. Its bytes depend only on the pages, the commit and the browser."""
     need_pages(root / SITE)
     browser = find_browser()
-    if browser is None or not works(browser):
+    if browser is None:
         raise MissingError(
             "the book needs Chromium; install it (on Debian, the package is chromium)"
         )
@@ -130,8 +114,7 @@ def with_date(pdf: bytes, when: int) -> bytes:
 
 def with_own_numbers(pdf: bytes) -> bytes:
     """Numbers the nodes of the PDF from 0, because the browser begins with a different number each
-    time.
-    """
+    time."""
     number = {name: at for at, name in enumerate(sorted(set(NODE.findall(pdf))))}
     return NODE.sub(lambda match: b"(node%08d)" % number[match[1]], pdf)
 
@@ -145,52 +128,25 @@ def need_pages(site: Path) -> None:
 
 
 def book_text(site: Path, commit: str, when: int) -> str:
-    day = time.strftime("%Y-%m-%d", time.gmtime(when))
-    return "\n".join(
-        [
-            '<!doctype html><html lang="en" data-theme="light"><head><meta charset="utf-8">',
-            "<title>Weeding robot</title>",
-            '<link rel="stylesheet" href="../site/_static/fonts/inter.css">',
-            '<link rel="stylesheet" href="../site/_static/portal.css">',
-            '<link rel="stylesheet" href="../site/_static/pygments.css">',
-            f'<style>{STYLE}</style></head><body><main class="main prose">',
-            '<section class="book-title"><h1>Weeding robot</h1>',
-            "<p>Design, behaviour, requirements and evidence of its firmware</p>",
-            f"<p>{day}{f', commit {commit[:10]}' if commit else ''}</p></section>",
-            *_contents(site),
-            *_parts(site),
-            "</main></body></html>",
-        ]
+    return (
+        environment()
+        .get_template("book.html")
+        .render(
+            day=time.strftime("%Y-%m-%d", time.gmtime(when)),
+            commit=commit[:10],
+            parts={part: [chapter_of(site, page) for page in PARTS[part]] for part in PARTS},
+        )
     )
 
 
-def _contents(site: Path) -> Iterator[str]:
-    yield '<section class="chapter"><h1>Contents</h1>'
-    for part, pages in PARTS.items():
-        yield f"<h2>{part}</h2><ul>"
-        for page in pages:
-            yield f'<li><a href="#{name_of(page)}">{title_of(main_of(site, page))}</a></li>'
-        yield "</ul>"
-    yield "</section>"
-
-
-def _parts(site: Path) -> Iterator[str]:
-    for part, pages in PARTS.items():
-        yield f'<section class="book-part"><h1>{part}</h1></section>'
-        for page in pages:
-            text = chapter(page, main_of(site, page))
-            yield f'<section class="chapter" id="{name_of(page)}">{text}</section>'
-
-
-def main_of(site: Path, page: str) -> str:
+def chapter_of(site: Path, page: str) -> dict[str, str]:
+    """Returns the anchor, the title and the content of a page."""
     match = MAIN.search((site / f"{page}.html").read_text(encoding="utf-8"))
     assert match, page
-    return match[1]
-
-
-def title_of(text: str) -> str:
-    match = HEADING.search(SCREEN_ONLY.sub("", text))
-    return html.escape(html.unescape(TAG.sub("", match[1])).strip()) if match else "Untitled"
+    text = SCREEN_ONLY.sub("", match[1])
+    heading = HEADING.search(text)
+    title = html.unescape(TAG.sub("", heading[1])).strip() if heading else "Untitled"
+    return {"id": name_of(page), "title": title, "text": Markup(chapter(page, text))}
 
 
 def name_of(page: str) -> str:
@@ -199,9 +155,7 @@ def name_of(page: str) -> str:
 
 def chapter(page: str, text: str) -> str:
     """Returns the content of a page for printing. Collapsed sections are expanded, and links lead
-    to places in the book.
-    """
-    text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
+    to places in the book."""
 
     def place(match: re.Match[str]) -> str:
         kind, value = match[1], match[2]
@@ -215,7 +169,7 @@ def chapter(page: str, text: str) -> str:
         names = " ".join(f"{name_of(page)}--{part}" for part in value.split())
         return f'{kind}="{names}"'
 
-    return PLACE.sub(place, text)
+    return PLACE.sub(place, text.replace("<details", "<details open"))
 
 
 def beside(page: str, address: str) -> str:
@@ -225,8 +179,7 @@ def beside(page: str, address: str) -> str:
 
 def inside(page: str, address: str) -> str:
     """Returns the target of a link of a page, as an address in the book. Returns an empty text if
-    the book does not contain the target.
-    """
+    the book does not contain the target."""
     if address.startswith(("http:", "https:")):
         return address
     file, _, anchor = address.partition("#")

@@ -21,24 +21,16 @@ SECONDS = 600  # time limit for the result of a page
 
 
 def find_browser() -> str | None:
-    return next((path for name in BROWSERS if (path := shutil.which(name))), None)
-
-
-def works(browser: str | None) -> bool:
-    """Returns whether the browser starts. In some packages, the command of the browser only prints
-    a message.
-    """
+    """Returns the browser, if it starts. In some packages, the command of the browser only prints a
+    message."""
+    browser = next((path for name in BROWSERS if (path := shutil.which(name))), None)
     if browser is None:
-        return False
+        return None
     try:
-        return (
-            subprocess.run(
-                [browser, "--version"], capture_output=True, timeout=60, check=False
-            ).returncode
-            == 0
-        )
-    except (OSError, subprocess.TimeoutExpired):
-        return False
+        subprocess.run([browser, "--version"], capture_output=True, timeout=60, check=True)
+    except (OSError, subprocess.SubprocessError):
+        return None
+    return browser
 
 
 def result_of(
@@ -49,8 +41,7 @@ def result_of(
 
     ``page`` is the text of the page. The server also has the files of the folder, and the
     ``scripts`` by their addresses. The browser runs in real time and ends as soon as the result
-    has come.
-    """
+    has come."""
     came = threading.Event()
     posted: dict[str, Any] = {}
 

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import TextIO
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.cmake_build import board_words
 from tools.steps import FailureError, run
 from traceability.reading.call_record import (
     ELF,
@@ -21,6 +21,7 @@ from traceability.reading.call_record import (
 )
 from traceability.reading.chains import declared_chains, first_missing, follow
 from traceability.reading.traces import read_symbols
+from traceability.whole_file import write_whole
 
 SECONDS = 300  # time limit of a scenario
 NAMES = "arm-none-eabi-nm"
@@ -50,8 +51,7 @@ def record_all(root: Path, log: TextIO) -> str:
                 f"{first_missing(chain, recording)!r} after the previous steps"
             )
     content = {"recordings": {name: packed(recording) for name, recording in recordings.items()}}
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
-    (root / RECORD).write_text(json.dumps(content, separators=(",", ":")), encoding="utf-8")
+    write_whole(root / RECORD, json.dumps(content, separators=(",", ":")))
     calls = sum(len(recording.spans) for recording in recordings.values())
     return f"{len(recordings)} parts of scenarios, {calls} calls"
 
@@ -61,8 +61,7 @@ def play(root: Path, window: Window, output: Path, log: TextIO) -> Path:
     event in each line."""
     output.unlink(missing_ok=True)
     words = [
-        *(str(root / "build" / "host" / "sim" / BOARD_PROGRAM), "--image", str(root / IMAGE)),
-        *("--elf", str(root / ELF), "--scenario", str(root / window.file)),
+        *(*board_words(root, IMAGE), "--scenario", str(root / window.file)),
         *("--calls", str(output), "--between", str(window.begin), str(window.end)),
     ]
     run(log, ["timeout", str(SECONDS), *words])

@@ -25,7 +25,6 @@ def test_changes(root: Path, log: TextIO) -> Outcome:
     """Writes build/results/changes.json with the results of the tests and the costs of the
     firmware images."""
     path = root / RESULT
-    path.parent.mkdir(parents=True, exist_ok=True)
     program = root / "build" / BOARD_PRESET / "changes" / TESTS
     suites, _, _ = run_shards(path, program, log, {})
     path.write_text(json.dumps({"testsuites": suites, "images": costs(root, suites)}) + "\n")
@@ -38,7 +37,6 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
     the results of the tests and the sizes of the firmware image. It also contains the sizes of the
     same design on the K64."""
     path = root / PORTS_RESULT
-    path.parent.mkdir(parents=True, exist_ok=True)
     reports = {}
     for name, port in read_ports(root, Entries(root)).items():
         if port.needs and not shutil.which(port.needs):

@@ -78,16 +78,12 @@ def check(root: Path, *, drift: bool = False) -> int:
 def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     """Prints the findings and the failed tasks. Returns the exit code.
 
-    ``findings`` is None if the process of the documents ended early.
-    """
+    ``findings`` is None if the process of the documents ended early."""
     from traceability.checks import message, sort
 
     # The findings of these checks come first, because the faults that these checks find cause
     # many other findings.
-    first = (
-        "syntax-error",
-        "design-entry",
-    )
+    first = ("syntax-error", "design-entry")
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))
     names = list(failed)

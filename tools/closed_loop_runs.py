@@ -1,16 +1,14 @@
 """Plays the scenarios of the closed loop on the host and on the virtual K64, and records the
-results.
-"""
+results."""
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 from pathlib import Path
 from typing import TextIO
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.cmake_build import board_words
 from tools.task_graph import Outcome
 from traceability.reading.closed_loop_record import (
     EXAMPLES,
@@ -21,6 +19,7 @@ from traceability.reading.closed_loop_record import (
 )
 from traceability.reading.products import image_of
 from traceability.schema import HOST, VIRTUAL_K64
+from traceability.whole_file import write_json
 
 HOST_PROGRAM = "weeding_robot_host"
 SECONDS = 300  # time limit of a scenario
@@ -35,8 +34,7 @@ def play_all(root: Path, log: TextIO) -> Outcome:
         }
         for item in declared(root)
     }
-    (root / OUTCOMES).parent.mkdir(parents=True, exist_ok=True)
-    (root / OUTCOMES).write_text(json.dumps({"runs": runs}, indent=1), encoding="utf-8")
+    write_json(root / OUTCOMES, {"runs": runs})
     return _outcome(runs)
 
 
@@ -44,11 +42,9 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
     reports = root / csv_of(name, binding)
     reports.parent.mkdir(parents=True, exist_ok=True)
     reports.unlink(missing_ok=True)
-    folder = root / "build" / "host" / "sim"
-    words: list[str | Path] = [folder / HOST_PROGRAM, "--paper"]
+    words: list[str | Path] = [root / "build/host/sim" / HOST_PROGRAM, "--paper"]
     if binding == VIRTUAL_K64:
-        image, elf = (root / image_of(PRODUCT, suffix) for suffix in (".bin", ".elf"))
-        words = [folder / BOARD_PROGRAM, "--image", image, "--elf", elf, "--stack"]
+        words = [*board_words(root, image_of(PRODUCT, ".bin")), "--stack"]
     words += ["--scenario", root / EXAMPLES / f"{name}.scenario", "--reports", reports]
     log.write(f"$ {' '.join(str(word) for word in words)}\n")
     try:

@@ -13,7 +13,6 @@ import threading
 from collections import defaultdict
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -43,8 +42,7 @@ def jobs() -> str:
 
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     """Configures the build if necessary. Then builds into build/<preset>. Only one build at a time
-    runs in each folder.
-    """
+    runs in each folder."""
     directory = root / "build" / preset
     made = directory / "build.ninja"
     arguments = ["--target", *targets] if targets else []
@@ -55,6 +53,12 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
         if not made.exists():
             run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
         run(log, ["cmake", "--build", directory, "--parallel", jobs(), *arguments])
+
+
+def board_words(root: Path, image: Path) -> list[str]:
+    """Returns the command that runs a firmware image on the virtual K64."""
+    program, elf = root / "build/host/sim" / BOARD_PROGRAM, image.with_suffix(".elf")
+    return [str(program), "--image", str(root / image), "--elf", str(root / elf)]
 
 
 def gtest_counts(results: Path) -> Counts:
@@ -99,11 +103,9 @@ def program_of(root: Path, run_name: str) -> Path:
 
 def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     """Runs the tests of a build, or the tests on the virtual K64. Each processor runs a part of the
-    tests.
-    """
+    tests."""
     on_board = run_name == BOARD
     results = results_of(root, run_name)
-    results.parent.mkdir(parents=True, exist_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
     # The files with the coverage counters of the last run are removed. Otherwise, the program would
@@ -118,8 +120,7 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
         again = {**seed, "WR_IMAGE": str(root / image), "GTEST_FILTER": ":".join(names)}
         more = run_shards(results, program, log, again)
         suites, seconds, ended = suites + more[0], seconds + more[1], ended or more[2]
-    merged = {"testsuites": suites}
-    results.write_text(json.dumps(merged) + "\n")
+    results.write_text(json.dumps({"testsuites": suites}) + "\n")
     cost = {"sources": source_hash(root), "seconds": seconds}
     cost_of(root, run_name).write_text(json.dumps(cost) + "\n")
     write_failures(results, log)
@@ -133,25 +134,36 @@ def run_shards(
     results: Path, program: Path, log: TextIO, variables: Mapping[str, str]
 ) -> tuple[list[dict[str, Any]], float, str]:
     """Returns the suites with their results, the processor time [s], and the failure of a process
-    if there is one.
-    """
-    shards = [Shard(results, number, int(jobs()), variables) for number in range(int(jobs()))]
+    if there is one."""
+    results.parent.mkdir(parents=True, exist_ok=True)
+    shards = range(int(jobs()))
+    parts = [results.with_suffix(f".{number}.part") for number in shards]
+    logs = [results.with_suffix(f".{number}.log") for number in shards]
+
+    def run_shard(number: int) -> tuple[str, float]:
+        """Returns the failure of a process, if there is one, and its processor time [s]."""
+        parts[number].unlink(missing_ok=True)
+        numbers = {"GTEST_TOTAL_SHARDS": str(len(shards)), "GTEST_SHARD_INDEX": str(number)}
+        words: list[str | Path] = [program, f"--gtest_output=json:{parts[number]}"]
+        with logs[number].open("w") as output:
+            try:
+                return "", run(output, words, env={**os.environ, **numbers, **variables})
+            except FailureError as error:
+                return str(error), 0.0
+
     with ThreadPoolExecutor(len(shards)) as pool:
-        ends = list(pool.map(lambda shard: shard.run(program), shards))
-    for shard in shards:
-        log.write(shard.log.read_text(errors="replace"))
+        ends = list(pool.map(run_shard, shards))
+    log.writelines(path.read_text(errors="replace") for path in logs)
     ended = next((end for end, _ in ends if end), "")
-    if not all(shard.results.exists() for shard in shards):
+    if not all(path.exists() for path in parts):
         raise FailureError(ended or "the tests wrote no results")
-    parts = [json.loads(shard.results.read_text()) for shard in shards]
-    suites = [suite for part in parts for suite in part["testsuites"]]
+    suites = [suite for path in parts for suite in json.loads(path.read_text())["testsuites"]]
     return suites, sum(seconds for _, seconds in ends), ended
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
     """Returns the tests to repeat with the other firmware images: the tests that ran with the image
-    PAPER. Tests that are only for one product are left out.
-    """
+    PAPER. Tests that are only for one product are left out."""
     return [
         f"{suite['name']}.{test['name']}"
         for suite in suites
@@ -160,42 +172,9 @@ def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
     ]
 
 
-@dataclass(frozen=True)
-class Shard:
-    """A part of the tests of a program. It runs in a separate process."""
-
-    whole: Path
-    number: int
-    total: int
-    variables: Mapping[str, str] = field(default_factory=dict)
-
-    @property
-    def results(self) -> Path:
-        return self.whole.with_suffix(f".{self.number}.part")
-
-    @property
-    def log(self) -> Path:
-        return self.whole.with_suffix(f".{self.number}.log")
-
-    def run(self, program: Path) -> tuple[str, float]:
-        """Returns the failure of the process, if there is one, and the processor time [s]."""
-        self.results.unlink(missing_ok=True)
-        numbers = {"GTEST_TOTAL_SHARDS": str(self.total), "GTEST_SHARD_INDEX": str(self.number)}
-        with self.log.open("w") as log:
-            try:
-                words: list[str | Path] = [program, f"--gtest_output=json:{self.results}"]
-                return "", run(log, words, env={**os.environ, **numbers, **self.variables})
-            except FailureError as error:
-                return str(error), 0.0
-
-
 def outcome_of(counts: Counts) -> Outcome:
     """Returns the outcome of tests, which is a failure if a test failed or no test ran."""
-    values = {
-        "passed": counts.passed,
-        "failed_tests": counts.failed,
-        "skipped": counts.skipped,
-    }
+    values = {"passed": counts.passed, "failed_tests": counts.failed, "skipped": counts.skipped}
     return Outcome(str(counts), bool(counts.failed or not counts.passed), values)
 
 
@@ -206,9 +185,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
     def ask(*words: str) -> list[str]:
         command = ["ninja", "-C", str(folder), "-t", *words]
-        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.split(
-            "\n"
-        )
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        return done.stdout.split("\n")
 
     # Ninja quotes the inputs for a shell.
     inputs = {shlex.split(line)[0] for line in ask("inputs", *targets) if line}

@@ -1,7 +1,6 @@
 """The coverage of all tests together. gcovr computes it from the counters of gcc.
 
-A source line that is in several functions, such as a source line of a template, counts once.
-"""
+A source line that is in several functions, such as a source line of a template, counts once."""
 
 from __future__ import annotations
 

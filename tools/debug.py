@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tools.cmake_build import BOARD_PROGRAM, BOARD_TESTS, TESTS, build
+from tools.cmake_build import BOARD_TESTS, TESTS, board_words, build
 from tools.firmware import add_product
 from tools.lock import only_one
 from tools.steps import FailureError, MissingError, UsageError, log_of, need_file
@@ -44,6 +44,8 @@ class Target:
     server: list[str] = field(default_factory=list)
     port: int = 0  # port of the server
     variables: dict[str, str] = field(default_factory=dict)
+    images: bool = False  # true: the firmware images and the virtual board are built first
+    program: tuple[str, str] | None = None  # preset and name of a program that is built first
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -75,18 +77,25 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def debug(root: Path, options: argparse.Namespace) -> int:
+    target = target_of(root, options)
+    if not options.shows and (target.images or target.program):
+        build_for(root, target)
+    return start(root, target, options.shows)
+
+
+def target_of(root: Path, options: argparse.Namespace) -> Target:
     name: str | None = options.name
     if name and "::" in name:
         need_file(root / name.partition("::")[0], TEST_ADVICE)
-        return start(root, python_target(root, name), options.shows)
+        return python_target(root, name)
     if name and name.endswith(SCENARIO):
         need_file(Path(name), SCENARIO_ADVICE)
     if name is None or name.endswith(SCENARIO):
-        return start(root, board_target(root, options.product, name, options.shows), options.shows)
+        return board_target(root, options.product, name)
     file = file_of(root, name)
     if runs_on_board(file, chosen=options.board):
-        return start(root, board_test(root, name, options.shows), options.shows)
-    return start(root, host_test(root, name, file, options.shows), options.shows)
+        return board_test(root, name)
+    return host_test(root, name, file)
 
 
 def file_of(root: Path, name: str) -> str:
@@ -143,50 +152,28 @@ def free_port() -> int:
         return int(found.getsockname()[1])
 
 
-def built(root: Path, preset: str, target: str, *, shows: bool) -> None:
-    if not shows:
-        with only_one(root, "debug"), log_of(root, "debug").open("w") as log:
-            print(f"builds {target} of the preset {preset}", flush=True)
-            build(root, preset, log, target)
-
-
-def images(root: Path, *, shows: bool) -> None:
-    if shows:
-        return
-    with only_one(root, "debug"):
-        if graph(root).run((RECORDED_IMAGES, VIRTUAL_BOARD)).failed:
-            raise FailureError("the build failed; see its messages above")
-
-
-def board_target(root: Path, product: str, scenario: str | None, shows: bool) -> Target:
-    images(root, shows=shows)
+def board_target(root: Path, product: str, scenario: str | None) -> Target:
     port = free_port()
-    image, elf = (root / recorded_image_of(product, suffix) for suffix in (".bin", ".elf"))
-    program = root / "build" / "host" / "sim" / BOARD_PROGRAM
+    image = recorded_image_of(product, ".bin")
     world = ["--scenario", scenario] if scenario else ["--link", str(root / "build" / "pc-link")]
-    words = [str(program), "--image", str(image), "--elf", str(elf), "--robot", *world]
-    return Target(gdb_of_board(elf, port), [*words, "--gdb", str(port)], port)
+    words = [*board_words(root, image), "--robot", *world, "--gdb", str(port)]
+    return Target(gdb_of_board(root / image.with_suffix(".elf"), port), words, port, images=True)
 
 
-def board_test(root: Path, name: str, shows: bool) -> Target:
-    images(root, shows=shows)
-    built(root, "host", BOARD_TESTS, shows=shows)
+def board_test(root: Path, name: str) -> Target:
     port = free_port()
-    program = root / "build" / "host" / "tests" / BOARD_TESTS
+    words = [str(root / "build" / "host" / "tests" / BOARD_TESTS), filter_of(name)]
     elf = root / recorded_image_of(PAPER, ".elf")
     variables = {"WR_GDB": str(port), "WR_IMAGE": str(elf.with_suffix(".bin"))}
-    words = [str(program), filter_of(name)]
-    return Target(gdb_of_board(elf, port), words, port, variables)
+    gdb, program = gdb_of_board(elf, port), ("host", BOARD_TESTS)
+    return Target(gdb, words, port, variables, images=True, program=program)
 
 
-def host_test(root: Path, name: str, file: str, shows: bool) -> Target:
+def host_test(root: Path, name: str, file: str) -> Target:
     on_board = file.startswith(BOARD_ONLY)
     preset, target = ("host", BOARD_TESTS) if on_board else (ON_HOST, TESTS)
-    if on_board:
-        images(root, shows=shows)
-    built(root, preset, target, shows=shows)
-    program = root / "build" / preset / "tests" / target
-    return Target(["gdb", "-q", "--args", str(program), filter_of(name)])
+    gdb = ["gdb", "-q", "--args", str(root / "build" / preset / "tests" / target), filter_of(name)]
+    return Target(gdb, images=on_board, program=(preset, target))
 
 
 def python_target(root: Path, name: str) -> Target:
@@ -206,6 +193,18 @@ def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
 
 
 # ---- running -----------------------------------------------------------------
+
+
+def build_for(root: Path, target: Target) -> None:
+    """Builds the programs that a target needs."""
+    with only_one(root, "debug"):
+        if target.images and graph(root).run((RECORDED_IMAGES, VIRTUAL_BOARD)).failed:
+            raise FailureError("the build failed; see its messages above")
+        if target.program:
+            preset, program = target.program
+            print(f"builds {program} of the preset {preset}", flush=True)
+            with log_of(root, "debug").open("w") as log:
+                build(root, preset, log, program)
 
 
 def start(root: Path, target: Target, shows: bool) -> int:

@@ -10,7 +10,6 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
-from itertools import groupby
 from pathlib import Path
 
 from tools.steps import FailureError, UsageError
@@ -21,6 +20,8 @@ from traceability.exports.revision import (
     revision_of,
     write_revision,
 )
+from traceability.grouping import grouped
+from traceability.model.build import build
 from traceability.reading.build_evidence import git
 from traceability.reading.comparison_record import Comparison, Difference, write_comparison
 from traceability.sources import DESIGN
@@ -83,8 +84,7 @@ def commit_of(root: Path, name: str) -> str:
 
 def load(root: Path, name: str) -> Revision:
     """Returns the recorded revision. If there is no record, reads the sources and records the
-    revision.
-    """
+    revision."""
     commit = commit_of(root, name)
     found = read_revision(root, commit)
     if found is None:
@@ -95,8 +95,6 @@ def load(root: Path, name: str) -> Revision:
 
 def read_sources(root: Path, commit: str) -> Revision:
     """Reads the sources of a commit. They are unpacked into a temporary folder."""
-    from traceability.model.build import build
-
     with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:
         copy = Path(folder)
         unpack(root, commit, copy)
@@ -136,10 +134,7 @@ def lines_of(found: list[Difference]) -> list[str]:
     if not found:
         return ["no differences"]
     lines = []
-    for section, group in groupby(
-        sorted(found, key=lambda one: one.section), lambda one: one.section
-    ):
-        members = list(group)
+    for section, members in sorted(grouped(found, lambda one: one.section).items()):
         width = max(len(one.subject) for one in members)
         lines += ["", f"{section}: {len(members)}"]
         lines += [f"  {difference.subject:<{width}}  {difference.text}" for difference in members]

@@ -3,8 +3,7 @@ the check of the links.
 
 The last two steps take most of the time. ``./wr check`` leaves these two steps out if the changes
 since the last pages cannot cause new findings in them. The pages then stay as they are, until a
-command needs them.
-"""
+command needs them."""
 
 from __future__ import annotations
 
@@ -51,8 +50,7 @@ def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bo
 
     ``texts`` is the hash of all inputs of the pages that are not read into the model. With
     ``keep``, the pages stay as they are if neither these inputs nor the names of the model differ
-    from those of the last pages.
-    """
+    from those of the last pages."""
     words = [sys.executable, "-m", "tools.documents", str(root), texts, *([KEEP] if keep else [])]
     with (
         subprocess.Popen(
@@ -96,8 +94,7 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 def main(root: Path, texts: str, *, keep: bool) -> int:
     """Runs the process. Returns 0 if no step failed, even if there are findings. Otherwise, returns
-    INCOMPLETE.
-    """
+    INCOMPLETE."""
     steps = Steps(root, len(PARTS))
     with no_collection():
         findings, complete = make(root, steps, Pages(root, texts, keep))
@@ -108,8 +105,7 @@ def main(root: Path, texts: str, *, keep: bool) -> int:
 @contextmanager
 def no_collection() -> Iterator[None]:
     """Disables garbage collection, which would take a fifth of the time. The process keeps the
-    model until its end. There is therefore nothing to collect earlier.
-    """
+    model until its end. There is therefore nothing to collect earlier."""
     gc.disable()
     try:
         yield
@@ -125,8 +121,8 @@ def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
     from traceability.exports.metrics_file import site_figures, write_metrics
     from traceability.model.build import build
 
-    built: Built | None = None
-    report: Report | None = None
+    built: Built
+    report: Report
     findings: list[Finding] = []
 
     def make_model(_log: TextIO) -> str:
@@ -142,19 +138,16 @@ def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
 
     def run_all(_log: TextIO) -> str:
         nonlocal report
-        assert built is not None
         report = run_checks(*built)
         findings.extend(report.findings)
         return counted(findings)
 
     def make_site(_log: TextIO) -> str:
-        assert built is not None and report is not None
         result = build_site(root, built.model, report)
         findings.extend(result.warnings)
         return f"{result.pages} pages"
 
     def check_links(_log: TextIO) -> str:
-        assert built is not None and report is not None
         site = root / "build" / "site"
         dead_links = run_link_checks(*built, site)
         findings.extend(dead_links)
@@ -173,7 +166,6 @@ def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
         for title in PARTS[2:]:
             steps.skip(title, missing)
         return findings, False
-    assert built is not None and report is not None
     if pages.stay(built.model):
         write_tool_files(root, built.model, report)
         for title in PARTS[2:]:
@@ -233,9 +225,9 @@ def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> 
         write_revision(root, revision_of(model, commit, report, read_json(metrics) or {}))
 
 
-def is_unreadable(built: Built | None) -> bool:
+def is_unreadable(built: Built) -> bool:
     """Returns whether a file of design/ could not be read. Every page would then be incomplete."""
-    return bool(built and built.facts.declared.entries.unreadable)
+    return bool(built.facts.declared.entries.unreadable)
 
 
 def counted(findings: list[Finding]) -> str:

@@ -16,7 +16,7 @@ from tools.image import lock_problems
 from tools.lock import only_one
 from tools.radio_key import ADVICE as KEY_ADVICE
 from tools.radio_key import KeyFileError, read_key, with_key
-from tools.steps import FailureError, MissingError, Steps, log_of, need_file, run
+from tools.steps import FailureError, MissingError, Steps, UsageError, log_of, need_file, run
 from tools.tasks import K64_FIRMWARE, graph
 from traceability.reading.products import image_of
 from weeding_robot_client.exit_codes import MISSING
@@ -77,13 +77,13 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         action="store_true",
         help="check the firmware image, and then only print the steps",
     )
-    parser.set_defaults(run=lambda root, options: flash(root, options, parser))
+    parser.set_defaults(run=flash)
 
 
-def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def flash(root: Path, options: argparse.Namespace) -> int:
     name = "drive" if options.drive else options.way
     if options.way not in (None, name):
-        parser.error(f"--drive cannot be combined with --with {options.way}")
+        raise UsageError(f"--drive cannot be combined with --with {options.way}")
     for file in (options.image, options.bluetooth_key):
         if file:
             need_file(
@@ -139,8 +139,7 @@ def checked(image: Path) -> str:
 
 def add_key(image: Path, key_file: Path, keyed: Path) -> str:
     """Writes a copy of the firmware image with the key. Raises FailureError if the key cannot
-    be used, or if the image has no place for a key.
-    """
+    be used, or if the image has no place for a key."""
     try:
         keyed.write_bytes(with_key(image.read_bytes(), read_key(key_file)))
     except KeyFileError as error:

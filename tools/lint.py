@@ -33,7 +33,7 @@ from traceability.reading.lint_record import (
 from traceability.reading.prose_record import FOLDERS, read_prose, write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
-from traceability.whole_file import write_whole
+from traceability.whole_file import write_json, write_whole
 
 # The logic modules that each logic module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
@@ -106,8 +106,7 @@ def result_of(outcome: Outcome | None) -> str:
 
 def lint_tasks(root: Path, *, quick: bool) -> list[Task]:
     """Returns the tasks of this command. A task without inputs runs whenever the command is called:
-    it finds the changed files itself. Each other task runs only after a change of its inputs.
-    """
+    it finds the changed files itself. Each other task runs only after a change of its inputs."""
     tools = root / ".venv" / "bin"
 
     def ruff(log: TextIO) -> None:
@@ -217,8 +216,7 @@ def check_tidy(root: Path, log: TextIO) -> str:
     """Runs clang-tidy on the design, the ports and sim.
 
     Most of the time is spent on headers that the sources share. Several sources are therefore
-    checked as one file.
-    """
+    checked as one file."""
 
     def command(unit: tuple[Path, ...]) -> list[str]:
         source = unit[0] if len(unit) == 1 else joined(root, unit)
@@ -245,8 +243,7 @@ def tidy_options(root: Path, source: Path) -> list[str]:
 
 def units_of(root: Path, paths: list[Path]) -> list[tuple[Path, ...]]:
     """Groups the source files that are checked as one file. The files of a group have the same
-    settings and options, and define different names outside of classes.
-    """
+    settings and options, and define different names outside of classes."""
     units: dict[tuple[object, ...], list[tuple[list[Path], set[str]]]] = defaultdict(list)
     for path in paths:
         own = set(DEFINED.findall(path.read_text(encoding="utf-8")))
@@ -265,11 +262,9 @@ def joined(root: Path, unit: tuple[Path, ...]) -> Path:
     """Writes the sources of a unit into one file, and copies the settings of their folder.
 
     The file contains copies of the sources, because several checks of clang-tidy do not examine
-    included files.
-    """
+    included files."""
     folder = root / "build" / "lint" / "units"
     file = folder / unit[0].relative_to(root)
-    file.parent.mkdir(parents=True, exist_ok=True)
     for found in settings(root, unit[0]):
         if found.parent != root:
             write_whole(folder / found.relative_to(root), found.read_text(encoding="utf-8"))
@@ -288,8 +283,7 @@ def check_changed(
     runs the command on each of its files.
 
     The content of a unit consists of its files, the files of the project that they include, the
-    settings of clang-tidy, and the command.
-    """
+    settings of clang-tidy, and the command."""
     store = root / "build" / "lint" / f"{name}.json"
     passed = json.loads(store.read_text()) if store.exists() else {}
     keys = {unit: key_of(root, unit, command(unit)) for unit in units}
@@ -310,7 +304,7 @@ def check_changed(
             failed |= found
     log.writelines(f"{path.relative_to(root)}:\n{text}\n" for path, text in failed.items())
     good = {name_of(root, unit): key for unit, key in keys.items() if not failed.keys() & unit}
-    write_whole(store, json.dumps(good, indent=1))
+    write_json(store, good)
     count = sum(map(len, units))
     if failed:
         raise FailureError(f"clang-tidy rejects {len(failed)} of {count} files")

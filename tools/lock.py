@@ -2,8 +2,7 @@
 files of the first command.
 
 A command that was ended by force can leave programs behind, such as a build. The next command ends
-these programs before it begins.
-"""
+these programs before it begins."""
 
 from __future__ import annotations
 
@@ -29,8 +28,7 @@ class BusyError(Exception):
 def only_one(root: Path, command: str) -> Iterator[None]:
     """Locks the project. Raises BusyError if another process has the lock.
 
-    When a process ends, even by a crash, the system frees the lock of the process.
-    """
+    When a process ends, even by a crash, the system frees the lock of the process."""
     if os.environ.get(HOLDER) == str(root):
         yield
         return

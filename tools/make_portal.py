@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import io
-import json
 import os
 import threading
 import time
@@ -19,6 +18,7 @@ from tools.serve import STATUS, add_port, serving, wait
 from tools.task_graph import Progress, Task
 from tools.tasks import DOCUMENTS, HOST_FIRMWARE, RESULT_TASKS, graph, pages_graph
 from traceability.reading.task_record import RECORD
+from traceability.whole_file import write_json
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -132,10 +132,7 @@ class Pages(AbstractContextManager["Pages"]):
             ],
             "failed": [name for name, end in list(self.progress.done.items()) if end.failed],
         }
-        path = self.root / STATUS
-        new = path.with_suffix(f".{threading.get_ident()}")
-        new.write_text(json.dumps(content), encoding="utf-8")
-        new.replace(path)
+        write_json(self.root / STATUS, content)
 
     def _rebuild(self) -> None:
         while True:

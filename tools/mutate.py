@@ -4,24 +4,37 @@ tests find."""
 from __future__ import annotations
 
 import argparse
-import json
 import random
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import TextIO
 
 from tools.lock import only_one
+from tools.mutation.points import Mutant
+from tools.mutation.score import (
+    RESULT,
+    Justifications,
+    Plan,
+    Tried,
+    file_hashes,
+    found_before,
+    make_plan,
+    measure,
+    order,
+    record,
+    try_all,
+)
+from tools.mutation.switched import PROGRAM, build_switched, write_switched
 from tools.steps import FailureError, Steps
 from tools.tasks import graph
+from traceability.model.build import build
+from traceability.model.design_model import Model
 from traceability.reading.published import publish
 from traceability.reading.results import read_json
 from traceability.reading.task_record import TESTS_TRACE
-from traceability.whole_file import write_whole
-
-if TYPE_CHECKING:
-    from tools.mutation.points import Mutant
-    from tools.mutation.score import Justifications, Plan, Tried
-    from traceability.model.design_model import Model
+from traceability.reading.traces import read_traces
+from traceability.schema import HOST
+from traceability.whole_file import write_json
 
 STEPS = 4
 LONGEST = 240.0  # [minutes]
@@ -78,8 +91,6 @@ def mutate(root: Path, options: argparse.Namespace) -> int:
 
 
 def _mutate(root: Path, options: argparse.Namespace) -> int:
-    from tools.mutation.score import RESULT
-
     steps = Steps(root, STEPS)
     seed = random.SystemRandom().randrange(1 << 16) if options.seed is None else options.seed
     print(f"seed {seed}")
@@ -97,7 +108,6 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
             steps.skip(title, "an earlier step failed")
     if not ready:
         return 1
-    assert run.model is not None
     if options.publish:
         command = f"./wr mutate --minutes {options.minutes:g} --seed {seed}"
         score = {
@@ -126,20 +136,14 @@ class _Run:
         self.longest = 60 * longest
         self.resume = resume
         self.took = 0.0
-        self.model: Model | None = None
-        self.plan: Plan | None = None
-        self.justifications: Justifications | None = None
+        self.model: Model
+        self.plan: Plan
+        self.justifications: Justifications
         self.mutants: list[Mutant] = []
         self.files: dict[str, str] = {}  # file with mutants -> its hash
         self.tried: list[Tried] = []
 
     def generate(self, log: TextIO) -> str:
-        from tools.mutation.score import Justifications, make_plan
-        from tools.mutation.switched import write_switched
-        from traceability.model.build import build
-        from traceability.reading.traces import read_traces
-        from traceability.schema import HOST
-
         self.model, facts = build(self.root)
         traces = read_traces(self.root, self.root / "build" / "model")[HOST]
         self.mutants = write_switched(self.root, log)
@@ -149,17 +153,9 @@ class _Run:
         return f"{len(self.mutants)} in {len(functions)} functions"
 
     def build(self, log: TextIO) -> None:
-        from tools.mutation.switched import build_switched
-
         build_switched(self.root, log)
 
     def measure(self, log: TextIO) -> str:
-        from tools.mutation.score import measure
-        from tools.mutation.switched import PROGRAM
-        from traceability.schema import HOST
-
-        assert self.model is not None
-        assert self.plan is not None
         known = {
             test.id: (test.results[HOST].milliseconds or 0) / 1000
             for test in self.model.tests.values()
@@ -174,10 +170,6 @@ class _Run:
         return f"{len(self.plan.seconds)} passed{left_out}"
 
     def attempt(self, _log: TextIO) -> str:
-        from tools.mutation.score import RESULT, file_hashes, found_before, order, try_all
-        from tools.mutation.switched import PROGRAM
-
-        assert self.plan is not None
         self.files = file_hashes(self.root, self.mutants)
         last = read_json(self.root / RESULT) if self.resume else None
         before = found_before(last or {}, self.mutants, self.files, self.plan)
@@ -204,10 +196,6 @@ class _Run:
     def write(self) -> None:
         """Writes the record of the mutants that were tried until now. If the run is
         interrupted, these results are not lost."""
-        from tools.mutation.score import RESULT, record
-
-        assert self.model is not None
-        assert self.justifications is not None
         origin = {
             "sources": self.model.sources_hash,
             "commit": self.model.commit,
@@ -216,11 +204,10 @@ class _Run:
             "minutes": round(self.took, 1),
         }
         result = record(self.tried, origin, len(self.mutants), self.justifications)
-        write_whole(self.root / RESULT, json.dumps(result, indent=1))
+        write_json(self.root / RESULT, result)
 
     def survivors(self) -> list[Mutant]:
         """Returns the mutants that no test found and no entry of design/mutants.toml justifies."""
-        assert self.justifications is not None
         missed = [one.mutant for one in self.tried if not one.killed_by]
         reasons = self.justifications.reasons_of(missed)
         return [mutant for mutant, why in zip(missed, reasons, strict=True) if not why]

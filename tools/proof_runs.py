@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import re
 import shutil
 import subprocess
@@ -24,6 +23,7 @@ from traceability.reading.proof_record import FOLDER, PROOFS, PROVE, SCENARIOS
 from traceability.reading.proof_record import scenario as scenario_of
 from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
+from traceability.whole_file import write_json, write_whole
 
 RECORD = "proofs"  # name of the record of complete runs; it also has the hashes of the models
 SPIN, COMPILER = "spin", "cc"
@@ -62,10 +62,7 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
     recorded = recorded_proofs(root, declared)
     left = [proof for proof in declared.proofs.values() if proof.name not in recorded]
     results = recorded | prove(root, declared, left, said)
-    path = root / PROOFS
-    path.parent.mkdir(parents=True, exist_ok=True)
-    content = {name: asdict(result) for name, result in results.items()}
-    path.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    write_json(root / PROOFS, {name: asdict(result) for name, result in results.items()})
     proven = sum(result.verdict == "proven" for result in results.values())
     states = sum(result.states for result in results.values())
     summary = f"{proven} of {len(results)} properties proven, {states} states"
@@ -78,8 +75,7 @@ def prove(
     root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
     """Proves properties, several of them in parallel. Prints a line for each property, in the given
-    order.
-    """
+    order."""
     listed = list(properties)
     results: dict[str, ProofResult] = {}
     with ThreadPoolExecutor(WORKERS) as pool:
@@ -161,8 +157,7 @@ def judged(
         file = ""
         if text:
             path = root / SCENARIOS / f"{proof.name}.scenario"
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+            write_whole(path, text)
             file = str(path.relative_to(root))
         return ProofResult("false", count, depth, round(seconds, 1), events, file)
     limited = "max search depth too small" in said or "out of memory" in said

@@ -83,8 +83,7 @@ def right_phrases(text: str) -> list[str]:
 
 def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
     """Returns a pattern that matches whole words. A blank matches any white space, and # matches
-    any number. The pattern ignores case.
-    """
+    any number. The pattern ignores case."""
     longest = sorted((" ".join(phrase.split()) for phrase in phrases), key=len, reverse=True)
     words = "|".join(map(re.escape, longest)).replace(r"\ ", r"\s+").replace(r"\#", r"\d+")
     return re.compile(rf"(?<![\w.-])(?:{words or '(?!)'})(?![\w-])", re.IGNORECASE)
@@ -92,8 +91,7 @@ def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
 
 def prose_of(path: Path) -> str:
     """Returns the text of a file in which blanks replace everything except prose. The line numbers
-    do not change.
-    """
+    do not change."""
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".html":
         text = TEMPLATE_CODE.sub(lambda match: _strings(match[0]), text)
@@ -141,8 +139,7 @@ def lint_prose(root: Path) -> list[ProseFinding]:
     """Returns all findings, sorted by file and line.
 
     Most files contain none of the words. Only the other files are separated into code and prose,
-    because this takes most of the time.
-    """
+    because this takes most of the time."""
     glossary = (root / GLOSSARY).read_text(encoding="utf-8")
     better = {term.words.lower(): term.better for term in read_terms(glossary)}
     pattern = pattern_of(better)

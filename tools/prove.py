@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tools.lock import only_one
 from tools.proof_runs import missing_program, prove, record_proofs
-from tools.steps import MissingError
+from tools.steps import MissingError, UsageError
 from tools.tasks import graph
 from traceability.reading.declared import read_declared
 from traceability.reading.task_record import PROOFS
@@ -35,24 +35,22 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="prove all properties, even if the model of a property is in "
         "tests/records/proofs.json, and write this record again",
     )
-    parser.set_defaults(run=lambda root, options: run(root, options, parser))
+    parser.set_defaults(run=run)
 
 
-def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def run(root: Path, options: argparse.Namespace) -> int:
     declared = read_declared(root)
     unknown = set(options.properties) - set(declared.proofs)
     if unknown:
         names = ", ".join(declared.proofs)
-        parser.error(f"there is no property {min(unknown)}; the properties are {names}")
+        raise UsageError(f"there is no property {min(unknown)}; the properties are {names}")
     if missing := missing_program():
         raise MissingError(f"{missing} is not installed; install it with ./wr setup")
     with only_one(root, "prove"):
-        if options.properties:
-            properties = [declared.proofs[name] for name in options.properties]
-            results = prove(root, declared, properties, print)
-            return 0 if all(result.verdict == "proven" for result in results.values()) else 1
-        if options.again:
-            results = prove(root, declared, declared.proofs.values(), print)
+        if not options.properties and not options.again:
+            return 1 if graph(root).run([PROOFS]).failed else 0
+        chosen = [declared.proofs[name] for name in options.properties or declared.proofs]
+        results = prove(root, declared, chosen, print)
+        if not options.properties:
             print(f"recorded in {record_proofs(root, declared, results).relative_to(root)}")
-            return 0 if all(result.verdict == "proven" for result in results.values()) else 1
-        return 1 if graph(root).run([PROOFS]).failed else 0
+        return 0 if all(result.verdict == "proven" for result in results.values()) else 1

@@ -79,8 +79,7 @@ def covers(named: Iterable[str], path: str) -> bool:
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
     """Returns the test files that are in ``paths`` or import a file of ``paths``. The value of a
     test file is the test file itself if ``paths`` contains this file, and otherwise a file of
-    ``paths`` that the test file imports.
-    """
+    ``paths`` that the test file imports."""
     found = {}
     for test in sorted((root / TESTS_OF_TOOLS).glob("*/test_*.py")):
         own = str(test.relative_to(root))

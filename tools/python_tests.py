@@ -27,8 +27,7 @@ WAITING_JOBS = "8"
 
 def workers(folder: str) -> list[str | Path]:
     """Returns the options of pytest for the number of parallel processes and for the distribution
-    of the tests among these processes.
-    """
+    of the tests among these processes."""
     if folder == WAITING:
         return ["-n", WAITING_JOBS, "--dist", "load"]
     return ["-n", jobs(), "--dist", "loadfile"]
@@ -48,8 +47,7 @@ def run_long(root: Path, log: TextIO) -> Outcome:
 def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str]) -> Outcome:
     """Runs only the test files that a change of the files in ``changed`` can affect, and the test
     files with failed tests. The results of the other test files remain. If all tests of the folder
-    may read a changed file, runs all of them.
-    """
+    may read a changed file, runs all of them."""
     results = root / results_of(folder)
     before = ET.parse(results).getroot()
     affected = affected_tests(root, folder, changed)
@@ -70,8 +68,7 @@ def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str
     """Returns the test files of a folder that a change of the files in ``changed`` can affect.
 
     Returns None if a changed file is neither a Python file of the project nor a file that a mark
-    ``reads`` names, because all tests of the folder may read such a file.
-    """
+    ``reads`` names, because all tests of the folder may read such a file."""
     python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
     of_tools = any(not name.startswith(f"{TESTS_OF_TOOLS}/") for name in python)
     found: set[str] = set()
@@ -90,8 +87,7 @@ def merge_results(
 ) -> None:
     """Adds earlier results to a result file. The earlier results of tests that ran again, of
     repeated test files, and of test files that no longer exist are left out. If ``mark``
-    is not empty, the present results get this attribute.
-    """
+    is not empty, the present results get this attribute."""
     now = list(ET.parse(results).iter("testcase")) if results.exists() else []
     for case in now if mark else ():
         case.set(mark, "true")

@@ -4,11 +4,9 @@ on the folder of the project."""
 from __future__ import annotations
 
 import argparse
-import json
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +20,7 @@ from tools.sbom import NAME as SBOM
 from tools.sbom import sbom_text
 from tools.steps import FailureError, MissingError, UsageError
 from tools.tasks import DOCUMENTS, K64_FIRMWARE, graph, pages_graph
-from tools.verify_build import clone, environment
+from tools.verify_build import clone, run_in_copy
 from traceability.exports.svd import write_svd
 from traceability.exports.tool_files import FILES
 from traceability.exports.verification_table import JSON, JUNIT, SCHEMA
@@ -37,6 +35,7 @@ from traceability.reading.task_record import IMAGES
 from traceability.reading.task_record import RECORD as TASKS
 from traceability.reading.traces import SOURCES
 from traceability.sources import file_hash
+from traceability.whole_file import write_json
 
 FOLDER = Path("build/release")
 SITE = Path("build/site")
@@ -106,8 +105,7 @@ def release(root: Path, *, verify: bool, published: bool = False) -> int:
         return 0
     different = compare_with_second(root, folder)
     record = {"commit": made.commit, "reproducible": not different}
-    (root / RESULTS).mkdir(parents=True, exist_ok=True)
-    (root / RECORD).write_text(json.dumps(record) + "\n", encoding="utf-8")
+    write_json(root / RECORD, record)
     for line in different:
         print(line)
     if published:
@@ -169,8 +167,7 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
 
 def write_source(root: Path, made: Release, path: Path) -> None:
     """Writes the archive of the sources. Each file has the time of the commit. A file is executable
-    in the archive if it is executable in git.
-    """
+    in the archive if it is executable in git."""
     words = ["archive", "--format=tar.gz", f"--prefix={made.name}/source/", made.commit]
     subprocess.run(["git", *words, "--output", path], cwd=root, check=True)
 
@@ -203,17 +200,14 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
         print(f"Makes the release again in {copy}", flush=True)
         clone(root, copy)
         bring_results(root, copy)
-        words = [sys.executable, "-m", "tools", "release"]
-        done = subprocess.run(words, cwd=copy, env=environment(root, copy), check=False)
-        if done.returncode:
+        if run_in_copy(root, copy, "release"):
             raise FailureError("the release in the new folder failed; see its messages above")
         return differences(folder, copy / FOLDER)
 
 
 def bring_results(root: Path, copy: Path) -> None:
     """Copies the results of tests and measurements, because they contain times that differ in a
-    second run. Recordings also contain the addresses of the recorded program.
-    """
+    second run. Recordings also contain the addresses of the recorded program."""
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
     covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.pickle")]
     for name in (RESULTS, TASKS, TIMES, MODULE, *recorded, *covered):

@@ -13,8 +13,7 @@ from pathlib import Path
 def write_archive(path: Path, files: Mapping[str, bytes | Path], when: int) -> None:
     """Writes a tar.gz with the files, sorted by their names.
 
-    ``when`` is the time of each file [s since 1970]. Owners and permissions are always the same.
-    """
+    ``when`` is the time of each file [s since 1970]. Owners and permissions are always the same."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with (
         path.open("wb") as raw,
@@ -49,8 +48,7 @@ def below(folder: Path, *without: str) -> dict[str, Path]:
 
 def different_members(first: Path, second: Path) -> list[str]:
     """Returns the names of the files that have different contents in two archives, and the names
-    that only one archive contains.
-    """
+    that only one archive contains."""
     here, there = (_members(path) for path in (first, second))
     return sorted(name for name in here.keys() | there.keys() if here.get(name) != there.get(name))
 

@@ -1,6 +1,5 @@
 """./wr review: records a person's review of a requirement, or records the present texts as the
-baseline.
-"""
+baseline."""
 
 from __future__ import annotations
 
@@ -10,15 +9,30 @@ import difflib
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from tools.steps import FailureError, MissingError, UsageError
+from traceability.model.build import build
+from traceability.model.design_model import Model
+from traceability.model.reviews import (
+    ANSWERS,
+    DESIGN,
+    LEAST_REMARK,
+    NAMES_OF_TEXTS,
+    QUESTIONS,
+    REVIEWS,
+    LinkText,
+    LinkTexts,
+    add_review,
+    objections,
+    read_baseline,
+    state_of,
+    write_baseline,
+)
+from traceability.reading import link_texts
 from traceability.reading.build_evidence import git
-
-if TYPE_CHECKING:
-    from traceability.model.design_model import Model
-    from traceability.model.reviews import LinkText, LinkTexts
-    from traceability.schema import Baseline, Requirement
+from traceability.reading.link_texts import FINDERS, hash_of
+from traceability.schema import Baseline, Place, Requirement, Review
+from traceability.sources import files_below
 
 # largest number of versions of a file in which the program looks for the text of the baseline
 MOST_VERSIONS = 200
@@ -52,9 +66,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def review(root: Path, options: argparse.Namespace) -> int:
-    from traceability.model.build import build
-    from traceability.model.reviews import DESIGN, LinkTexts
-
     if not options.baseline and len(options.ids) != 1:
         raise UsageError("name one requirement to review, such as ./wr review FR-15")
     names = {*declared_ids(root), *([DESIGN] if options.baseline else [])}
@@ -74,17 +85,13 @@ def review(root: Path, options: argparse.Namespace) -> int:
 def declared_ids(root: Path) -> set[str]:
     """Returns the ids of all requirements. Reads only the requirements, which is much faster than
     to build the model."""
-    from traceability.reading.link_texts import requirements
-    from traceability.sources import files_below
-
     files = files_below(root, ("requirements",), (".dox",))
-    return {name for file in files for name, _ in requirements(file.read_text(encoding="utf-8"))}
+    texts = (file.read_text(encoding="utf-8") for file in files)
+    return {name for text in texts for name, _ in link_texts.requirements(text)}
 
 
 def record_baseline(root: Path, model: Model, texts: LinkTexts, ids: list[str]) -> int:
     """Prints the changed texts, and records their present hashes in the baseline."""
-    from traceability.model.reviews import DESIGN, NAMES_OF_TEXTS, write_baseline
-
     requirements = model.requirements
     doubts = {name: requirement.suspicions for name, requirement in requirements.items()}
     doubts[DESIGN] = model.suspicions
@@ -104,8 +111,6 @@ def record_baseline(root: Path, model: Model, texts: LinkTexts, ids: list[str]) 
 
 
 def counted(changed: list[str]) -> str:
-    from traceability.model.reviews import DESIGN
-
     design = " and of the texts without a requirement" if DESIGN in changed else ""
     return f"{len(set(changed) - {DESIGN})} requirements{design}"
 
@@ -114,9 +119,6 @@ def review_one(
     root: Path, requirement: Requirement, texts: list[LinkText], options: argparse.Namespace
 ) -> int:
     """Shows the texts, asks the questions, and records the answers."""
-    from traceability.model.reviews import REVIEWS, add_review, objections, read_baseline, state_of
-    from traceability.schema import Place, Review
-
     if not sys.stdin.isatty():
         raise UsageError(
             "the input is not a terminal, but a person must answer the questions of a review; "
@@ -146,8 +148,6 @@ def review_one(
 
 def asked() -> tuple[dict[str, str], str]:
     """Returns the answer to each question of the checklist, and the remark."""
-    from traceability.model.reviews import ANSWERS, LEAST_REMARK, QUESTIONS
-
     choice = ", ".join(ANSWERS)
     answers = {
         key: answer_to(
@@ -178,8 +178,7 @@ def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
     """Yields the texts that a reviewer reads, with their changes. For a file that supports a test,
-    such as a fixture or a scenario, yields the path and the changes, but not the whole text.
-    """
+    such as a fixture or a scenario, yields the path and the changes, but not the whole text."""
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
         if text.kind != "support":
@@ -207,8 +206,6 @@ def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
 def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
     """Returns the text with the recorded hash, from the versions of its file in git. Returns None
     if no version contains this text."""
-    from traceability.reading.link_texts import FINDERS, hash_of
-
     if now.kind not in FINDERS:
         return None
     for version in versions(root, now.place.file):

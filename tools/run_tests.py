@@ -10,6 +10,7 @@ from tools.check import report
 from tools.documents import read_findings, write_time
 from tools.lint import lint_tasks, record_steps
 from tools.lock import only_one
+from tools.steps import UsageError
 from tools.task_graph import Graph, Reporter
 from tools.tasks import (
     DOCUMENTS,
@@ -87,13 +88,13 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="the run of .ci/run: --all, but leave out the tests with sanitizers, and run the "
         "quick steps of ./wr lint at the same time",
     )
-    parser.set_defaults(run=lambda root, options: run(root, options, parser))
+    parser.set_defaults(run=run)
 
 
-def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def run(root: Path, options: argparse.Namespace) -> int:
     unknown = [part for part in options.parts if part not in PARTS]
     if unknown:
-        parser.error(f"there is no part {unknown[0]}; the parts are {', '.join(PARTS)}")
+        raise UsageError(f"there is no part {unknown[0]}; the parts are {', '.join(PARTS)}")
     if options.parts:
         return test_parts(root, options.parts)
     if options.all or options.long or options.ci:
@@ -146,8 +147,7 @@ def test_all(root: Path, *, long: bool, ci: bool) -> int:
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
     """Returns the counts of the tests of all tasks. The tests with sanitizers are the same tests as
-    the tests with traces, and are not counted again.
-    """
+    the tests with traces, and are not counted again."""
     counts = Counts()
     for name, values in run.values.items():
         if "passed" in values and (name in counted or name != TESTS_SANITIZE):

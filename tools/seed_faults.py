@@ -102,8 +102,7 @@ def grouped(faults: list[Fault]) -> list[list[Fault]]:
     """Returns groups of faults. No two faults of a group change the same file. The faults of a
     group are inserted together, because their findings can be distinguished.
 
-    A fault that does not compile hides the other faults. It is therefore checked alone.
-    """
+    A fault that does not compile hides the other faults. It is therefore checked alone."""
     alone = [[fault] for fault in faults if not fault.compiles]
     groups: list[tuple[set[str], list[Fault]]] = []
     for fault in faults:
@@ -161,8 +160,7 @@ class Copy:
         halves.
 
         A fault can hide all others, for example if it makes a file of the design unreadable.
-        Halving the group separates this fault from the other faults in a few runs.
-        """
+        Halving the group separates this fault from the other faults in a few runs."""
         outcomes = {
             fault.name: outcome for fault, outcome in zip(faults, self._seed(faults), strict=True)
         }
@@ -247,8 +245,7 @@ def _content(path: Path) -> bytes | None:
 
 def copy_part(root: Path, tree: Path, name: str) -> None:
     """Copies a part of the project, without the precompiled library. This library contains the path
-    of its folder. Therefore each copy builds the library again.
-    """
+    of its folder. Therefore each copy builds the library again."""
     source, target = root / name, tree / name
     if source.is_dir():
         ignored = shutil.ignore_patterns("python", "standard*", "__pycache__", "xml")

@@ -42,8 +42,7 @@ def port_number(text: str) -> int:
 
 class Handler(SimpleHTTPRequestHandler):
     """Sends the files of the site. The browser always loads them again, because the site may have
-    been rebuilt.
-    """
+    been rebuilt."""
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-cache")
@@ -83,7 +82,6 @@ def serve(root: Path, port: int) -> int:
 
 def wait(thread: Thread) -> None:
     """Waits for Ctrl-C. Only the main thread receives Ctrl-C, and only when this thread wakes
-    up.
-    """
+    up."""
     while thread.is_alive():
         thread.join(WAKE)

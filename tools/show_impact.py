@@ -8,14 +8,13 @@ import json
 import sys
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from tools.diff import commit_of
 from tools.python_imports import importing_tests
 from tools.steps import UsageError, need_file
+from traceability.model.build import build
+from traceability.model.impact import Impact, Impacts, Reached, UnknownSubjectError
 from traceability.reading.build_evidence import git
-
-if TYPE_CHECKING:
-    from traceability.model.impact import Impact, Reached
 
 WIDTH = 100
 RANGE = ".."  # separates two commits
@@ -52,9 +51,6 @@ def impact(root: Path, options: argparse.Namespace) -> int:
 
 
 def impact_of(root: Path, subject: str) -> Impact:
-    from traceability.model.build import build
-    from traceability.model.impact import Impacts, UnknownSubjectError
-
     path = Path(subject)
     if path.is_file() and path.resolve().is_relative_to(root):
         subject = str(path.resolve().relative_to(root))
@@ -74,8 +70,6 @@ def impact_of(root: Path, subject: str) -> Impact:
 
 def with_python(root: Path, found: Impact) -> Impact:
     """Adds the Python tests that import the changed Python files, directly or indirectly."""
-    from traceability.model.impact import Reached
-
     python = [path for path in found.unfollowed if path.endswith(".py")]
     for test, path in importing_tests(root, python).items():
         near = test == path
@@ -89,8 +83,8 @@ def with_python(root: Path, found: Impact) -> Impact:
 def changed_files(root: Path, commits: str) -> list[str]:
     """Returns the files that differ between two commits."""
     for name in commits.split(RANGE):
-        if name and not git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"):
-            raise UsageError(f"git has no commit {name}; name a commit, a branch or a tag")
+        if name:
+            commit_of(root, name)
     return git(root, "diff", "--no-renames", "--name-only", commits).splitlines()
 
 

@@ -6,16 +6,16 @@ import argparse
 import os
 from pathlib import Path
 
-from tools.cmake_build import BOARD_PROGRAM
+from tools.closed_loop_runs import HOST_PROGRAM
+from tools.cmake_build import board_words
 from tools.firmware import add_product
 from tools.lock import only_one
-from tools.steps import FailureError, MissingError, need_file
+from tools.steps import FailureError, MissingError, UsageError, need_file
 from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BOARD, graph
 from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_image_of
 from weeding_robot_client.exit_codes import FOUND
 from weeding_robot_client.options import positive
 
-PROGRAM = "weeding_robot_host"
 LAST_PORT = 65535
 
 
@@ -71,7 +71,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         metavar="PORT",
         help="with --board: wait for GDB at this TCP port (0 means a free port)",
     )
-    parser.set_defaults(run=lambda root, options: sim(root, options, parser))
+    parser.set_defaults(run=sim)
 
 
 def port_number(text: str) -> int:
@@ -81,22 +81,22 @@ def port_number(text: str) -> int:
     return number
 
 
-def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def sim(root: Path, options: argparse.Namespace) -> int:
     """Builds the chosen program, and replaces this process with that program."""
     if options.product not in (DEFAULT, PAPER) and not options.board:
-        parser.error(f"--product {options.product} needs --board")
+        raise UsageError(f"--product {options.product} needs --board")
     if options.trace and not options.board:
-        parser.error(f"--trace {options.trace} needs --board")
+        raise UsageError(f"--trace {options.trace} needs --board")
     if options.resets and not options.board:
-        parser.error("--resets needs --board")
+        raise UsageError("--resets needs --board")
     if options.gdb is not None and not options.board:
-        parser.error(f"--gdb {options.gdb} needs --board")
+        raise UsageError(f"--gdb {options.gdb} needs --board")
     if options.gdb is not None and (options.trace or options.control):
-        parser.error("--gdb cannot be combined with --trace or --control")
+        raise UsageError("--gdb cannot be combined with --trace or --control")
     if options.fast and not (options.board and options.cycles):
-        parser.error("--fast needs --board and --cycles")
+        raise UsageError("--fast needs --board and --cycles")
     if options.reports and not options.scenario:
-        parser.error(f"--reports {options.reports} needs --scenario")
+        raise UsageError(f"--reports {options.reports} needs --scenario")
     need_files(options)
     with only_one(root, "sim"):
         images = K64_FIRMWARE if options.gdb is None else RECORDED_IMAGES
@@ -122,12 +122,10 @@ def need_files(options: argparse.Namespace) -> None:
 def command(root: Path, options: argparse.Namespace) -> list[str]:
     """Returns the program and its options. A scenario replaces the PC link."""
     stepped = options.fast or options.scenario is not None
-    program = BOARD_PROGRAM if options.board else PROGRAM
-    words = [str(root / "build" / "host" / "sim" / program)]
+    words = [str(root / "build/host/sim" / HOST_PROGRAM)]
     if options.board:
         of = image_of if options.gdb is None else recorded_image_of
-        image, elf = (root / of(options.product, suffix) for suffix in (".bin", ".elf"))
-        words += ["--image", str(image), "--elf", str(elf), "--robot"]
+        words = [*board_words(root, of(options.product, ".bin")), "--robot"]
     elif options.product == PAPER:
         words.append("--paper")
     link, control = options.link, options.control

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 from collections import defaultdict
@@ -26,6 +25,7 @@ from traceability.reading.products import (
     modules_in,
     recorded_image_of,
 )
+from traceability.whole_file import write_json
 
 ELF = image_of(DEFAULT, ".elf")
 SIZES = Path("build/results/size_k64.json")
@@ -74,8 +74,7 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     An instruction belongs to the module of its source line, even if the instruction was inlined
     elsewhere. An object belongs to the module that defines it. The module is read from the
     ``recorded`` image, because link-time optimisation removes this information from the other
-    image.
-    """
+    image."""
     sizes: dict[str, Size] = defaultdict(Size)
     all_objects = list(objects(elf, homes(recorded or elf)))
     for section in sections(elf):
@@ -107,8 +106,7 @@ def homes(elf: Path) -> dict[str, str]:
 
 def objects(elf: Path, modules: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
     """Yields the address, the module and the size of each object. A virtual method table belongs to
-    its class.
-    """
+    its class."""
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
         plain = name.partition(".lto_priv")[0]
         table = CLASS_TABLE.match(plain)
@@ -123,8 +121,7 @@ def add(part: Size, section: Section, size: int) -> None:
 
 def owner(section: Section) -> str:
     """Returns the part to which a whole section belongs. The result is empty if the section belongs
-    to several parts.
-    """
+    to several parts."""
     if not section.in_flash:
         return ""
     return {0: VECTORS, FIELD: CONFIGURATION}.get(section.address, "")
@@ -209,10 +206,3 @@ def write_sizes(root: Path) -> dict[str, Size]:
     write_json(root / SIZES, {name: vars(size) for name, size in sorted(sizes.items())})
     write_json(root / TOTALS, {"flash": whole.flash, "ram": whole.ram})
     return sizes
-
-
-def write_json(path: Path, content: object) -> None:
-    text = json.dumps(content, indent=1) + "\n"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists() or path.read_text(encoding="utf-8") != text:
-        path.write_text(text, encoding="utf-8")

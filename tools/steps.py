@@ -64,8 +64,7 @@ def run(
 ) -> float:
     """Runs a command and writes its output to the log. Raises FailureError if the command fails.
 
-    Returns the processor time that the command used [s].
-    """
+    Returns the processor time that the command used [s]."""
     words = [str(word) for word in command]
     log.write(f"$ {' '.join(words)}\n")
     log.flush()
@@ -99,8 +98,7 @@ def heed_interrupts() -> None:
     effect: the process ends without an exception.
 
     Python ignores an exception in the callback of a weak reference, for example during an import.
-    If Python ignores an interrupt in this way, a timer repeats the interrupt.
-    """
+    If Python ignores an interrupt in this way, a timer repeats the interrupt."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
         signal.signal(number, signal.default_int_handler)
     os.register_at_fork(after_in_child=lambda: signal.signal(signal.SIGTERM, signal.SIG_DFL))
@@ -217,8 +215,7 @@ class Steps:
     def run(self, title: str, action: Callable[[TextIO], str | None]) -> bool:
         """Runs one step. Returns whether the step succeeded.
 
-        The action writes to the log, and returns a short note or None.
-        """
+        The action writes to the log, and returns a short note or None."""
         self.number += 1
         path = log_of(self.root, title)
         self._say(f"[{self.number}/{self.total}] {title} ... ", end="")

@@ -3,8 +3,7 @@ time.
 
 doit stores the hash of the content of each input in a JSON file such as ``build/tasks.json``. If an
 input changes after the start of the run, its hash is not stored. The task then runs again the next
-time.
-"""
+time."""
 
 from __future__ import annotations
 
@@ -140,15 +139,13 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
 
     def changed_inputs(self, task: DoitTask) -> frozenset[str]:
         """Returns the inputs that changed, were added or were removed since the last run of the
-        task. Returns the empty set if there is no record of the last run.
-        """
+        task. Returns the empty set if there is no record of the last run."""
         before = set(self._get(task.name, "deps:") or ())
         return frozenset(task.dep_changed) | (before - task.file_dep) if before else frozenset()
 
     def forget(self, task: DoitTask) -> None:
         """Removes a task from the record before the task runs. If the run is ended by force, the
-        outputs are incomplete. The record of an earlier run would then be wrong.
-        """
+        outputs are incomplete. The record of an earlier run would then be wrong."""
         if self.get_values(task.name):
             self.remove_success(task)
             self.backend.dump()
@@ -306,8 +303,7 @@ class Graph:
         """Runs the named tasks and the tasks that they need. Returns their results.
 
         ``changed`` is called when the progress changes. Its first argument is the task that ended
-        with new results, or None. Its second argument is the progress.
-        """
+        with new results, or None. Its second argument is the progress."""
         with contextlib.chdir(self.root):
             record = Record(self.record)
             reporter = Reporter(self.root, self.tasks, record, self.out)

@@ -1,7 +1,6 @@
 """The tasks of the project, with their actions, inputs and outputs.
 
-Ninja finds the sources of a program. All other inputs are declared only in this file.
-"""
+Ninja finds the sources of a program. All other inputs are declared only in this file."""
 
 from __future__ import annotations
 
@@ -15,7 +14,7 @@ from typing import TextIO
 from tools.baseline import TESTS as BASELINE_TESTS
 from tools.baseline import compare, image_name
 from tools.bench_runs import measure_all
-from tools.browser import find_browser, works
+from tools.browser import find_browser
 from tools.call_runs import record_all
 from tools.change_runs import IMAGES as CHANGE_IMAGES
 from tools.change_runs import TESTS as CHANGE_TESTS
@@ -164,8 +163,7 @@ def graph(root: Path) -> Graph:
 
 def pages_graph(root: Path, out: TextIO | None = None, *, keep: bool = False) -> Graph:
     """Returns the tasks that build and test the pages. They run while other tasks still measure.
-    With ``keep``, the pages stay as they are if their links and warnings cannot have changed.
-    """
+    With ``keep``, the pages stay as they are if their links and warnings cannot have changed."""
     tasks = documents(root, out or sys.stdout, keep=keep)
     return Graph(root, tasks, out or sys.stdout, record=PAGES_RECORD)
 
@@ -214,8 +212,7 @@ def builds(root: Path) -> list[Task]:
 
 def measurements(root: Path) -> list[Task]:
     """Returns the tasks that test and measure the programs that were built. Their inputs are the
-    sources of these programs.
-    """
+    sources of these programs."""
 
     def tests(run: str) -> Callable[[TextIO], Outcome]:
         return lambda log: outcome_of(run_tests(root, run, log))
@@ -384,7 +381,7 @@ def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
         return json.dumps([commit(root), {name: is_fresh(root, name) for name in names}])
 
     def pages(log: TextIO) -> Outcome:
-        if not works(find_browser()):
+        if find_browser() is None:
             log.write("There is no browser. The tests that need a browser are skipped.\n")
             return run_pytest(root, "site", log, f"{NOT_LONG} and not browser")
         outcome = run_pytest(root, "site", log)

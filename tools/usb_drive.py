@@ -1,6 +1,5 @@
 """The drive of the debug probe of the FRDM-K64F. If a firmware image is copied to the drive, the
-probe writes the image into the flash.
-"""
+probe writes the image into the flash."""
 
 from __future__ import annotations
 
@@ -49,8 +48,7 @@ def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
 
 def problem(folder: Path) -> str:
     """Returns the reason why no firmware image can be copied to this folder. The reason is empty
-    if the folder is the drive of a board.
-    """
+    if the folder is the drive of a board."""
     if not folder.is_dir():
         return f"{folder} is not a folder"
     if file_of(folder, MARKS) is None:

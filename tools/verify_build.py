@@ -48,13 +48,8 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
         print(f"Repeats the build in {copy}", flush=True)
         clone(root, copy)
         words = IMAGES_ONLY if options.images else WHOLE
-        run = subprocess.run(
-            [sys.executable, "-m", "tools", *words],
-            cwd=copy,
-            env=environment(root, copy),
-            check=False,
-        )
-        if run.returncode and not (copy / RECORD).exists() and not options.images:
+        failed = run_in_copy(root, copy, *words)
+        if failed and not (copy / RECORD).exists() and not options.images:
             raise FailureError("the build in the new folder failed; see its messages above")
         differences = list(compare(root, copy, images=options.images))
     for line in differences:
@@ -91,14 +86,15 @@ def clone(root: Path, copy: Path) -> None:
     (copy / ".venv").symlink_to(root / ".venv")
 
 
-def environment(root: Path, copy: Path) -> dict[str, str]:
-    """Returns the environment of the second build. Python looks for modules in the copy first.
-    The tests get the seed of the last run in ``root``.
-    """
+def run_in_copy(root: Path, copy: Path, *words: str) -> int:
+    """Runs a command of ./wr in the copy, and returns its exit code. Python looks for modules in
+    the copy first. The tests get the seed of the last run in ``root``."""
     path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))
     run = read_run(root, RUNS[HOST])
     seed = {"WR_SEED": run.seeds[0]} if run and len(run.seeds) == 1 else {}
-    return {**os.environ, **seed, "PYTHONPATH": path}
+    environment = {**os.environ, **seed, "PYTHONPATH": path}
+    command = [sys.executable, "-m", "tools", *words]
+    return subprocess.run(command, cwd=copy, env=environment, check=False).returncode
 
 
 def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:

@@ -6,11 +6,11 @@ import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 from portal.links import ROOT
+from traceability.sources import text_of
 
 QUESTIONS = Path("design/questions.toml")
 # The name of a metric in an answer. A name such as {last.mutation.commit} means a value of the last
@@ -23,8 +23,7 @@ ITEM = "\n- "  # begins an item of a list in an answer
 @dataclass
 class Question:
     """A question, its answer, and the links that a reader of the portal clicks to reach the
-    answer.
-    """
+    answer."""
 
     ask: str
     answer: str
@@ -52,22 +51,19 @@ class Question:
     @property
     def steps(self) -> list[str]:
         """Returns the addresses of the pages to open, in order. The last address also contains the
-        anchor of the answer on its page.
-        """
+        anchor of the answer on its page."""
         last = self.clicks[-1]
         return [*self.clicks[:-1], f"{last.partition('#')[0]}#{self.part}" if self.part else last]
 
 
 def questions_of(root: Path) -> list[Question]:
-    path = root / QUESTIONS
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    return [Question(**entry) for entry in tomllib.loads(text).get("question", [])]
+    entries = tomllib.loads(text_of(root / QUESTIONS)).get("question", [])
+    return [Question(**entry) for entry in entries]
 
 
 def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:
     """Returns a copy of the question. In its answer, the value of this build replaces the name of
-    each metric.
-    """
+    each metric."""
 
     def value(match: re.Match[str]) -> str:
         return metric_text(metrics, match[1])
@@ -85,18 +81,9 @@ def metric_text(metrics: Mapping[str, Any], name: str, unit: str = "") -> str:
 
 def value_of(metrics: Mapping[str, Any], name: str) -> Any:
     """Returns the value of a metric, or of a key of a last record. Returns None if the metric was
-    not measured, or if there is no last record.
-    """
+    not measured, or if there is no last record."""
     if not name.startswith(LAST):
         return metrics[name]
     command, _, key = name.removeprefix(LAST).partition(".")
     record = metrics["last"].get(command)
     return None if record is None else record[key]
-
-
-def by_topic(questions: list[Question]) -> dict[str, list[Question]]:
-    topics = list(dict.fromkeys(question.topic for question in questions))
-    ordered = sorted(questions, key=lambda question: topics.index(question.topic))
-    return {
-        topic: list(group) for topic, group in groupby(ordered, lambda question: question.topic)
-    }

@@ -1,6 +1,5 @@
 """The page of the bench. It compares the cycle times in the paper's four scenarios: the values in
-the paper, and the values measured with this firmware.
-"""
+the paper, and the values measured with this firmware."""
 
 from __future__ import annotations
 
@@ -57,8 +56,7 @@ def bench(portal: Portal) -> dict[str, Any]:
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
     """Returns two values: the target [ms] for the cycle time, and the time that was measured with
-    the model of the slow flash, divided by this target.
-    """
+    the model of the slow flash, divided by this target."""
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
 
@@ -66,8 +64,7 @@ def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
 @dataclass
 class Range:
     """The cycle times of a scenario: the average and the maximum [ms], and the positions of both on
-    the axis [per cent].
-    """
+    the axis [per cent]."""
 
     words: str
     kind: str
@@ -88,8 +85,7 @@ def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
 
 def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
     """Returns for each scenario the range of the paper and the measured ranges of this firmware, on
-    the same axis.
-    """
+    the same axis."""
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
 
     def shown(words: str, kind: str, average: float, maximum: float) -> Range:
@@ -111,8 +107,7 @@ def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
 
 def bands(run: Runs) -> Drawing:
     """Returns the drawing of the cycle times. Each point combines GROUP cycles: a line shows their
-    mean, and a band reaches from their minimum to their maximum.
-    """
+    mean, and a band reaches from their minimum to their maximum."""
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     count = max(len(values) for values in times.values())
     x = axis(0.0, float(count), rounded=False)
@@ -135,8 +130,7 @@ def bands(run: Runs) -> Drawing:
 
 def set_points(portal: Portal, name: str) -> list[Drawing]:
     """Returns the drawings of the set-points in the measured cycles: of the wheels, and of the
-    steering. A quantity whose set-points are all zero has no drawing.
-    """
+    steering. A quantity whose set-points are all zero has no drawing."""
     file = portal.root / FOLDER / f"{name}.scenario"
     orders = measured_orders(file.read_text(encoding="utf-8")) if file.is_file() else []
     quantities = {
@@ -148,8 +142,7 @@ def set_points(portal: Portal, name: str) -> list[Drawing]:
 
 def steps(title: str, unit: str, values: list[float]) -> Drawing:
     """Returns the drawing of a curve with steps. There is one value for each cycle; the curve keeps
-    a value until the next value.
-    """
+    a value until the next value."""
     x = axis(0.0, float(len(values)), rounded=False)
     low, high = min(0.0, *values), max(values)
     y = Axis(low, high, [])

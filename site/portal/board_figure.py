@@ -1,17 +1,14 @@
 """The drawing of the pin headers of the board FRDM-K64F, with the pins that the firmware uses. The
-pin table of the firmware lists these pins.
-"""
+pin table of the firmware lists these pins."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from markupsafe import Markup, escape
-
 from portal.pin_map import HEADER, entries, roles
+from portal.templates import environment
 
 PITCH = 35
 SIZE = 26  # size of a pin
@@ -45,11 +42,16 @@ class Row:
     top: int
     above: bool  # true: the labels are above the pins
 
+    @property
+    def is_named(self) -> bool:
+        """Returns whether the name of the header is next to this row, and not next to its other
+        row."""
+        return self.pins[0] % 2 == (self.header not in ("J1", "J2"))
+
 
 def headers() -> list[Row]:
     """Returns the rows of all headers as a reader sees the board from above, in the Arduino R3
-    layout. The pins with even numbers are at the edges of the board.
-    """
+    layout. The pins with even numbers are at the edges of the board."""
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
     low_outer = low_inner + SIZE + 4
@@ -79,8 +81,7 @@ class Used:
     @property
     def part(self) -> tuple[str, str]:
         """Returns the name and the CSS class of the part of the robot that is connected to this
-        pin.
-        """
+        pin."""
         matches = (
             (name, kind)
             for words, name, kind in PARTS
@@ -98,8 +99,7 @@ class Used:
 
 def used_pins(root: Path) -> dict[str, Used]:
     """Returns the pins of the headers that the firmware uses. The key is the header and the number
-    of the pin, as in "J1-4".
-    """
+    of the pin, as in "J1-4"."""
     text = (root / HEADER).read_text(encoding="utf-8")
     return {
         place: Used(pin, signal, effect)
@@ -114,67 +114,19 @@ def board_figure(root: Path) -> str:
     drawn = {f"{row.header}-{pin}" for row in rows for pin in row.pins}
     if lost := sorted(used.keys() - drawn):
         raise ValueError(f"{HEADER}: these pins are on no header of the drawing: {lost}")
-    width = 20 * PITCH + 2 * MARGIN
-    height = max(row.top for row in rows) + SIZE + LABEL
-    parts = [part for row in rows for part in _row(row, used)]
-    title = "Headers of the FRDM-K64F with the pins of the firmware; the table lists the same pins"
-    return str(
-        Markup(
-            '<figure class="fig board"><div class="scroll" tabindex="0" role="region"'
-            ' aria-label="Headers of the board">'
-            '<svg width="{w}" height="{h}" viewBox="0 0 {w} {h}" style="--width: {w}px" '
-            'role="group" aria-label="{title}">{parts}</svg></div>\n'
-            "<figcaption>The headers seen from above, in the order of the Arduino R3 layout. "
-            "Sockets and distances are not drawn. Nobody has compared this drawing with a real "
-            "board. Use the pin numbers that are printed on your board.</figcaption>\n{legend}"
-            "</figure>\n"
-        ).format(w=width, h=height, title=title, parts=Markup("").join(parts), legend=_legend(used))
-    )
-
-
-def _legend(used: dict[str, Used]) -> Markup:
-    """Returns the legend: a button for each part of the robot. When the reader presses a button,
-    the script app.js marks the pins of this part.
-    """
     parts = [part for part in dict.fromkeys(pin.part for pin in used.values()) if part[0]]
-    buttons = (
-        Markup('<button type="button" class="btn {}" data-part="{}">{}</button>').format(
-            f"pin-{kind}", kind, name
+    return (
+        environment()
+        .get_template("board.html")
+        .render(
+            rows=rows,
+            used=used,
+            supply=SUPPLY,
+            parts=parts,
+            pitch=PITCH,
+            size=SIZE,
+            margin=MARGIN,
+            width=20 * PITCH + 2 * MARGIN,
+            height=max(row.top for row in rows) + SIZE + LABEL,
         )
-        for name, kind in parts
     )
-    return Markup('<p class="parts">{}</p>\n').format(Markup(" ").join(buttons))
-
-
-def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
-    left = MARGIN + row.left * PITCH
-    wide = len(row.pins) * PITCH
-    # Only one row of a header shows the name of the header.
-    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):
-        yield Markup('<text x="{}" y="{}" class="b">{}</text>').format(
-            left + wide + 2, row.top + SIZE + 4, row.header
-        )
-    for column, number in enumerate(row.pins):
-        place = f"{row.header}-{number}"
-        yield _pin(place, number, left + column * PITCH, row, used.get(place))
-
-
-def _pin(place: str, number: int, x: int, row: Row, used: Used | None) -> Markup:
-    """Returns the drawing of the pin with its number and its label. A free pin has no label,
-    unless it is a supply pin."""
-    middle = x + SIZE // 2
-    y = row.top - 6 if row.above else row.top + SIZE + 6
-    label = used.label if used else SUPPLY.get(place, "")
-    text = Markup(
-        '<text transform="translate({} {}) rotate(-90)" text-anchor="{}">{}</text>'
-    ).format(middle + 4, y, "start" if row.above else "end", label)
-    box = Markup(
-        '<rect x="{}.5" y="{}.5" width="{}" height="{}" rx="3"/>'
-        '<text x="{}" y="{}" class="m">{}</text>'
-    ).format(x, row.top, SIZE, SIZE, middle + 0.5, row.top + 18, number)
-    if used is None:
-        return Markup('<g class="pin free">{}{}</g>').format(box, text if label else "")
-    title = escape(f"{place}, {used.pin}, {used.signal}: {used.effect}")
-    return Markup(
-        '<g class="pin pin-{}" data-pin="{}" data-part="{}"><title>{}</title>{}{}</g>'
-    ).format(used.part[1], used.pin, used.part[1], title, box, text)

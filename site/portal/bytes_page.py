@@ -1,6 +1,5 @@
 """The page "Follow a byte". It shows chains of recorded steps, for example from a byte of the PC to
-a motor.
-"""
+a motor."""
 
 from __future__ import annotations
 
@@ -18,7 +17,7 @@ from portal.recorded_calls import (
     shown_time,
     windows_of,
 )
-from traceability.reading.call_record import Recording, Span
+from traceability.reading.call_record import Recording
 from traceability.reading.chains import Chain, Step, declared_chains, first_missing, follow
 
 SHOWN = 4  # number of requirements that a step shows
@@ -42,8 +41,7 @@ class Row:
 class Followed:
     """A chain of steps with its rows. If the recording does not contain the whole chain, there are
     no rows, and ``missing`` names the first step that was not found. Without a recording, there are
-    no rows either.
-    """
+    no rows either."""
 
     chain: Chain
     rows: list[Row]
@@ -74,26 +72,21 @@ def _followed(portal: Portal, chain: Chain, recording: Recording | None) -> Foll
     trees = requirements_by_method(portal)
     rows = [Row(step, step.at - steps[0].at, brief=step.text) for step in steps]
     for row in rows:
-        if row.step.span is not None:
-            _describe(portal, row, recording.spans[row.step.span], recording, trees)
+        if row.step.span is None:
+            continue
+        span = recording.spans[row.step.span]
+        activation = recording.activations[span.activation]
+        method = portal.links.find_method(span.method)
+        row.context, row.priority = name_of(portal, activation), activation.priority
+        row.links = links_of(portal, span.method, trees)
+        row.brief = method.brief if method else ""
     _choose_requirements(rows)
     return Followed(chain, rows)
 
 
-def _describe(
-    portal: Portal, row: Row, span: Span, recording: Recording, trees: dict[str, list[str]]
-) -> None:
-    activation = recording.activations[span.activation]
-    method = portal.links.find_method(span.method)
-    row.context, row.priority = name_of(portal, activation), activation.priority
-    row.links = links_of(portal, span.method, trees)
-    row.brief = method.brief if method else ""
-
-
 def _choose_requirements(rows: list[Row]) -> None:
     """Sets the requirements that each row shows. A requirement comes first if its invocation tree
-    contains the method of the row, and also the method of the row above or below.
-    """
+    contains the method of the row, and also the method of the row above or below."""
     for number, row in enumerate(rows):
         if row.links is None:
             continue

@@ -22,8 +22,7 @@ MOST = 12
 @dataclass
 class End:
     """A caller or a callee of a method of the module. ``virtual`` is true if the call is virtual.
-    If no object of the call is known, ``through`` is the called abstract method.
-    """
+    If no object of the call is known, ``through`` is the called abstract method."""
 
     method: str
     virtual: bool
@@ -68,8 +67,7 @@ class Drawing:
 
 class CallGraph:
     """Callers of each method. A call of an abstract method is also recorded as a call of each
-    override that the call can execute.
-    """
+    override that the call can execute."""
 
     def __init__(self, model: Model, links: Links) -> None:
         self.links = links
@@ -160,8 +158,7 @@ class CallGraph:
 
 def without_constructor(caller: str) -> str:
     """Returns the name of the nested class if the caller is the constructor of a nested class;
-    otherwise returns the name unchanged.
-    """
+    otherwise returns the name unchanged."""
     owner, _, name = caller.rpartition("::")
     return owner if owner.endswith(f"::{name}") else caller
 
@@ -178,8 +175,7 @@ def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
 
 def draw(rows: list[Row]) -> Drawing:
     """Returns the drawing with three columns: callers, methods of the module, callees. The callers
-    and the callees of a method are vertically centred at the method.
-    """
+    and the callees of a method are vertically centred at the method."""
     drawing = Drawing(0, 0, [], [], [], 0)
     y = float(TOP)
     for row in rows:

@@ -1,6 +1,5 @@
 """The page that shows a control cycle as a timeline. The timeline has a lane for each interrupt
-priority, which shows the calls at this priority.
-"""
+priority, which shows the calls at this priority."""
 
 from __future__ import annotations
 
@@ -24,7 +23,7 @@ from portal.recorded_calls import (
     shown_time,
     windows_of,
 )
-from traceability.reading.call_record import Activation, Recording, Span
+from traceability.reading.call_record import Activation, Recording
 
 RECORDING = "drive"
 WIDTH = 1000  # sizes in units of the drawing
@@ -37,8 +36,7 @@ MAIN_THREAD = "mainThreadInterrupt"
 @dataclass
 class Lane:
     """A priority, the interrupts and threads with this priority, and the times at which they
-    run.
-    """
+    run."""
 
     priority: int | None
     names: list[str] = field(default_factory=list)
@@ -85,8 +83,7 @@ class Cycle:
 
 def find_cycle(recording: Recording) -> Cycle | None:
     """Returns the first cycle that was recorded from its beginning to its end. A cycle begins when
-    the cycle timer requests its interrupt.
-    """
+    the cycle timer requests its interrupt."""
     entered = [span.activation for span in recording.spans if span.method == PULSE]
     pulses = [recording.activations[number].raised for number in entered]
     return next((Cycle(recording, begin, end) for begin, end in pairwise(pulses)), None)
@@ -142,8 +139,7 @@ def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
 
 def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[int | None, int]:
     """Returns for each priority the execution time [ns], without the interrupts of higher
-    priority.
-    """
+    priority."""
     times: dict[int | None, int] = {}
     for activation in activations:
         length = min(activation.end, shown_cycle.end) - max(activation.begin, shown_cycle.begin)
@@ -186,8 +182,7 @@ def bars_of(
     portal: Portal, shown_cycle: Cycle, lanes: list[Lane], first: int, last: int
 ) -> list[Bar]:
     """Returns a bar for each call from the clock pulse to the end of the main thread. Each bar is
-    one row below the bar of the caller.
-    """
+    one row below the bar of the caller."""
     scale = WIDTH / (last - first)
     activations = shown_cycle.recording.activations
     chosen = [
@@ -206,35 +201,19 @@ def bars_of(
     for lane in sorted(rows):
         tops[lane] = top
         top += rows[lane] * ROW + ROW
-    return [
-        _bar(
-            portal, span, order=order, activations=activations, tops=tops, first=first, scale=scale
-        )
-        for span in chosen
-    ]
-
-
-def _bar(
-    portal: Portal,
-    span: Span,
-    *,
-    order: list[int | None],
-    activations: list[Activation],
-    tops: dict[int, int],
-    first: int,
-    scale: float,
-) -> Bar:
-    lane = order.index(activations[span.activation].priority)
-    method = portal.links.find_method(span.method)
-    href = portal.links.source(method.body or method.place) if method else None
-    x, width = (span.begin - first) * scale, (span.end - span.begin) * scale
-    return Bar(x, tops[lane] + span.depth * ROW, width, span.method, href, lane)
+    bars = []
+    for span in chosen:
+        lane = order.index(activations[span.activation].priority)
+        method = portal.links.find_method(span.method)
+        href = portal.links.source(method.body or method.place) if method else None
+        x, width = (span.begin - first) * scale, (span.end - span.begin) * scale
+        bars.append(Bar(x, tops[lane] + span.depth * ROW, width, span.method, href, lane))
+    return bars
 
 
 def data_of(portal: Portal, shown_cycle: Cycle) -> dict[str, Any]:
     """Returns the calls of the cycle for the script timeline.js: a list for each property, with an
-    entry for each call. Times are in ns since the clock pulse.
-    """
+    entry for each call. Times are in ns since the clock pulse."""
     recording = shown_cycle.recording
     numbers = shown_cycle.spans()
     spans = [recording.spans[number] for number in numbers]

@@ -2,8 +2,7 @@
 
 PlantUML does not support CSS variables. The PlantUML text therefore uses a marker colour for each
 CSS variable of the theme. Afterwards this module replaces each marker colour in the SVG by its
-variable. A single run of Java draws all diagrams whose text changed.
-"""
+variable. A single run of Java draws all diagrams whose text changed."""
 
 from __future__ import annotations
 
@@ -19,6 +18,7 @@ from pathlib import Path
 from portal.fonts import FAMILY, write_fonts
 from portal.label_places import Box, best_move, box_of, move
 from portal.links import Links
+from traceability.grouping import grouped
 from traceability.model.design_model import Model
 from traceability.schema import Module, PatternApplication, StateMachine, Transition
 
@@ -104,8 +104,7 @@ RELATIONS = [
 
 def role_family(role: str) -> str:
     """Returns the family of a role. Each role of a pattern belongs to one of five families, and
-    each family has a colour.
-    """
+    each family has a colour."""
     if role in FAMILIES:
         return FAMILIES[role]
     return "concrete" if role.startswith("Concrete") else "abstraction"
@@ -158,24 +157,11 @@ def preamble() -> list[str]:
 # ---- pattern applications ----------------------------------------------------
 
 
-def between(model: Model, bound: set[str]) -> set[str]:
+def between(links: Links, bound: set[str]) -> set[str]:
     """Returns the modules without a role that are between two modules with a role in the class
-    hierarchy.
-    """
-
-    def leads_to_bound(name: str) -> bool:
-        module = model.modules.get(name)
-        return module is not None and any(b in bound or leads_to_bound(b) for b in module.bases)
-
-    modules: set[str] = set()
-    for name in bound:
-        pending = list(model.modules[name].bases)
-        while pending:
-            base = pending.pop()
-            if base in model.modules and base not in bound | modules and leads_to_bound(base):
-                modules.add(base)
-                pending += model.modules[base].bases
-    return modules
+    hierarchy."""
+    above = {base for name in bound for base in links.ancestors(name)} - bound
+    return {name for name in above if bound & set(links.ancestors(name))}
 
 
 def shown_members(module: Module, role: str) -> list[str]:
@@ -218,7 +204,7 @@ def pattern_diagram(model: Model, application: PatternApplication, links: Links)
     for binding in application.roles:
         if binding.module in model.modules:
             roles.setdefault(binding.module, []).append(binding.role)
-    extra = between(model, set(roles))
+    extra = between(links, set(roles))
     shown = [*roles, *sorted(extra)]
     lines = preamble()
     for name in shown:
@@ -239,13 +225,10 @@ def relation_lines(model: Model, application: PatternApplication) -> list[str]:
             for b in (r.module for r in application.roles if r.role == other):
                 module = model.modules.get(a)
                 derives = module is not None and b in module.bases and role != "Decorator"
-                if module and b in model.modules and a != b and not derives and b in uses(module):
+                used = module is not None and b in (*module.uses, *module.bases)
+                if used and b in model.modules and a != b and not derives:
                     lines.append(f"{a} {arrow} {b}")
     return lines
-
-
-def uses(module: Module) -> set[str]:
-    return {*module.uses, *module.bases}
 
 
 # ---- state machines ----------------------------------------------------------
@@ -253,8 +236,7 @@ def uses(module: Module) -> set[str]:
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
     """Returns the diagram of a state machine. An arrow is dashed if one of its transitions occurred
-    in no test, unless the test results are stale.
-    """
+    in no test, unless the test results are stale."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -265,7 +247,8 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
     if is_narrow(machine):
         lines.append("left to right direction")
     lines.append(f"[*] --> {machine.initial}")
-    edges = merged_transitions(machine)
+    # All transitions from a state to another state share a single edge.
+    edges = grouped(machine.transitions, lambda step: (step.source, step.target))
     for (source, target), steps in edges.items():
         text = "\\n".join(line for step in steps for line in label_lines(step))
         unseen = not stale and not all(step.tests for step in steps)
@@ -285,16 +268,6 @@ def is_narrow(machine: StateMachine) -> bool:
     )
 
 
-def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
-    """Returns the edges of the diagram. All transitions from a state to another state share a
-    single edge.
-    """
-    merged: dict[tuple[str, str], list[Transition]] = {}
-    for step in machine.transitions:
-        merged.setdefault((step.source, step.target), []).append(step)
-    return merged
-
-
 def label_lines(step: Transition) -> list[str]:
     """Returns the label of a transition: its event, guard, action and requirements."""
     label = f"{step.event} [{step.guard}]" if step.guard else step.event
@@ -308,8 +281,7 @@ def label_lines(step: Transition) -> list[str]:
 
 def located(svg: str, requirement: str) -> str:
     """Returns the diagram of a state machine. The edges and labels of the given requirement are
-    highlighted.
-    """
+    highlighted."""
 
     def mark(match: re.Match[str]) -> str:
         lit = " lit" if requirement in match[2].split() else ""
@@ -331,9 +303,7 @@ LINES = {
 
 def high_level_diagram(model: Model, links: Links) -> Diagram:
     lines = preamble()
-    lines += [
-        f"skinparam rectangleFontColor {MARKERS['text']}",
-    ]
+    lines.append(f"skinparam rectangleFontColor {MARKERS['text']}")
     grouped = {name for group in model.groups for name in group.modules}
     for number, group in enumerate(model.groups):
         fill = f"{MARKERS['plain']};line:{MARKERS['edge'][1:]};line.dashed"
@@ -353,6 +323,7 @@ def high_level_diagram(model: Model, links: Links) -> Diagram:
 
 
 def node(name: str) -> str:
+    """Returns the name of an element inside the text of a diagram."""
     return re.sub(r"\W", "_", name)
 
 
@@ -423,8 +394,7 @@ def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
 
 def finish(svg: str, diagram: Diagram) -> str:
     """Returns the SVG for a page. The colours are CSS variables, the ids are unique on the page,
-    the links are ordinary HTML links, and the text has the font of the page.
-    """
+    the links are ordinary HTML links, and the text has the font of the page."""
     root = ET.fromstring(svg)
     clean(root)
     width, height = root.get("width", "0").strip("px"), root.get("height", "0").strip("px")
@@ -450,8 +420,7 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> None:
     """Moves each label away from the lines of the other edges. If a label is then below the bottom
-    of the drawing, increases the height of the drawing.
-    """
+    of the drawing, increases the height of the drawing."""
     paths = {line.get("id", ""): line.get("d", "") for line in root.iter("path")}
     states = [
         Box(x, y, x + float(state.get("width", "0")), y + float(state.get("height", "0")))
@@ -476,8 +445,7 @@ def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> di
     another group. The attribute ``data-for`` of a group lists the requirements. Returns the text
     lines of the labels with their positions.
 
-    The labels come after all edges in the SVG. Therefore no edge is drawn over a label.
-    """
+    The labels come after all edges in the SVG. Therefore no edge is drawn over a label."""
     line = f"path[@id='{identifier}']"
     drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
     parts = list(drawing)
@@ -543,8 +511,7 @@ def restyle(element: ET.Element) -> None:
 
 def plain_role(element: ET.Element) -> None:
     """Removes the quotation marks « » around the name of a role, and centres the name in the space
-    of the former text.
-    """
+    of the former text."""
     element.text = (element.text or "").strip("«»")
     middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
     element.attrib.pop("lengthAdjust", None)
@@ -554,8 +521,7 @@ def plain_role(element: ET.Element) -> None:
 
 def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
     """Returns the PlantUML text of each diagram. The key is the path of the file in the site. The
-    links in a text are relative to the folder of the diagrams.
-    """
+    links in a text are relative to the folder of the diagrams."""
     return {
         f"{DIAGRAMS}/{diagram.id}.puml": diagram.text.replace("[[@/", "[[../") + "\n"
         for diagram in diagrams

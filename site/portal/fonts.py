@@ -1,6 +1,5 @@
 """Converts the font of the pages to files that Java can read. PlantUML then computes the size of
-the texts in a diagram with the font that the browser uses.
-"""
+the texts in a diagram with the font that the browser uses."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ def write_fonts(folder: Path) -> None:
 
 def opentype(woff: bytes) -> bytes:
     """Converts the content of a WOFF file to an OpenType font. The tables of the font do
-    not change, but they are not compressed.
-    """
+    not change, but they are not compressed."""
     _, flavour, _, count = struct.unpack_from(WOFF_HEADER, woff)
     log = count.bit_length() - 1
     header = struct.pack(HEADER, flavour, count, 16 << log, log, 16 * count - (16 << log))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from portal.tables import list_table
+from portal.templates import TEMPLATES
 from traceability.reading.live_record import MODULE
 from weeding_robot_client.layout import (
     BY_QUANTITY,
@@ -20,21 +21,6 @@ from weeding_robot_client.layout import (
 TABLE = Path("design/frames.toml")
 # Number of columns of a table of values -> widths of these columns [per cent].
 VALUES_WIDTHS = {4: (12, 22, 24, 42), 5: (8, 16, 16, 28, 32), 6: (8, 14, 14, 22, 16, 26)}
-LIVE_FRAMES = """\
-<link rel="stylesheet" href="../_static/live/live.css">
-<script src="../_static/live/frames.js" defer></script>
-<script src="../_static/live/can_run.js" defer></script>
-<script src="../_static/live/frame_view.js" defer></script>
-<div class="lv-watch" data-frames-of="../live/" data-scripts="../_static/live/" hidden>
-  <p class="lv-row">
-    <button class="btn" type="button" data-go>Watch the line</button>
-    <select class="lv-pick" data-kind aria-label="Type of the frame"></select>
-    <span class="small mut" data-direction></span>
-  </p>
-  <div class="lv-bytes" data-parts></div>
-  <p data-detail></p>
-</div>
-"""
 
 
 def frame_tables(root: Path) -> dict[str, str]:
@@ -68,8 +54,7 @@ def types_table(frames: FrameTable) -> str:
 
 def fields_table(layout: Layout) -> str:
     """Returns the table of the fields of a frame. A field that exists once for each wheel has a
-    single row for all wheels.
-    """
+    single row for all wheels."""
     fields = list(layout.fields)
     rows = []
     while fields:
@@ -89,16 +74,14 @@ def field_row(field: Field, of_other_wheels: Iterable[Field]) -> tuple[str, ...]
 
 def shown_name(field: Field) -> str:
     """Returns the name of a field. If each wheel has such a field, returns the first name and the
-    last number.
-    """
+    last number."""
     name = field.name if field.wheel is None else f"{field.stem}0`` to ``{WHEEL_COUNT - 1}"
     return f"``{name}``"
 
 
 def counters_table(frames: FrameTable) -> str:
     """Returns the table of the counters, each with its first checks. The counters of all wheels
-    have a single row.
-    """
+    have a single row."""
     fields = (field for layout in frames.frames.values() for field in layout.fields)
     rows = (
         (shown_name(field), field.meaning, field.check)
@@ -156,8 +139,7 @@ def shown_unit(unit: str, scale: float) -> str:
 
 def values_table(enumeration: Enumeration) -> str:
     """Returns the table of the numbers of an enumeration, with the text that the client shows for
-    each number.
-    """
+    each number."""
     has_checks = any(entry.check for entry in enumeration.entries)
     heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
     heads += [enumeration.detail] if enumeration.detail else []
@@ -174,8 +156,7 @@ def values_table(enumeration: Enumeration) -> str:
 
 def live_frames(root: Path) -> str:
     """Returns the HTML element that shows the frames while the simulated robot runs in the page. If
-    the WebAssembly module was not built, returns a sentence that reports this.
-    """
+    the WebAssembly module was not built, returns a sentence that reports this."""
     if not (root / MODULE).exists():
         return "<p>The WebAssembly module that runs the robot was not built.</p>\n"
-    return LIVE_FRAMES
+    return (TEMPLATES / "live_frames.html").read_text(encoding="utf-8")

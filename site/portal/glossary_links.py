@@ -11,6 +11,7 @@ from pathlib import Path
 from portal.glossary_terms import Term, terms_of
 from portal.links import ROOT
 from portal.navigation import Entry
+from traceability.sources import text_of
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
@@ -34,12 +35,10 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 class GlossaryLinks:
     """The glossary terms in lower case. The plural of a term is also linked to the term. The link
-    shows the first sentence of the term. ``constants`` contains the numbers of this sentence.
-    """
+    shows the first sentence of the term. ``constants`` contains the numbers of this sentence."""
 
     def __init__(self, root: Path, constants: Mapping[str, str]) -> None:
-        path = root / f"{GLOSSARY.id}.rst"
-        source = path.read_text(encoding="utf-8") if path.exists() else ""
+        source = text_of(root / f"{GLOSSARY.id}.rst")
         terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source, constants)}
         self.terms = {words: term for words, term in terms.items() if words not in OTHER_SENSES}
         self.longer = {
@@ -82,8 +81,7 @@ def without_apart(html: str) -> tuple[str, list[int], list[int]]:
     """Returns the text of the page in lower case, without the elements in which no term is linked.
     A line break counts as a space. The removed elements divide the text into parts. Also returns
     two lists with a number for each part: its position in the text, and the distance from there to
-    its position on the page.
-    """
+    its position on the page."""
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])

@@ -29,8 +29,7 @@ class Term:
 
 def terms_of(doc: Entry, source: str, constants: Mapping[str, str]) -> Iterator[Term]:
     """Yields the terms of a page that has a glossary. ``constants`` contains the HTML of each
-    constant.
-    """
+    constant."""
     for part in source.split(".. glossary::")[1:]:
         for title, text in TERM.findall(part):
             address = f"{doc.address}#term-{TERM_MARKS.sub('-', title)}"

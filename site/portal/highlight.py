@@ -1,6 +1,5 @@
 """Converts source files to HTML lines with syntax highlighting. A file is highlighted again only if
-its content has changed.
-"""
+its content has changed."""
 
 from __future__ import annotations
 
@@ -43,15 +42,13 @@ def lexer_for(path: str) -> Lexer:
 
 def highlighted_lines(path: str, text: str) -> list[str]:
     """Returns an HTML fragment for each source line. Each tag is closed in the line in which it is
-    opened.
-    """
+    opened."""
     return highlight(text, lexer_for(path), HtmlFormatter(nowrap=True)).split("\n")[:-1]
 
 
 class Highlighter:
     """The highlighted files below the folder ``root``. The result of a file is stored in a cache,
-    and computed again only if the content of the file or the version of Pygments has changed.
-    """
+    and computed again only if the content of the file or the version of Pygments has changed."""
 
     def __init__(self, root: Path, cache: Path) -> None:
         self.root = root

@@ -42,8 +42,7 @@ def box_of(text: ET.Element) -> Box:
 
 def points(path: str) -> Iterator[Point]:
     """Yields points on an SVG path of cubic curves. In such a path, ``M`` has one point, and each
-    curve ``C`` has three points.
-    """
+    curve ``C`` has three points."""
     numbers = [float(match) for match in NUMBER.findall(path)]
     corners = list(zip(numbers[::2], numbers[1::2], strict=True))
     for first in range(0, len(corners) - 3, 3):

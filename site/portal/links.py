@@ -1,6 +1,5 @@
 """The addresses of the pages that show the elements of the model. An address starts with ``@/``,
-which means the root folder of the site.
-"""
+which means the root folder of the site."""
 
 from __future__ import annotations
 
@@ -19,8 +18,7 @@ ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + T
 
 def slug(name: str) -> str:
     """Returns a name in a form that an address may contain. Letters, digits, ``_``, ``.`` and ``-``
-    do not change. Each other character becomes a hyphen and its code in hexadecimal digits.
-    """
+    do not change. Each other character becomes a hyphen and its code in hexadecimal digits."""
     return re.sub(r"[^A-Za-z0-9_.-]", lambda hit: f"-{ord(hit.group()):x}", name)
 
 
@@ -72,21 +70,21 @@ class Links:
 
     def find_method(self, identifier: str) -> Method | None:
         """Returns the method with this identifier. If the module does not declare the method,
-        returns the method that the module inherits.
-        """
+        returns the method that the module inherits."""
         name, _, method = identifier.partition("::")
-        seen: set[str] = set()
-        pending = [name]
+        names = (f"{owner}::{method}" for owner in (name, *self.ancestors(name)))
+        return next((self.methods[name] for name in names if name in self.methods), None)
+
+    def ancestors(self, module: str) -> list[str]:
+        """Returns the direct and indirect base classes; the direct base classes come first."""
+        names: list[str] = []
+        pending = [module]
         while pending:
-            candidate = pending.pop(0)
-            if candidate in seen:
-                continue
-            seen.add(candidate)
-            if inherited := self.methods.get(f"{candidate}::{method}"):
-                return inherited
-            if module := self.model.modules.get(candidate):
-                pending += module.bases
-        return None
+            owner = self.model.modules.get(pending.pop(0))
+            new = [base for base in (owner.bases if owner else []) if base not in names]
+            names += new
+            pending += new
+        return names
 
     def method_anchor(self, method: Method) -> str:
         module = self.model.modules[method.module]
@@ -95,8 +93,7 @@ class Links:
 
     def safety(self, identifier: str) -> str | None:
         """Returns the address of a safety goal, hazard or assumption of use. A goal has a page; a
-        hazard or an assumption is a section of a page.
-        """
+        hazard or an assumption is a section of a page."""
         case = self.model.safety
         return (
             address_in(case.goals, "safety/{}.html", identifier)

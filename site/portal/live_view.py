@@ -1,6 +1,5 @@
 """The page that runs the simulated robot in the browser. This module collects the firmware images,
-and the data of the model that the page shows while a firmware image runs.
-"""
+and the data of the model that the page shows while a firmware image runs."""
 
 from __future__ import annotations
 
@@ -8,13 +7,13 @@ import hashlib
 import json
 import re
 from dataclasses import asdict, dataclass
-from itertools import dropwhile, takewhile
 from pathlib import Path
 from typing import Any
 
 from portal import plots
 from portal.portal import Portal
 from portal.writing import remove_others, write_changed
+from traceability.grouping import grouped
 from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.declared_safety import SCENARIOS
@@ -59,8 +58,7 @@ class Image:
 
 def images(root: Path) -> list[Image]:
     """Returns the firmware images that were built. The list is empty if the WebAssembly module that
-    runs the images was not built.
-    """
+    runs the images was not built."""
     if not (root / MODULE).exists():
         return []
     built = []
@@ -92,10 +90,7 @@ def run(portal: Portal) -> dict[str, Any]:
         "scenarios": scenarios(portal.root, portal.model),
         "module_bytes": module.stat().st_size if built else 0,
         "recorded": shown,
-        "drawings": {
-            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
-            for scenario in shown
-        },
+        "drawings": {scenario.name: plots.draw_all(scenario.plots) for scenario in shown},
         "machines": list(portal.model.machines.values()),
         "measured": read_live(portal.root),
         "wide": True,
@@ -177,12 +172,9 @@ def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, A
     """Returns for each method the number of the register that contains its first parameter, and the
     name and kind of each parameter that is passed in a register. The returned dictionary contains
     no overloaded methods, no methods without such a parameter, and no methods that may return their
-    result in memory.
-    """
-    found: dict[str, list[Method]] = {}
-    for module in portal.designs:
-        for method in module.methods:
-            found.setdefault(method.id, []).append(method)
+    result in memory."""
+    methods = (method for module in portal.designs for method in module.methods)
+    found = grouped(methods, lambda method: method.id)
     return {
         numbers[name]: {"first": int(one[0].kind != "static"), "parameters": kinds}
         for name, one in found.items()
@@ -192,8 +184,7 @@ def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, A
 
 def in_registers(signature: str) -> list[list[str]]:
     """Returns the name and the kind of each parameter. The list ends before the first parameter
-    whose type has no kind, because this parameter can be in memory instead of a register.
-    """
+    whose type has no kind, because this parameter can be in memory instead of a register."""
     match = SIGNATURE.match(signature)
     if not match or kind_of(match["result"]) is None:
         return []
@@ -209,8 +200,7 @@ def in_registers(signature: str) -> list[list[str]]:
 
 def kind_of(type_: str) -> str | None:
     """Returns the kind of a type: "address" for pointers and references, a short name for integers
-    and bool, an empty text for ``void``, and ``None`` for all other types.
-    """
+    and bool, an empty text for ``void``, and ``None`` for all other types."""
     if type_.endswith(("&", "*")):
         return "address"
     plain = type_.removeprefix("virtual ").removeprefix("static ").removeprefix("const ")
@@ -223,8 +213,7 @@ def address(link: str | None) -> str:
 
 def entered_by_hardware(model: Model) -> set[str]:
     """Returns the functions outside classes that no code calls. The hardware enters these functions
-    through the vector table of the firmware image.
-    """
+    through the vector table of the firmware image."""
     methods = [m for module in model.modules.values() for m in module.methods]
     called = {call.target for method in methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
@@ -233,8 +222,7 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
     """Returns the address of each method in a firmware image, and the number of the method in
-    ``numbers``, sorted by address.
-    """
+    ``numbers``, sorted by address."""
     cache = root / "build" / "pages-cache" / "symbols" / name
     symbols = read_symbols(root / file_of(name, ".elf"), "arm-none-eabi-nm", cache)
     return [[at, numbers[method]] for at, method in sorted(symbols.items()) if method in numbers]
@@ -258,8 +246,7 @@ def tree(
     node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
 ) -> dict[str, Any]:
     """Returns a declared invocation tree for the page. Each node lists the numbers of some
-    methods: a recorded call of one of these methods matches the node.
-    """
+    methods: a recorded call of one of these methods matches the node."""
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
     accepted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
     node_data: dict[str, Any] = {
@@ -300,10 +287,8 @@ def field(field_entry: Field) -> dict[str, Any]:
 
 def first_comment(text: str) -> str:
     """Returns the text of the first comment of a scenario, which can have several lines."""
-    lines = dropwhile(lambda line: not line.startswith("#"), text.splitlines())
-    return " ".join(
-        line[1:].strip() for line in takewhile(lambda line: line.startswith("#"), lines)
-    )
+    comment = re.search(r"(?:^#.*\n?)+", text, re.MULTILINE)
+    return " ".join(line[1:].strip() for line in comment[0].splitlines()) if comment else ""
 
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:

@@ -1,6 +1,5 @@
 """Pages with measurements, such as the pages of the virtual K64, of the control performance, of the
-mutants and of the baseline design.
-"""
+mutants and of the baseline design."""
 
 from __future__ import annotations
 
@@ -35,8 +34,7 @@ class MissedLines:
     """Source lines of a driver that were not executed, with the functions that contain them.
 
     ``requirements`` are those of the methods. For a function outside classes, they are those of the
-    methods that it calls.
-    """
+    methods that it calls."""
 
     place: Place
     functions: list[str]
@@ -46,8 +44,7 @@ class MissedLines:
 @dataclass
 class DriverFile:
     """A source file of the drivers, and its source lines that were not executed on the virtual
-    K64.
-    """
+    K64."""
 
     path: str
     executed: int
@@ -97,16 +94,13 @@ def missed_lines(model: Model, place: Place) -> MissedLines:
 
 
 def overlap(one: Place, other: Place) -> bool:
-    same_file = one.file == other.file
-    return (
-        same_file and one.line <= (other.end or other.line) and other.line <= (one.end or one.line)
-    )
+    first, last = max(one.line, other.line), min(one.end or one.line, other.end or other.line)
+    return one.file == other.file and first <= last
 
 
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
     """Returns the ranges of source lines that were not executed. Lines without code do not end a
-    range.
-    """
+    range."""
     runs: list[Place] = []
     missed_before = False
     for line, hit in sorted(lines.items()):
@@ -122,8 +116,7 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
 
     def within(binding: str) -> tuple[int | None, int]:
         """Returns two numbers for a target: the number of metrics within their limits, and the
-        number of all metrics. The first number is None if nothing was measured on this target.
-        """
+        number of all metrics. The first number is None if nothing was measured on this target."""
         every = [figure for scenario in scenarios for figure in scenario.figures]
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
@@ -135,10 +128,7 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
         "safe": SAFE_MODULE in HAS[product],
         "also": [name for name in images_of(tests) if name in PRODUCTS and name != product],
         "scenarios": scenarios,
-        "drawings": {
-            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
-            for scenario in scenarios
-        },
+        "drawings": {scenario.name: plots.draw_all(scenario.plots) for scenario in scenarios},
         "within": within,
         "number": lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
     }
@@ -175,8 +165,7 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 def limits_of_outputs(root: Path) -> dict[str, float]:
     """Returns the limits beyond which the campaign of the faults judges an output as wrong. The
-    result is empty if a limit is not found.
-    """
+    result is empty if a limit is not found."""
     names = {
         "drive": "kWrongDrive",  # fraction of the supply voltage
         "angle": "kWrongAngle",  # [degree]
@@ -192,8 +181,7 @@ def limits_of_outputs(root: Path) -> dict[str, float]:
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
     """Returns the modules, sorted: first the module with the most silent faults. Among modules with
     the same number of silent faults, the module with the most faults comes first. A silent fault
-    makes the outputs wrong, but causes no reset and no fault in a report.
-    """
+    makes the outputs wrong, but causes no reset and no fault in a report."""
     return sorted(
         modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])
     )
@@ -202,8 +190,7 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 def made_changes(portal: Portal) -> dict[str, Any]:
     """Returns the values of the page of likely changes: the changes that were really made. If a
     change was made in this design and in the baseline design, also returns the number of changed
-    source lines in each design.
-    """
+    source lines in each design."""
     done = [change.made for change in portal.model.changes.values() if change.made]
     return {
         "made": done,
@@ -221,8 +208,7 @@ def made_changes(portal: Portal) -> dict[str, Any]:
 
 def patches_of(root: Path) -> dict[str, dict[str, str]]:
     """Returns for each change and each design the text of the patch that makes the change in this
-    design.
-    """
+    design."""
     return {
         change: {
             design: (root / baseline_record.patch_of(change, design)).read_text("utf-8")

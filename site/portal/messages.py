@@ -177,8 +177,7 @@ def called(call: ast.Call) -> str:
 
 def text_of(node: ast.expr, texts: dict[str, str]) -> str:
     """Returns the text of an expression. The placeholder VALUE replaces each part that is known
-    only when the command runs.
-    """
+    only when the command runs."""
     match node:
         case ast.Constant(value=str(text)):
             return text

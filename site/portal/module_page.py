@@ -38,7 +38,7 @@ def module_page(portal: Portal, module: Module) -> Page:
         other_tests=[test for test in portal.tests_of(module) if test not in first_tests],
         through=requirement_methods(portal, module),
         siblings=[name for name in (logic.modules if logic else []) if name != module.name],
-        ancestors=ancestors(portal, module),
+        ancestors=portal.links.ancestors(module.name),
         bars=coverage_bars(portal, module),
         changes=portal.changes_of(module.name),
         in_paper=portal.in_paper(module.name),
@@ -48,30 +48,16 @@ def module_page(portal: Portal, module: Module) -> Page:
 
 def doxygen_file(portal: Portal, module: Module) -> Path | None:
     """Returns the path of the XML file that Doxygen wrote for the class of a module, or ``None`` if
-    there is no such file.
-    """
+    there is no such file."""
     path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
     return path if path.is_file() else None
-
-
-def ancestors(portal: Portal, module: Module) -> list[str]:
-    """Returns the direct and indirect base classes; the direct base classes come first."""
-    names: list[str] = []
-    pending = list(module.bases)
-    while pending:
-        base = pending.pop(0)
-        if base not in names:
-            names.append(base)
-            if base in portal.model.modules:
-                pending += portal.model.modules[base].bases
-    return names
 
 
 def inherited_methods(portal: Portal, module: Module) -> list[Method]:
     """Returns the public methods that the module inherits and does not override."""
     overridden = {m.name for m in module.methods}
     methods: list[Method] = []
-    for base in ancestors(portal, module):
+    for base in portal.links.ancestors(module.name):
         for method in portal.model.modules[base].methods if base in portal.model.modules else []:
             skip = method.kind == "constructor" or method.name.startswith(("~", "operator"))
             if method.access == "public" and not skip and method.name not in overridden:
@@ -102,8 +88,7 @@ def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]
 
 def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
     """Returns for each file of a driver its source lines with code. A line that the virtual K64
-    executed maps to 1, and a missed line maps to 0.
-    """
+    executed maps to 1, and a missed line maps to 0."""
     measured = portal.model.board_lines or {}
     return {
         path: {line: int(hit) for line, hit in sorted(measured[path].items())}

@@ -56,8 +56,7 @@ def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str)
 
 def breakable(name: str) -> Markup:
     """Returns a name as HTML. A ``<wbr>`` tag marks each position at which the browser may break
-    the name.
-    """
+    the name."""
     joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
     return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
 
@@ -129,8 +128,7 @@ class Names:
 
     def signature(self, method: Method) -> Markup:
         """Returns a signature for readers: the name of the method, then the parameters, and the
-        result at the end.
-        """
+        result at the end."""
         before, name, after = method.signature.partition(f"{method.name}(")
         if not name:
             return self.types(method.signature, method.module)
@@ -149,8 +147,7 @@ class Names:
 
     def function(self, name: str) -> Markup:
         """Returns the name of a function outside classes. A function of the project is linked to
-        its source; a function of a library has no link.
-        """
+        its source; a function of a library has no link."""
         function = self.model.functions.get(name)
         return anchor(
             self.links.source(function.place) if function else None, breakable(name), "meth"
@@ -158,8 +155,7 @@ class Names:
 
     def logic(self, identifier: str) -> Markup:
         """Returns the link to a logic module. If another logic module has the same name, the link
-        also shows the name of the parent.
-        """
+        also shows the name of the parent."""
         module = self.model.logic_modules.get(identifier)
         text = Markup(module.name if module else identifier)
         parent = self.model.logic_modules.get(module.parent or "") if module else None
@@ -208,8 +204,7 @@ class Names:
 
     def result(self, test: Test, binding: str) -> Markup:
         """Returns the result of a test on a target. Returns a dash if the test is not built for
-        this target.
-        """
+        this target."""
         result = test.results.get(binding)
         if result is None:
             return Markup('<span class="mut" title="not built for this target">\N{EN DASH}</span>')
@@ -248,8 +243,7 @@ class Names:
 
 def marked(words: str) -> str:
     """Converts the markup of a text to HTML. The markup has only `names` in backticks, paragraphs
-    and lists.
-    """
+    and lists."""
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(words)))
     paragraphs = [_paragraph(part) for part in text.split("\n\n") if part]
     if len(paragraphs) < 2:
@@ -264,15 +258,13 @@ def _paragraph(text: str) -> str:
 
 def gist(brief: str) -> str:
     """Returns the text after the first colon of a brief, because the text before it is only a name.
-    Returns "" if the brief has no colon.
-    """
+    Returns "" if the brief has no colon."""
     return brief.partition(": ")[2]
 
 
 def changed_words(text: str) -> Markup:
     """Returns a text as HTML. Words in ``[-...-]`` are marked as removed, and words in ``{+...+}``
-    are marked as added.
-    """
+    are marked as added."""
     marked = re.sub(r"\[-(.+?)-\]", r"<del>\1</del>", str(escape(text)))
     return Markup(re.sub(r"\{\+(.+?)\+\}", r"<ins>\1</ins>", marked))
 
@@ -283,8 +275,7 @@ def file_name(path: str) -> str:
 
 def counted_states(states: Iterable[str]) -> dict[str, str]:
     """Returns for each state of a requirement its name and the number of requirements that have
-    this state. The number can be 0.
-    """
+    this state. The number can be 0."""
     counts = Counter(states)
     return {state: f"{word}: {counts[state]}" for state, (_, word) in VERDICTS.items()}
 
@@ -292,6 +283,5 @@ def counted_states(states: Iterable[str]) -> dict[str, str]:
 @functools.cache
 def glyph(kind: str, word: str) -> Markup:
     """Returns a verdict as a coloured word. The style sheet puts a mark before the word, because
-    some readers cannot distinguish the colours.
-    """
+    some readers cannot distinguish the colours."""
     return Markup('<span class="v {}">{}</span>').format(kind, word)

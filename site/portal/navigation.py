@@ -1,6 +1,5 @@
 """The side navigation, which is the same on every page. Numbers next to its titles, such as the
-number of requirements, come from the model.
-"""
+number of requirements, come from the model."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ import tomllib
 from itertools import pairwise
 from pathlib import Path
 
-from portal.diagrams import MARKERS, Diagram, preamble
+from portal.diagrams import MARKERS, Diagram, node, preamble
 
 CONTRACTS = Path("pyproject.toml")
 PACKAGES = "packages"  # id of the diagram
@@ -17,8 +17,7 @@ WIDTH = 60  # letters in a line of a box
 
 def package_diagrams(root: Path) -> list[Diagram]:
     """Returns a list that contains only the diagram. Returns an empty list if pyproject.toml does
-    not exist.
-    """
+    not exist."""
     if not (root / CONTRACTS).exists():
         return []
     tools = tomllib.loads((root / CONTRACTS).read_text(encoding="utf-8"))["tool"]
@@ -44,14 +43,9 @@ def arrows(layers: list[str]) -> list[str]:
     return [f"{node(a)} --> {node(b)}" for a, b in pairwise(layers)]
 
 
-def node(name: str) -> str:
-    return name.replace(".", "_")
-
-
 def box(root: Path, name: str) -> str:
     """Returns the PlantUML text of the box of a layer: the name of the package or module, and the
-    first paragraph of its docstring.
-    """
+    first paragraph of its docstring."""
     file = name.replace(".", "/")
     folders = (root, root / "site", root / "client")
     paths = [folder / f"{file}{end}" for folder in folders for end in ("/__init__.py", ".py")]

@@ -32,8 +32,7 @@ class Part:
 
 def parts_of(page: str) -> Iterator[Part]:
     """Returns the sections of a page that have a heading. The page is a body without the layout, or
-    a finished page, of which only the element ``main`` is read.
-    """
+    a finished page, of which only the element ``main`` is read."""
     root = fromstring(page if "<main" in page else f"<main>{page}</main>")
     parts = [Part("")]
     for main in root.iter("main"):
@@ -43,8 +42,7 @@ def parts_of(page: str) -> Iterator[Part]:
 
 def _read(element: HtmlElement, parts: list[Part], part: Part, texts: list[str]) -> None:
     """Adds the text of an element to ``texts``, and its sections to ``parts``. ``texts`` is the
-    heading or the words of ``part``.
-    """
+    heading or the words of ``part``."""
     if is_apart(element):
         return
     if element.tag == "section" and (anchor := element.get("id")):
@@ -65,8 +63,7 @@ def _read(element: HtmlElement, parts: list[Part], part: Part, texts: list[str])
 
 def is_apart(element: HtmlElement) -> bool:
     """Returns whether the text of an element is not read: a comment, a picture, a decoration, or
-    the link of a heading to itself.
-    """
+    the link of a heading to itself."""
     return (
         not isinstance(element.tag, str)
         or element.tag in APART
@@ -77,8 +74,7 @@ def is_apart(element: HtmlElement) -> bool:
 
 def is_inline(element: HtmlElement) -> bool:
     """Returns whether an element does not separate words: a part of a name, of a link or of a
-    listing, or a number.
-    """
+    listing, or a number."""
     if element.tag == "span":
         above = element.getparent().tag
         return element.get("class") in INLINE_SPANS or above in INLINE or above == "pre"

@@ -14,7 +14,6 @@ from typing import Any
 from docutils.nodes import make_id
 from markupsafe import Markup
 
-from portal.answers import by_topic
 from portal.bench_page import bench
 from portal.bytes_page import follow_bytes
 from portal.cycle_page import cycle
@@ -36,7 +35,7 @@ from portal.navigation import headings
 from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
 from portal.recording_page import plotted
-from portal.requirement_pages import aligned, first_run, requirement_page, requirements
+from portal.requirement_pages import aligned, first_run, requirement_page, requirements, sections
 from portal.safety_pages import cost, goal_page, hazards_page, safety
 from portal.search import entries
 from portal.sequences import sequences
@@ -44,6 +43,7 @@ from portal.source_pages import folders, source_page
 from portal.tuning_page import tuning
 from portal.verification_views import Facets, facets_of_test, options
 from traceability.exports.tool_files import available
+from traceability.grouping import grouped
 from traceability.model.made_changes import proven
 from traceability.model.not_shown import by_method, driver_lines, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
@@ -68,8 +68,7 @@ EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
     """Yields one part of the pages: part number ``part`` of ``parts`` parts. Several processes
-    build the parts.
-    """
+    build the parts."""
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 
@@ -147,10 +146,9 @@ def home_page(portal: Portal) -> Page:
 
 def best_method(portal: Portal, requirement: Requirement) -> Method | None:
     """Returns the last method of the invocation tree that satisfies the requirement. If no method
-    satisfies the requirement, returns the last method. Methods without a body are skipped.
-    """
-    nodes = portal.flat(requirement.tree) if requirement.tree else []
-    methods = [m for m in (real_method(portal, node) for _, node in reversed(nodes)) if m]
+    satisfies the requirement, returns the last method. Methods without a body are skipped."""
+    nodes = reversed(portal.nodes(requirement))
+    methods = [m for m in (real_method(portal, node) for _, node in nodes) if m]
     satisfying = [m for m in methods if requirement.id in m.satisfies]
     return next(iter([*satisfying, *methods]), None)
 
@@ -175,8 +173,7 @@ def products(portal: Portal) -> dict[str, Any]:
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
     """Returns a row for the public methods and a row for the tests. A row contains the number of
-    these items, and the number of items without a requirement.
-    """
+    these items, and the number of items without a requirement."""
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)
@@ -206,8 +203,7 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 
 def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
     """Returns for each diagram its PlantUML file, the address of the page that shows it, and its
-    title.
-    """
+    title."""
     sources = []
     for application in portal.model.patterns.values():
         page = portal.links.pattern(application.id) or ""
@@ -225,8 +221,7 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 def execution(portal: Portal) -> dict[str, Any]:
     """Returns the values of the page of the execution contexts, such as interrupts and threads. The
     context with the highest priority is the first. A context without a priority, such as the
-    program after a reset, comes last.
-    """
+    program after a reset, comes last."""
     contexts = portal.model.contexts.values()
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)
@@ -270,32 +265,29 @@ def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
 
 def trees(portal: Portal) -> dict[str, Any]:
     """Returns the invocation trees of each section of the requirements. Also returns the values
-    that each tree has for the filters of the page.
-    """
-    by_section: dict[str, list[Requirement]] = {}
+    that each tree has for the filters of the page."""
     facets: dict[str, Facets] = {}
-    for requirement in portal.model.requirements.values():
-        if requirement.tree:
-            by_section.setdefault(requirement.section, []).append(requirement)
-            nodes = portal.flat(requirement.tree)
-            modules = {node.module for _, node in nodes} & set(portal.model.modules)
-            seen = list(requirement.runs) or ["in no test"]
-            facets[requirement.id] = {"seen": seen, "module": sorted(modules)}
-    return {"sections": by_section, "facets": facets, "options": options(facets.values())}
+    shown = [one for one in portal.model.requirements.values() if one.tree]
+    for requirement in shown:
+        modules = {node.module for _, node in portal.nodes(requirement)}
+        seen = list(requirement.runs) or ["in no test"]
+        known = sorted(modules & set(portal.model.modules))
+        facets[requirement.id] = {"seen": seen, "module": known}
+    return {
+        "sections": sections(shown),
+        "facets": facets,
+        "options": options(facets.values()),
+    }
 
 
 def suites(portal: Portal) -> dict[str, list[str]]:
-    tests_by_suite: dict[str, list[str]] = {}
-    for test in portal.model.tests.values():
-        tests_by_suite.setdefault(test.suite, []).append(test.id)
-    return tests_by_suite
+    return grouped(portal.model.tests, lambda name: portal.model.tests[name].suite)
 
 
 @dataclass
 class UseRow:
     """A use of a logic module by another logic module. ``why`` is the reason why the design allows
-    the use. The code contains the use at ``places`` places; ``first`` lists at most two of them.
-    """
+    the use. The code contains the use at ``places`` places; ``first`` lists at most two of them."""
 
     source: str
     target: str
@@ -322,8 +314,7 @@ def use_rows(portal: Portal) -> list[UseRow]:
 
 def uses(portal: Portal) -> dict[str, Any]:
     """Returns the uses as rows and as the cells of a matrix. The matrix lists the logic modules in
-    the order of the module structure.
-    """
+    the order of the module structure."""
     rows = use_rows(portal)
     named = {name for row in rows for name in (row.source, row.target)}
     return {
@@ -338,8 +329,7 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
     """Returns the name of each logic module. If several logic modules have the same name, the name
-    of its parent is added to each of them.
-    """
+    of its parent is added to each of them."""
     logic_modules = portal.model.logic_modules
     count = Counter(logic_modules[identifier].name for identifier in identifiers)
 
@@ -356,18 +346,24 @@ def groups(portal: Portal) -> dict[str, Any]:
 
 
 def structure(portal: Portal) -> dict[str, Any]:
-    tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
     modules: dict[str, list[Module]] = defaultdict(list)
     for module in portal.designs:
         parts = module.logic.split("/")
         for count in range(1, len(parts) + 1):
             modules["/".join(parts[:count])].append(module)
-    return {"tops": tops, "anchor": logic_anchor, "below": modules.__getitem__, "wide": True}
+    return {
+        "tops": portal.top_logic_modules,
+        "anchor": logic_anchor,
+        "below": modules.__getitem__,
+        "wide": True,
+    }
 
 
 # The pages of the navigation, each with the values that its template needs besides the model.
 VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
-    "answers": lambda portal: {"topics": by_topic(portal.questions)},
+    "answers": lambda portal: {
+        "topics": grouped(portal.questions, lambda question: question.topic)
+    },
     **dict.fromkeys(
         (
             "build_evidence",

@@ -13,8 +13,9 @@ from markupsafe import Markup
 from portal import names
 from portal.links import ROOT, paper_anchor
 from portal.portal import Page, Portal
+from traceability.grouping import grouped
 from traceability.reading.products import DEFAULT, PAPER
-from traceability.schema import LikelyChange, LogicModule, Method, Module, PaperElement
+from traceability.schema import LikelyChange, LogicModule, Method, Module
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
 ROLE_CHECKS = ("module-count", "pattern-subclass-unbound")  # for a change that adds a module
@@ -27,9 +28,6 @@ COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified",
 
 def change_page(portal: Portal, change: LikelyChange) -> Page:
     application = portal.model.patterns[change.application]
-    untouched: dict[str, list[str]] = {}
-    for name in change.untouched:
-        untouched.setdefault(portal.model.modules[name].logic, []).append(name)
     return portal.page(
         f"changes/{change.application}",
         f"Change: {application.title}",
@@ -39,7 +37,7 @@ def change_page(portal: Portal, change: LikelyChange) -> Page:
         application=application,
         hider=portal.model.modules[change.hidden_by],
         steps=[filled(step, change) for step in change.steps],
-        untouched=untouched,
+        untouched=grouped(change.untouched, lambda name: portal.model.modules[name].logic),
         tests=[portal.model.tests[name] for name in change.tests],
         checks=checks_of(portal, change),
         compared=compared(portal, change),
@@ -65,8 +63,7 @@ COMPARED = (
 
 def compared(portal: Portal, change: LikelyChange) -> Compared | None:
     """Returns the products without and with the extension that makes the change, or None if no
-    extension makes the change.
-    """
+    extension makes the change."""
     by_extension = {f"extensions/{pair.extension}": pair for pair in COMPARED}
     examples = (portal.model.modules[name].logic for name in change.examples)
     made = (change.made.extension,) if change.made else ()
@@ -88,8 +85,7 @@ def filled(step: str, change: LikelyChange) -> str:
 
 def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
     """Returns the checks that a new module must pass when this change is made: the checks for every
-    new module, the checks of the state machines for a new state, and the clauses of the pattern.
-    """
+    new module, the checks of the state machines for a new state, and the clauses of the pattern."""
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]
@@ -104,10 +100,8 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
 
 def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
     """Returns the hidden names of a module or of a folder, by kind."""
-    by_kind = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
-    for name in owner.hides:
-        by_kind.setdefault(kind_of(name), []).append(name)
-    return {kind: words for kind, words in by_kind.items() if words}
+    registers = list(owner.registers) if isinstance(owner, Module) else []
+    return ({"registers": registers} if registers else {}) | grouped(owner.hides, kind_of)
 
 
 def kind_of(name: str) -> str:
@@ -122,8 +116,7 @@ def kind_of(name: str) -> str:
 @dataclass
 class FamilyMember:
     """A module in a family of subclasses. Its methods are divided into new methods (``own``),
-    overridden methods, and methods that it inherits unchanged.
-    """
+    overridden methods, and methods that it inherits unchanged."""
 
     module: Module
     depth: int
@@ -147,8 +140,7 @@ def family_members(
     portal: Portal, module: Module, depth: int, above: list[Method]
 ) -> Iterator[FamilyMember]:
     """Yields the module and all its subclasses. ``above`` contains the methods that the module
-    inherits.
-    """
+    inherits."""
     methods = [m for m in unique(module.methods) if m.access == "public" or m.kind != "plain"]
     methods = [m for m in methods if m.kind != "constructor" and m.name[0] != "~"]
     inherited = {method.name for method in above}
@@ -174,10 +166,8 @@ def concordance(portal: Portal) -> dict[str, Any]:
     by_key = {(element.kind, element.name): element for element in model.paper}
     places = [(place, by_key.get((place.kind, place.id))) for place in model.paper_places]
     own = {id(element) for _, element in places}
-    kinds: dict[str, list[PaperElement]] = {}
-    for element in model.paper:
-        if id(element) not in own:
-            kinds.setdefault(element.kind, []).append(element)
+    others = (element for element in model.paper if id(element) not in own)
+    kinds = grouped(others, lambda element: element.kind)
     back = {m.name: paper_names for m in portal.designs if (paper_names := portal.in_paper(m.name))}
     return {
         "places": places,
@@ -216,14 +206,9 @@ def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
     if kind == "arrow":
         return f"{ROOT}architecture.html#high-level", name
     if kind == "element":
-        drawn_element = next(
-            (element for element in model.architecture if element.id == name), None
-        )
-        return (
-            (f"{ROOT}architecture.html#{name}", drawn_element.name)
-            if drawn_element
-            else (None, name)
-        )
+        drawn = {element.id: element.name for element in model.architecture}
+        address = f"{ROOT}architecture.html#{name}" if name in drawn else None
+        return address, drawn.get(name, name)
     page, _, part = (f"docs/{name}" if kind == "docs" else name).partition("#")
     address = f"{page}.html"
     entries = portal.navigation.entries.values()

@@ -25,8 +25,7 @@ class PinMapError(ValueError):
 
 def pin_map(root: Path) -> str:
     """Returns the table of pins as comma-separated values. The first line contains the titles of
-    the columns.
-    """
+    the columns."""
     text = (root / HEADER).read_text(encoding="utf-8")
     rows = list(entries(text, roles(text)))
     if not rows:
@@ -42,8 +41,7 @@ def roles(text: str) -> dict[str, str]:
 
 def entries(text: str, uses: dict[str, str]) -> Iterator[tuple[str, ...]]:
     """Yields the rows of the pin table. Raises an error if a source line in the table is neither an
-    entry nor a comment, because otherwise a mistyped entry would be lost.
-    """
+    entry nor a comment, because otherwise a mistyped entry would be lost."""
     inside = ended = False
     for number, line in enumerate(text.splitlines(), 1):
         content = line.strip()

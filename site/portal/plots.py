@@ -1,12 +1,12 @@
 """Computes drawings of curves over time. The curves are SVG paths, which the page scales to its
 width; the labels are HTML text, which keeps its size.
 
-The theme sets the colour and the width of a curve by its CSS class.
-"""
+The theme sets the colour and the width of a curve by its CSS class."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -97,6 +97,11 @@ def draw(plot: LoopPlot) -> Drawing | None:
     return Drawing(plot.title, plot.unit, x.ticks, y.ticks, lines, text)
 
 
+def draw_all(plots: Iterable[LoopPlot]) -> list[Drawing]:
+    """Returns the drawings of the plots that have points."""
+    return [drawing for drawing in map(draw, plots) if drawing]
+
+
 def class_of(curve: Curve) -> str:
     if curve.kind == "set_point":
         return "set-point"
@@ -110,8 +115,7 @@ def words_of(curve: Curve) -> str:
 
 def axis(low: float, high: float, *, rounded: bool) -> Axis:
     """Returns an axis from ``low`` to ``high``, with some round values on it. If ``rounded`` is
-    true, each end of the axis moves outwards to the next round value.
-    """
+    true, each end of the axis moves outwards to the next round value."""
     span = high - low or 1.0
     high = low + span
     rough = span / TICKS
@@ -132,8 +136,7 @@ def axis(low: float, high: float, *, rounded: bool) -> Axis:
 
 def path(curve: Curve, x: Axis, y: Axis) -> str:
     """Returns the path of a curve. A set-point applies until the next set-point; other values are
-    joined by straight lines.
-    """
+    joined by straight lines."""
     steps = curve.kind == "set_point"
     parts: list[str] = []
     for at, value in curve.points:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemBytecodeCache
 from markupsafe import Markup
 
 from portal import diagrams, names
@@ -22,8 +22,10 @@ from portal.highlight import Highlighter
 from portal.links import Links, paper_anchor, slug
 from portal.navigation import Navigation, hand_written
 from portal.package_diagram import package_diagrams
+from portal.templates import environment
 from portal.tours import tours_of
 from portal.tuned_values import chosen_values, constant_named, other_lines
+from traceability.checks.registry import Check
 from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
@@ -51,8 +53,6 @@ from traceability.schema import (
     TreeNode,
 )
 
-SITE = Path(__file__).resolve().parents[1]
-
 OPERATION_STATES, READING_MODES = "operation-states", "reading-modes"
 # The drawing of the first page marks a connection while one of these modules is called.
 CONNECTING = (
@@ -69,19 +69,6 @@ LATER = {"doc-warning", "link-doc", "link-site"}
 HOLDS, FOUND, STALE, AFTER = "holds", "with findings", "no fresh results", "after the pages"
 # These checks need test results of the present sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
-
-
-@dataclass
-class CheckText:
-    """The texts that explain a check, copied from the registry of checks."""
-
-    id: str
-    title: str
-    why: str
-    holds: str
-    blind: str
-    fix: str
-    result: str = ""  # address of the section that shows the values that the check examines
 
 
 @dataclass
@@ -104,7 +91,7 @@ def heading_anchor(title: str) -> str:
 class Portal:
     """All values that a template may use."""
 
-    def __init__(self, root: Path, model: Model, report: Report, checks: list[CheckText]) -> None:
+    def __init__(self, root: Path, model: Model, report: Report, checks: list[Check]) -> None:
         self.root = root
         self.model = model
         self.report = report
@@ -124,6 +111,7 @@ class Portal:
             model, self.docs, len(self.checks), len(model.faults), len(self.questions)
         )
         self.designs = [m for m in model.modules.values() if not m.datatype]
+        self.top_logic_modules = [m for m in model.logic_modules.values() if m.parent is None]
         self.diagrams = self._diagrams()
         finished = diagrams.draw(self.diagrams, root / "build" / "diagrams")
         self.drawn = {name: Markup(svg) for name, svg in finished.items()}
@@ -147,23 +135,17 @@ class Portal:
     def _environment(self) -> Environment:
         compiled = self.root / "build" / "pages-cache" / "templates"
         compiled.mkdir(parents=True, exist_ok=True)
-        environment = Environment(
-            loader=FileSystemLoader(SITE / "templates"),
-            bytecode_cache=FileSystemBytecodeCache(str(compiled)),
-            autoescape=True,
-            undefined=StrictUndefined,
-            trim_blocks=True,
-            lstrip_blocks=True,
-        )
-        environment.filters["text"] = self.names.text
-        environment.filters["gist"] = names.gist
-        environment.filters["changed_words"] = names.changed_words
-        environment.filters["file_name"] = names.file_name
-        environment.filters["anchor"] = slug
-        environment.filters["bold"] = Markup("<b>{}</b>").format
+        templates = environment()
+        templates.bytecode_cache = FileSystemBytecodeCache(str(compiled))
+        templates.filters["text"] = self.names.text
+        templates.filters["gist"] = names.gist
+        templates.filters["changed_words"] = names.changed_words
+        templates.filters["file_name"] = names.file_name
+        templates.filters["anchor"] = slug
+        templates.filters["bold"] = Markup("<b>{}</b>").format
         for kind in ("mod", "meth", "logic", "pat", "req", "src", "change", "check"):
-            environment.filters[kind] = getattr(self.names, kind)
-        environment.globals.update(
+            templates.filters[kind] = getattr(self.names, kind)
+        templates.globals.update(
             model=self.model,
             report=self.report,
             portal=self,
@@ -179,7 +161,7 @@ class Portal:
                 functools.partial(constant_named, self.root, self.model)
             ),
         )
-        return environment
+        return templates
 
     def page(self, name: str, title: str, nav: str, template: str, **values: Any) -> Page:
         wide, bare = values.pop("wide", False), values.pop("bare", False)
@@ -190,16 +172,14 @@ class Portal:
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
         """Returns the page of a navigation entry. ``values`` computes the values for the template
-        of this page.
-        """
+        of this page."""
         entry = self.navigation.entries[name]
         page = entry.address.removesuffix(".html")
         return self.page(page, entry.title, name, name, **values(self))
 
     def _row_of(self, test: str) -> Markup:
         """Returns the row of a test in a table. ``row_of`` stores the result, because many pages
-        show the same row.
-        """
+        show the same row."""
         template = self.templates.get_template("test_row.html")
         return Markup(template.render(test=self.model.tests[test]))
 
@@ -214,20 +194,18 @@ class Portal:
     def clauses(self) -> int:
         return sum(clause.holds for clauses in self.report.clauses.values() for clause in clauses)
 
-    @property
-    def early(self) -> int:
-        """Returns the number of checks that are decided before the pages are written."""
-        return sum(not self.is_later(check) for check in self.checks)
-
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
         """Returns the nodes of an invocation tree with their depths. The root is the first node."""
         below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
         return [(depth, node), *below]
 
+    def nodes(self, requirement: Requirement) -> list[tuple[int, TreeNode]]:
+        """Returns the nodes of the invocation tree of a requirement, if there is a tree."""
+        return self.flat(requirement.tree) if requirement.tree else []
+
     def element_targets(self) -> dict[str, str]:
         """Returns for each element of the architecture the address of the first module that
-        implements it. The address is "" if the model does not contain such a module.
-        """
+        implements it. The address is "" if the model does not contain such a module."""
         modules = self.model.modules
         return {
             element.id: next(
@@ -239,22 +217,19 @@ class Portal:
 
     def drawn_modules(self) -> list[str]:
         """Returns the modules that the live view of the first page marks in the drawing: the
-        modules of the states, and the modules in ``CONNECTING``.
-        """
+        modules of the states, and the modules in ``CONNECTING``."""
         states = [
             module
             for name in (OPERATION_STATES, READING_MODES)
             if name in self.model.machines
             for module in self.model.machines[name].states.values()
         ]
-        return [
-            name for name in dict.fromkeys([*states, *CONNECTING]) if name in self.model.modules
-        ]
+        names = dict.fromkeys([*states, *CONNECTING])
+        return [name for name in names if name in self.model.modules]
 
     def executed(self, requirement: Requirement) -> str:
         """Returns "ok" if a test executed the invocation tree, "bad" if no recorded test executed
-        it, and "none" if no test was recorded.
-        """
+        it, and "none" if no test was recorded."""
         if requirement.runs:
             return "ok"
         measured = requirement.tree is not None and requirement.tree.ran is not None
@@ -262,15 +237,13 @@ class Portal:
 
     def met_evidence(self, requirement: Requirement) -> int:
         """Returns the number of metrics that are evidence of a requirement and within their
-        bounds.
-        """
+        bounds."""
         measured = self.report.measured
         return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
     def showing(self, step: Transition) -> list[str]:
         """Returns the tests in which a transition occurred. Tests that verify a requirement of the
-        transition come first.
-        """
+        transition come first."""
         tests = self.model.tests
         return sorted(
             (name for name in step.tests if name in tests),
@@ -299,8 +272,7 @@ class Portal:
 
     def stack_of(self, module: Module) -> tuple[int, str] | None:
         """Computes for each context the stack bytes that the methods of a module use in the deepest
-        chain of calls. Returns the greatest number, and the name of its context.
-        """
+        chain of calls. Returns the greatest number, and the name of its context."""
         begin = f"{module.name}::"
         stack = self.model.stack
         shares = [
@@ -336,8 +308,7 @@ class Portal:
 
     def body_lines(self, place: Place | None) -> list[tuple[int, Markup]]:
         """Returns the source lines of a place as highlighted HTML, each with its line number.
-        Returns an empty list if there is no place.
-        """
+        Returns an empty list if there is no place."""
         if place is None:
             return []
         lines = self.code.lines(place.file)
@@ -369,8 +340,7 @@ class Portal:
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
         """Returns for each file and source line how often tests executed the line. For a line that
-        was measured on the virtual K64, the number is only 1 (executed) or 0.
-        """
+        was measured on the virtual K64, the number is only 1 (executed) or 0."""
         hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
             for path, lines in module.line_hits.items():
@@ -388,34 +358,22 @@ class Portal:
 
     def own_tests(self, module: Module) -> list[Test]:
         """Returns the tests to read first: the tests in the test file of the module, then the tests
-        that verify a requirement which the module satisfies.
-        """
+        that verify a requirement which the module satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         satisfied = {identifier for method in module.methods for identifier in method.satisfies}
-        tests = self.tests_of(module)
-        own = [test for test in tests if test.place.file == file]
-        verifying = [
-            t for t in tests if t.place.file != file and satisfied.intersection(t.verifies)
-        ]
-        return [*own, *verifying]
+        tests = sorted(self.tests_of(module), key=lambda test: test.place.file != file)
+        return [t for t in tests if t.place.file == file or satisfied.intersection(t.verifies)]
 
     def source_of(self, source: SourceReference) -> Markup:
         """Returns the document or safety goal from which a requirement was derived. The result is a
-        link if the portal has a page for this document or goal.
-        """
+        link if the portal has a page for this document or goal."""
         if not source.kind:
             return self.names.text(source.name)
         if source.kind == "goal":
             return Markup("safety goal {}").format(self.names.safety(source.name))
         if source.kind == "paper":
-            place = next(
-                (
-                    paper_place
-                    for paper_place in self.model.paper_places
-                    if paper_place.id == source.name
-                ),
-                None,
-            )
+            places = self.model.paper_places
+            place = next((one for one in places if one.id == source.name), None)
             address = f"@/concordance.html#{paper_anchor(source.name)}" if place else None
             title = f": {place.title}" if place else ""
             return Markup("paper, {}{}").format(names.anchor(address, source.name), title)
@@ -432,8 +390,7 @@ class Portal:
 
     def passed(self, tests: list[Test]) -> int | None:
         """Returns the number of test runs that passed. Returns ``None`` if there are no results of
-        the present sources.
-        """
+        the present sources."""
         runs = [run for test in tests for run in test.results.values()]
         if self.model.results_stale or not any(run.result for run in runs):
             return None
@@ -450,8 +407,7 @@ class Portal:
 
     def passed_on(self, binding: str) -> tuple[int | None, int]:
         """Returns the number of passed tests and the number of all tests on a target. The first
-        number is ``None`` if the results are stale.
-        """
+        number is ``None`` if the results are stale."""
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
         is_fresh = not self.model.stale_on(binding)
         return sum(run.result == "passed" for run in runs) if is_fresh else None, len(runs)
@@ -461,15 +417,13 @@ class Portal:
 
     def runs(self, tests: Iterable[Test]) -> int:
         """Returns the number of runs of the tests. A test has one run on each target for which it
-        is built.
-        """
+        is built."""
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
         """Returns links to the callers of a method. A caller can also be a nested class, the
         initialiser of a constant, or a function outside classes. If no object of the call is known,
-        the link to the called abstract method follows.
-        """
+        the link to the called abstract method follows."""
         callers = []
         for name, through in method.called_by.items():
             module, _, rest = name.partition("::")
@@ -482,15 +436,13 @@ class Portal:
 
     def computed_from(self, constant: str) -> list[Markup]:
         """Returns links to the methods and constants that use a constant. The constant is the
-        result of a method, and ``constant`` is the id of this method.
-        """
+        result of a method, and ``constant`` is the id of this method."""
         methods = (method for module in self.model.modules.values() for method in module.methods)
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
         """Returns the likely changes that a module hides. The result also contains each change that
-        edits the module because the module implements one variant.
-        """
+        edits the module because the module implements one variant."""
         return [
             change.application
             for change in self.model.changes.values()
@@ -499,8 +451,7 @@ class Portal:
 
     def in_paper(self, name: str) -> list[PaperElement]:
         """Returns the names that the paper uses for a module and its methods, or for a pattern
-        application.
-        """
+        application."""
         return [
             element
             for element in self.model.paper
@@ -510,8 +461,7 @@ class Portal:
 
     def is_later(self, check: str) -> bool:
         """Returns whether the result of a check is not known yet when the pages are written. A
-        check that already has a finding is decided.
-        """
+        check that already has a finding is decided."""
         return check in LATER and not self.findings_of(check)
 
     def verdict_of(self, check: str) -> Markup:
@@ -536,8 +486,7 @@ class Portal:
     def unrecorded_faults(self) -> int:
         """Returns the number of listed seeded faults that the last record does not contain. A
         published record contains the number of the faults, but not their names. The result is then
-        the least possible number.
-        """
+        the least possible number."""
         faults, last = self.model.faults, self.model.last.get("drift")
         if self.model.outcomes is not None:
             return sum(self.outcome_of(fault) is None for fault in faults)
@@ -550,16 +499,13 @@ class Portal:
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """Returns the result of the run with a seeded fault, or ``None`` if no run with this fault
-        was made with the present sources.
-        """
-        return next(
-            (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None
-        )
+        was made with the present sources."""
+        outcomes = self.model.outcomes or []
+        return next((outcome for outcome in outcomes if outcome.name == fault.name), None)
 
     def verdict_on(self, fault: Fault) -> Markup:
         """Returns the verdict on a seeded fault: whether the expected check found the fault, and
-        whether the compiler behaved as the fault declares.
-        """
+        whether the compiler behaved as the fault declares."""
         outcome = self.outcome_of(fault)
         if outcome is None:
             return names.glyph("none", "not seeded")

@@ -16,7 +16,6 @@ from traceability.reading.call_record import (
     declared_recordings,
     read_recordings,
 )
-from traceability.schema import ExecutionContext
 
 PULSE = "cycleTimerInterrupt"  # the handler of the clock pulse
 COMMAND = "./wr portal"  # the command that makes the records
@@ -47,35 +46,26 @@ def windows_of(portal: Portal) -> Mapping[str, Window]:
     return {window.name: window for window in declared_recordings(portal.root)}
 
 
-def context_of(portal: Portal, activation: Activation) -> ExecutionContext | None:
-    """Returns the interrupt or thread of the design that owns the interrupt line of an
-    activation.
-    """
-    contexts = portal.model.contexts.values()
-    return next((context for context in contexts if activation.line in context.lines), None)
-
-
 def name_of(portal: Portal, activation: Activation) -> str:
-    context = context_of(portal, activation)
-    if context is not None:
-        return context.name
-    return NOT_ENTERED if activation.line < 0 else f"interrupt {activation.line}"
+    """Returns the name of the interrupt or thread that owns the interrupt line of an activation."""
+    other = NOT_ENTERED if activation.line < 0 else f"interrupt {activation.line}"
+    contexts = portal.model.contexts.values()
+    return next((context.name for context in contexts if activation.line in context.lines), other)
 
 
 def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
     """Returns for each method the requirements whose invocation trees contain this method."""
     requirements: dict[str, list[str]] = {}
     for requirement in portal.model.requirements.values():
-        nodes = portal.flat(requirement.tree) if requirement.tree else []
-        for method in dict.fromkeys(node.resolved or node.label for _, node in nodes):
+        nodes = (node for _, node in portal.nodes(requirement))
+        for method in dict.fromkeys(node.resolved or node.label for node in nodes):
             requirements.setdefault(method, []).append(requirement.id)
     return requirements
 
 
 def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
     """Returns the links of a recorded method. If the class inherits the method, these are the links
-    of the method in the base class.
-    """
+    of the method in the base class."""
     method = portal.links.find_method(name)
     if method is None:
         function = portal.model.functions.get(name)

@@ -9,15 +9,14 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from portal.plots import ROBOT, Drawing, draw
+from portal.plots import ROBOT, draw_all
+from portal.templates import SITE, environment
 from traceability.schema import Curve, LoopPlot
 from weeding_robot_client.layout import LAYOUTS, WHEEL_COUNT, Layout
 from weeding_robot_client.mcap_file import TOPIC, read_mcap
 
-SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
 MS_OF_S = 1000
 VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # names of quantities in the reports
@@ -46,8 +45,7 @@ class Change:
 
 def read_recording(path: Path) -> list[Values]:
     """Returns the values of each report in a file. The file is an MCAP or CSV file of the client,
-    or a CSV file of the scenario player, which has other columns.
-    """
+    or a CSV file of the scenario player, which has other columns."""
     if path.suffix == MCAP:
         return list(read_mcap(path))
     with path.open(newline="", encoding="utf-8") as lines:
@@ -62,8 +60,7 @@ def read_recording(path: Path) -> list[Values]:
 
 def raw_columns(report: Layout) -> set[str]:
     """Returns the names of the columns in the CSV file of the scenario player. A number is stored
-    as in the frame, and each bit has a separate column.
-    """
+    as in the frame, and each bit has a separate column."""
     bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {field.name for field in report.fields if not field.bits}
 
@@ -94,8 +91,7 @@ class Series:
     """A plot: the names of the columns with the measured value and with the set-point.
 
     The set-point is drawn only at the times when the column ``quantity`` has the value ``ordered``.
-    If ``quantity`` is empty, the set-point is drawn at all times.
-    """
+    If ``quantity`` is empty, the set-point is drawn at all times."""
 
     title: str
     unit: str
@@ -139,8 +135,7 @@ def _plot(reports: Sequence[Values], series: Series) -> LoopPlot:
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
     """Yields each report with its time since the first report [s]. A reset of the robot restarts
-    its clock, but the returned time continues.
-    """
+    its clock, but the returned time continues."""
     start, offset, last = None, 0.0, 0.0
     for report in reports:
         at = float(report["time_ms"]) / MS_OF_S
@@ -191,15 +186,15 @@ def recording_page(path: Path) -> str:
     reports = read_recording(path)
     if not reports:
         raise RecordingError(f"{path} has no report")
-    drawings: list[Drawing] = [made for plot in plots(reports) if (made := draw(plot))]
-    environment = Environment(
-        loader=FileSystemLoader(SITE / "templates"), autoescape=True, undefined=StrictUndefined
-    )
-    return environment.get_template("recording.html").render(
-        title=path.name,
-        style=Markup((SITE / "theme" / "static" / "portal.css").read_text(encoding="utf-8")),
-        reports=len(reports),
-        seconds=list(timed(reports))[-1][0],
-        drawings=drawings,
-        changes=changes(reports),
+    return (
+        environment()
+        .get_template("recording.html")
+        .render(
+            title=path.name,
+            style=Markup((SITE / "theme" / "static" / "portal.css").read_text(encoding="utf-8")),
+            reports=len(reports),
+            seconds=list(timed(reports))[-1][0],
+            drawings=draw_all(plots(reports)),
+            changes=changes(reports),
+        )
     )

@@ -1,10 +1,10 @@
 """The list of requirements, and the page of each requirement. The page shows the invocation tree
-next to the calls that a test recorded.
-"""
+next to the calls that a test recorded."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from itertools import groupby
 from typing import Any
@@ -13,7 +13,9 @@ from portal import verification_views
 from portal.module_page import line_kind
 from portal.names import counted_states
 from portal.portal import Page, Portal
+from traceability.grouping import grouped
 from traceability.model.design_model import Model
+from traceability.model.report import Verdict
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS, QUESTIONS
 from traceability.reading.traces import nodes_of
 from traceability.schema import (
@@ -22,6 +24,7 @@ from traceability.schema import (
     MethodCoverage,
     Requirement,
     StateMachine,
+    Test,
     TreeNode,
     TreeRun,
 )
@@ -30,14 +33,13 @@ MOST_BETWEEN = 4  # greatest number of calls that are shown one by one between t
 
 
 def requirements(portal: Portal) -> dict[str, Any]:
+    every = portal.model.requirements.values()
     numbers = {
-        item.id: verification_views.facets(portal.model, portal.report, item)
-        for item in portal.model.requirements.values()
+        item.id: verification_views.facets(portal.model, portal.report, item) for item in every
     }
     states = [verdict.state for verdict in portal.report.requirements.values()]
-    every = portal.model.requirements.values()
     return {
-        "sections": sections(portal),
+        "sections": sections(every),
         "facets": numbers,
         "states": counted_states(states),
         "baseline": BASELINE,
@@ -46,19 +48,12 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "without_test": [item.id for item in every if not item.verified_by],
         "without_method": [item.id for item in every if not item.satisfied_by],
         "options": verification_views.options(numbers.values()),
-        "bars": verification_views.chart(sections(portal)),
+        "bars": verification_views.chart(sections(every)),
         "modules": verification_views.coverage_of_modules(portal.model.modules.values()),
         "measured_lines": verification_views.measured_lines,
         "host": HOST,
-        "dots": {
-            requirement.id: dots(portal, requirement)
-            for requirement in portal.model.requirements.values()
-        },
-        "tops": [
-            logic_module
-            for logic_module in portal.model.logic_modules.values()
-            if logic_module.parent is None
-        ],
+        "dots": {requirement.id: dots(portal, requirement) for requirement in every},
+        "tops": portal.top_logic_modules,
         "marks": marks,
         "wide": True,
     }
@@ -66,17 +61,15 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
     """Returns for each top-level logic module the number of its methods that satisfy the
-    requirement.
-    """
+    requirement."""
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
     return Counter(module.logic.partition("/")[0] for module in modules if module)
 
 
 def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
     """Returns statements about the invocation tree, each with true or false: the tree is declared,
-    the tree is possible, the tree was executed on a target.
-    """
-    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    the tree is possible, the tree was executed on a target."""
+    nodes = portal.nodes(requirement)
     possible = all(node.reachable for _, node in nodes)
     targets = portal.model.results_hashes
     ran = [
@@ -89,25 +82,46 @@ def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
     return [("declared", True), ("possible", possible), *ran] if nodes else []
 
 
+@dataclass
+class Sheet:
+    """The values that the page of a requirement and its printable sheet show."""
+
+    requirement: Requirement
+    verdict: Verdict
+    nodes: list[tuple[int, TreeNode]]
+    outside_tree: list[str]  # methods that satisfy the requirement, but are not in the tree
+    scenarios: dict[str, list[FaultScenario]]  # targets -> fault scenarios played on them
+    tests: list[Test]
+    changes: list[str]  # texts that have changed since their baseline
+
+
+def sheet_of(portal: Portal, requirement: Requirement) -> Sheet:
+    return Sheet(
+        requirement,
+        portal.report.requirements[requirement.id],
+        portal.nodes(requirement),
+        outside_tree(portal.model, requirement),
+        played_scenarios(portal.model, requirement),
+        [portal.model.tests[name] for name in requirement.verified_by],
+        [
+            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
+            for suspicion in requirement.suspicions
+        ],
+    )
+
+
 def requirement_page(portal: Portal, requirement: Requirement) -> Page:
-    nodes = portal.flat(requirement.tree) if requirement.tree else []
-    tests = [portal.model.tests[t] for t in requirement.verified_by if t in portal.model.tests]
     return portal.page(
         f"requirements/{requirement.id}",
         requirement.id,
         "requirements",
         "requirement",
-        requirement=requirement,
-        verdict=portal.report.requirements[requirement.id],
-        nodes=nodes,
-        outside_tree=outside_tree(portal.model, requirement),
+        **vars(sheet_of(portal, requirement)),
         runs=[
             (binding, run, shortened(aligned(portal, requirement, run)))
             for binding, run in requirement.runs.items()
         ],
         rows=aligned(portal, requirement, None),
-        tests=tests,
-        scenarios=played_scenarios(portal.model, requirement),
         covered=covered_methods(requirement),
         gaps=[gap for gap in portal.model.line_gaps if requirement.id in gap.requirements],
         lines_of=verification_views.lines_of,
@@ -115,10 +129,6 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         branches_of=verification_views.branches_of,
         mutants=portal.model.mutants_of(requirement.id),
         machines=machines_of(portal, requirement.id),
-        changes=[
-            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
-            for suspicion in requirement.suspicions
-        ],
         questions=QUESTIONS,
         line_kind=line_kind,
     )
@@ -151,8 +161,7 @@ def played_scenarios(model: Model, requirement: Requirement) -> dict[str, list[F
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
     """Returns a row for each method in the tree that has a body. The row shows which source lines
-    the tests executed on each target.
-    """
+    the tests executed on each target."""
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
     for binding, methods in requirement.coverage.items():
         for method in methods:
@@ -187,10 +196,9 @@ class Row:
 
 def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
     """Returns the rows of the invocation tree and of a recorded run. A node of the tree and the
-    recorded call that it matches are in the same row.
-    """
+    recorded call that it matches are in the same row."""
     rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
-    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    nodes = portal.nodes(requirement)
     places = run.places if run else [None] * len(nodes)
     loose: list[tuple[int, Row]] = []
     last = -1
@@ -208,8 +216,7 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 def shortened(rows: list[Row]) -> list[Row]:
     """Returns the rows. If more than MOST_BETWEEN consecutive calls match no node, a single row
-    replaces them and shows their number.
-    """
+    replaces them and shows their number."""
     shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)
@@ -221,8 +228,7 @@ def shortened(rows: list[Row]) -> list[Row]:
 
 def add_trunks(rows: list[Row]) -> None:
     """Adds to each row the vertical lines that join the parents of the tree to their children. The
-    line of a parent ends at the last child.
-    """
+    line of a parent ends at the last child."""
     placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
     for number, (index, depth) in enumerate(placed):
         if depth == 0:
@@ -233,8 +239,5 @@ def add_trunks(rows: list[Row]) -> None:
                 rows[between].trunks.append(depth - 1)
 
 
-def sections(portal: Portal) -> dict[str, list[Requirement]]:
-    groups: dict[str, list[Requirement]] = {}
-    for requirement in portal.model.requirements.values():
-        groups.setdefault(requirement.section, []).append(requirement)
-    return groups
+def sections(requirements: Iterable[Requirement]) -> dict[str, list[Requirement]]:
+    return grouped(requirements, lambda requirement: requirement.section)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -35,10 +36,11 @@ EVIDENCE = (
 
 def safety(portal: Portal) -> dict[str, Any]:
     case = portal.model.safety
+    levels = Counter(hazard.level for hazard in case.hazards.values())
     return {
         "case": case,
         "figures": portal.metrics,
-        "by_level": [(level, count(portal, level)) for level in reversed(case.levels)],
+        "by_level": [(level, levels[level]) for level in reversed(case.levels)],
         "open_points": list(open_points(portal)),
         "tested": product_runs(portal),
         "evidence": EVIDENCE,
@@ -49,8 +51,7 @@ def safety(portal: Portal) -> dict[str, Any]:
 @dataclass
 class OpenPoint:
     """A known exception or an open point of a safety goal, or the part of a requirement that its
-    verification does not show.
-    """
+    verification does not show."""
 
     id: str  # of the goal or of the requirement
     kind: str
@@ -69,8 +70,7 @@ def open_points(portal: Portal) -> Iterator[OpenPoint]:
 @dataclass
 class ProductRuns:
     """A product, and the numbers of tests and fault scenarios that ran its firmware image on the
-    virtual board.
-    """
+    virtual board."""
 
     name: str
     safe: bool  # whether the product has safety functions
@@ -103,10 +103,6 @@ def images_of(tests: Iterable[Test]) -> list[str]:
     return sorted(
         {image for test in tests for run in test.results.values() for image in run.images}
     )
-
-
-def count(portal: Portal, level: str) -> int:
-    return sum(hazard.level == level for hazard in portal.model.safety.hazards.values())
 
 
 def hazards_page(portal: Portal) -> Page:
@@ -171,7 +167,6 @@ def cycles(portal: Portal) -> Iterator[Compared]:
 
 def longest(record: Mapping[str, BenchScenario] | None, name: str) -> float | None:
     """Returns the longest time in a scenario of the bench [ms], or ``None`` when it was not
-    measured.
-    """
+    measured."""
     run = record[name].runs.get(TIMING) if record and name in record else None
     return run.report_ms.maximum if run else None

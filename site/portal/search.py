@@ -11,10 +11,10 @@ from pathlib import Path
 from portal.glossary_terms import terms_of
 from portal.links import ROOT, paper_anchor
 from portal.messages import codes_by_name, messages
-from portal.module_page import ancestors
 from portal.names import views_of
 from portal.page_words import parts_of
-from portal.portal import SITE, Portal
+from portal.portal import Portal
+from portal.templates import SITE
 from traceability.schema import Module
 
 # Group, key, title, text and address of an entry, and then more search words. The search words of
@@ -48,8 +48,7 @@ LISTS = {
 
 def script(portal: Portal) -> str:
     """Returns the data that every page loads, as a script. A page that is opened without a server
-    can load scripts, but no data files.
-    """
+    can load scripts, but no data files."""
     modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
     tours = {tour.id: asdict(tour) for tour in portal.tours}
     data = {"commit": portal.model.commit, "modules": modules, "tours": tours}
@@ -71,8 +70,7 @@ def index_script(portal: Portal, bodies: Path, site: Path) -> str:
 
 def with_words(entry: Entry, words: dict[str, str]) -> list[str]:
     """Returns an entry of seven parts. The sixth part contains the words of the text. The seventh
-    part contains the phrases that readers type, separated by commas.
-    """
+    part contains the phrases that readers type, separated by commas."""
     group, key, title, text, address, *rest = entry
     own = rest[0] if rest else ""
     typed = words.get(address, "")
@@ -88,8 +86,7 @@ def assigned(name: str, data: object) -> str:
 
 def listed(name: str, separator: str) -> list[list[str]]:
     """Returns the parts between the separators for each line of a file. Empty lines and comments
-    are left out.
-    """
+    are left out."""
     lines = (SITE / name).read_text(encoding="utf-8").splitlines()
     used = (line for line in lines if line[:1] not in ("", "#"))
     return [[part.strip() for part in line.split(separator)] for line in used]
@@ -217,8 +214,7 @@ def safety_entries(portal: Portal) -> Iterator[Entry]:
 
 def paper_entries(portal: Portal) -> Iterator[Entry]:
     """Yields the pictures, tables, sections and boxes of the paper, and the names that the paper
-    uses.
-    """
+    uses."""
     page, model = "concordance.html", portal.model
     for place in model.paper_places:
         yield "Paper", "", place.id, place.title, f"{page}#{paper_anchor(place.id)}"
@@ -270,13 +266,12 @@ def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:
     """Returns the links that Sphinx roles such as ``:module:`` insert into hand-written pages: role
-    -> name of an element -> HTML of the link.
-    """
+    -> name of an element -> HTML of the link."""
     model, links, names = portal.model, portal.links, portal.names
     methods = {
         f"{module.name}::{method.name}"
         for module in model.modules.values()
-        for owner in [module.name, *ancestors(portal, module)]
+        for owner in [module.name, *links.ancestors(module.name)]
         if owner in model.modules
         for method in model.modules[owner].methods
     }

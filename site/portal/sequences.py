@@ -1,12 +1,10 @@
 """Draws sequence diagrams of recorded calls from one module to another. A diagram shows only calls
-in the invocation trees of chosen requirements.
-"""
+in the invocation trees of chosen requirements."""
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -14,7 +12,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from portal.diagrams import MARKERS, Diagram, draw, preamble
+from portal.diagrams import MARKERS, Diagram, draw, node, preamble
 from portal.links import Links
 from portal.portal import Portal
 from portal.recorded_calls import (
@@ -67,8 +65,7 @@ class Message:
 @dataclass(frozen=True)
 class Loop:
     """A group of messages that occurs several times without another message in between. ``times``
-    is the number of occurrences.
-    """
+    is the number of occurrences."""
 
     times: int
     messages: tuple[Message, ...]
@@ -77,8 +74,7 @@ class Loop:
 @dataclass
 class CycleMessages:
     """The messages from a clock pulse to the next clock pulse. Equal cycles that follow each other
-    are stored once; ``times`` is their number.
-    """
+    are stored once; ``times`` is their number."""
 
     begin: int  # [ns]
     parts: tuple[Message | Loop, ...]
@@ -94,9 +90,7 @@ class Drawn:
     recorded: bool  # this build contains all recordings
     cycles: list[CycleMessages]
     diagram: Diagram | None
-    methods: list[
-        tuple[str, list[str]]
-    ]  # each called method, with the requirements of the sequence
+    methods: list[tuple[str, list[str]]]  # each called method, with the shown requirements
 
 
 def declared_sequences(root: Path, entries: Entries | None = None) -> list[DeclaredSequence]:
@@ -171,8 +165,7 @@ def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> 
 
 def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
     """Returns the messages, with a loop in place of each group that is repeated immediately. If
-    groups overlap, the group that covers more messages becomes the loop.
-    """
+    groups overlap, the group that covers more messages becomes the loop."""
     parts: list[Message | Loop] = []
     at = 0
     while at < len(messages):
@@ -210,23 +203,12 @@ def flat(parts: Sequence[Message | Loop]) -> Iterator[Message]:
         yield from part.messages if isinstance(part, Loop) else (part,)
 
 
-def alias(name: str) -> str:
-    return re.sub(r"\W", "_", name)
-
-
 def sequence_diagram(
     sequence: DeclaredSequence, cycles: list[CycleMessages], links: Links
 ) -> Diagram:
-    names = list(
-        dict.fromkeys(
-            name
-            for cycle in cycles
-            for message in flat(cycle.parts)
-            for name in (message.source, message.target)
-        )
-    )
-    ends = [name for name in (PC, LINE) if name in names]
-    ordered = [*ends, *(name for name in names if name not in ends)]
+    sent = (message for cycle in cycles for message in flat(cycle.parts))
+    names = dict.fromkeys(name for message in sent for name in (message.source, message.target))
+    ordered = sorted(names, key=lambda name: (name != PC, name not in (PC, LINE)))
     common = [line for line in preamble() if not line.startswith(CLASSES_ONLY)]
     lines = [*common, *_look()]
     lines += [_participant(name, links) for name in ordered]
@@ -271,18 +253,18 @@ def _look() -> list[str]:
 def _participant(name: str, links: Links) -> str:
     address = links.logic(name) or links.module(name)
     if name == PC or address is None:
-        return f'participant "{name}" as {alias(name)}'
+        return f'participant "{name}" as {node(name)}'
     logic = links.model.logic_modules.get(name)
     name, module = (logic.name if logic else name), name
     fill = MARKERS["role-concrete-fill"]
-    return f'participant "{name}" as {alias(module)} [[{address}]] {fill}'
+    return f'participant "{name}" as {node(module)} [[{address}]] {fill}'
 
 
 def _arrow(message: Message, links: Links) -> str:
     address = links.method(message.method) if message.method else None
     text = f"[[{address} {message.text}]]" if address else message.text
     arrow = "->" if message.method else "->>"
-    return f"{alias(message.source)} {arrow} {alias(message.target)} : {text}"
+    return f"{node(message.source)} {arrow} {node(message.target)} : {text}"
 
 
 # ---- the page ----------------------------------------------------------------
@@ -293,40 +275,31 @@ def drawn_sequences(portal: Portal) -> list[Drawn]:
     recordings = recordings_of(portal) or {}
     windows = windows_of(portal)
     trees = requirements_by_method(portal)
-    return [
-        _drawn(portal, sequence, recordings, windows, trees)
-        for sequence in declared_sequences(portal.root)
-    ]
-
-
-def _drawn(
-    portal: Portal,
-    sequence: DeclaredSequence,
-    recordings: Mapping[str, Recording],
-    windows: Mapping[str, Window],
-    trees: Mapping[str, list[str]],
-) -> Drawn:
-    lines = {
-        method: [identifier for identifier in ids if identifier in sequence.requirements]
-        for method, ids in trees.items()
-    }
-    methods = frozenset(method for method, ids in lines.items() if ids)
-    recorded = all(name in recordings for name in sequence.recordings)
-    cycles: list[CycleMessages] = []
-    for name in sequence.recordings if recorded else ():
-        recording = recordings[name]
-        cycles += cycles_of(recording, messages_of(portal, recording, methods, sequence.by_logic))
-    called = dict.fromkeys(
-        message.method for cycle in cycles for message in flat(cycle.parts) if message.method
-    )
-    return Drawn(
-        sequence,
-        [windows[name] for name in sequence.recordings],
-        recorded,
-        cycles,
-        sequence_diagram(sequence, cycles, portal.links) if cycles else None,
-        [(method, lines[method]) for method in called],
-    )
+    drawn = []
+    for sequence in declared_sequences(portal.root):
+        recorded = all(name in recordings for name in sequence.recordings)
+        lines = {
+            method: [identifier for identifier in ids if identifier in sequence.requirements]
+            for method, ids in trees.items()
+        }
+        methods = frozenset(method for method, ids in lines.items() if ids)
+        cycles: list[CycleMessages] = []
+        for recording in (recordings[name] for name in sequence.recordings if recorded):
+            messages = messages_of(portal, recording, methods, sequence.by_logic)
+            cycles += cycles_of(recording, messages)
+        sent = (message for cycle in cycles for message in flat(cycle.parts))
+        called = dict.fromkeys(message.method for message in sent if message.method)
+        drawn.append(
+            Drawn(
+                sequence,
+                [windows[name] for name in sequence.recordings],
+                recorded,
+                cycles,
+                sequence_diagram(sequence, cycles, portal.links) if cycles else None,
+                [(method, lines[method]) for method in called],
+            )
+        )
+    return drawn
 
 
 def sequences(portal: Portal) -> dict[str, Any]:

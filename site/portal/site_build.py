@@ -1,6 +1,5 @@
 """Builds the site. Several processes write the bodies of the generated pages. At the same time,
-Sphinx reads the hand-written pages. Then Sphinx writes all pages.
-"""
+Sphinx reads the hand-written pages. Then Sphinx writes all pages."""
 
 from __future__ import annotations
 
@@ -15,9 +14,10 @@ from pathlib import Path
 from portal.diagrams import DIAGRAMS, DiagramError, diagram_files
 from portal.live_view import write_live
 from portal.pages import all_pages
-from portal.portal import CheckText, Page, Portal
+from portal.portal import Page, Portal
 from portal.sphinx_pages import BODIES, body_file, run_sphinx, write_sources
 from portal.writing import remove_others, write_changed
+from traceability.checks.registry import CHECKS
 from traceability.exports import model_json, verification_table
 from traceability.exports.tool_files import available
 from traceability.model.design_model import Model
@@ -42,7 +42,7 @@ def build_site(root: Path, model: Model, report: Report) -> SiteResult:
     root = root.resolve()
     pages, site = root / "build" / "pages", root / "build" / "site"
     try:
-        portal = Portal(root, model, report, check_texts())
+        portal = Portal(root, model, report, CHECKS)
     except DiagramError as error:
         fix = "correct the source of the diagram, see the message of PlantUML"
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), fix)])
@@ -58,12 +58,6 @@ def build_site(root: Path, model: Model, report: Report) -> SiteResult:
     remove_others(site, "*.html", [f"{name}.html" for name in pages_written])
     shutil.rmtree(site / "_sources", ignore_errors=True)
     return SiteResult(len(pages_written), warnings)
-
-
-def check_texts() -> list[CheckText]:
-    from traceability.checks.registry import CHECKS
-
-    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix, c.result) for c in CHECKS]
 
 
 # A forked process inherits these data. They are too large to be sent to the process.

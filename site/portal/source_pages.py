@@ -8,14 +8,12 @@ from markupsafe import Markup
 
 from portal.module_page import line_kind
 from portal.portal import Page, Portal
+from traceability.grouping import grouped
 from traceability.reading.products import RECORDED
 
 
 def folders(portal: Portal) -> dict[str, list[str]]:
-    files: dict[str, list[str]] = {}
-    for path in portal.model.files:
-        files.setdefault(path.rpartition("/")[0], []).append(path)
-    return files
+    return grouped(portal.model.files, lambda path: path.rpartition("/")[0])
 
 
 @dataclass
@@ -40,8 +38,7 @@ def source_page(portal: Portal, path: str) -> Page:
 
 def line_html(number: int, code: str, hits: int | None, on_board: bool) -> Markup:
     """Returns a source line as HTML, with its line number and a link to itself. If the host
-    measured the line, a tooltip shows how often tests executed it.
-    """
+    measured the line, a tooltip shows how often tests executed it."""
     title = "" if hits is None or on_board else f' title="executed {hits} times"'
     anchor = f'<a class="ln" href="#L{number}"{title}>{number}</a>'
     return Markup(f'<span class="cl {line_kind(hits)}" id="L{number}">{anchor}{code}</span>\n')

@@ -42,8 +42,7 @@ class NameRole(SphinxRole):
 
 class DesignDomain(Domain):
     """The elements of the design. Sphinx writes them to ``objects.inv``, and the documentation of
-    other projects can then link to them.
-    """
+    other projects can then link to them."""
 
     name = "design"
     label = "Design"
@@ -79,8 +78,7 @@ def load(app: Sphinx) -> None:
 
 def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:
     """Returns the hand-written pages that Sphinx must read again: all of them if a page changed, or
-    if the last build had a warning. A change of a page can break a link on another page.
-    """
+    if the last build had a warning. A change of a page can break a link on another page."""
     names = [name for name in env.found_docs if name.startswith("docs/")]
     return names if app.config.read_all_docs else []
 
@@ -95,8 +93,7 @@ def link_terms(
     app: Sphinx, name: str, _template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
     """Adds links from the terms on a hand-written page to the glossary. Generated pages already
-    have these links.
-    """
+    have these links."""
     if doctree is not None and name.startswith("docs/") and name != GLOSSARY.id:
         glossary = GlossaryLinks(Path(app.srcdir), link_targets(app)["constant"])
         context["body"] = glossary.link(context["body"], depth_prefix(name))

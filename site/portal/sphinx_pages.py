@@ -22,7 +22,7 @@ from portal.module_page import MEMBERS, doxygen_file
 from portal.package_diagram import PACKAGES
 from portal.pin_map import HEADER as PINS
 from portal.pin_map import pin_map
-from portal.portal import SITE, Page, Portal
+from portal.portal import Page, Portal
 from portal.sphinx_extension import NAMES
 from portal.sphinx_warnings import WarningCollector
 from portal.tables import (
@@ -44,6 +44,7 @@ from portal.tables import (
     review_questions,
     room_table,
 )
+from portal.templates import SITE
 from portal.writing import remove_others, write_changed
 from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
@@ -62,8 +63,7 @@ IDENTITY = Path("src/CMakeLists.txt")
 
 def sections(root: Path, path: Path) -> str:
     """Returns the sections of a file in Markdown, without the title of the file. They become
-    sections of a page in ``docs/``, which includes them.
-    """
+    sections of a page in ``docs/``, which includes them."""
     text = (root / path).read_text("utf-8").partition("\n")[2]
     return text.replace("\n## ", "\n# ").replace("](docs/", "](/docs/")
 
@@ -161,8 +161,7 @@ def copy_docs(docs: Path, target: Path) -> set[str]:
 
 def write_members(modules: list[Module], pages: Path) -> set[str]:
     """Writes a source file for each module. From this file, Breathe generates the section of the
-    module's page that lists the members of the class.
-    """
+    module's page that lists the members of the class."""
     for module in modules:
         write_changed(
             pages / "modules" / f"{module.name}.rst",
@@ -190,8 +189,7 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
     """Writes the input of Breathe: the classes of the modules, without elements that Breathe does
     not support.
 
-    Breathe reads a class again if its file is newer. Therefore only changed files are replaced.
-    """
+    Breathe reads a class again if its file is newer. Therefore only changed files are replaced."""
     compounds = []
     for module in modules:
         if path := doxygen_file(portal, module):
@@ -207,8 +205,7 @@ class GeneratedPages:
     """The pages whose bodies come from templates. Sphinx inserts each body into the layout.
 
     The page of a module also contains the members of its class, which Breathe generates. ``made()``
-    waits until the folder ``bodies`` contains all bodies. Then ``made()`` returns the pages.
-    """
+    waits until the folder ``bodies`` contains all bodies. Then ``made()`` returns the pages."""
 
     def __init__(
         self, bodies: Path, frame: str, site: Path, made: Callable[[], list[Page]]
@@ -222,8 +219,7 @@ class GeneratedPages:
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
         """Returns the pages of modules that Sphinx must write again, because their body or layout
-        is newer than the written page.
-        """
+        is newer than the written page."""
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
 

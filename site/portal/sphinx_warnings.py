@@ -43,8 +43,7 @@ class WarningCollector(io.StringIO):
 
     def _source(self, file: str) -> str:
         """Returns the path of the hand-written page that causes a warning. ``file`` is the path of
-        the copy that Sphinx reads.
-        """
+        the copy that Sphinx reads."""
         path = Path(file)
         for base in (self.pages, self.root):
             if path.is_relative_to(base):

@@ -1,6 +1,5 @@
 """Guided tours. A tour leads the reader from page to page. After the last page, it proposes an
-action.
-"""
+action."""
 
 from __future__ import annotations
 
@@ -8,14 +7,15 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
+from traceability.sources import text_of
+
 TOURS = Path("design/tours.toml")
 
 
 @dataclass
 class Tour:
     """A tour through the pages. Each stop has the address of a page, and a task for the reader.
-    ``action`` is a command to try at the end, with its effect.
-    """
+    ``action`` is a command to try at the end, with its effect."""
 
     id: str
     title: str
@@ -24,6 +24,4 @@ class Tour:
 
 
 def tours_of(root: Path) -> list[Tour]:
-    path = root / TOURS
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    return [Tour(**entry) for entry in tomllib.loads(text).get("tour", [])]
+    return [Tour(**entry) for entry in tomllib.loads(text_of(root / TOURS)).get("tour", [])]

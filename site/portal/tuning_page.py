@@ -25,8 +25,7 @@ CONTROL = (
 @dataclass(frozen=True)
 class Value:
     """A named constant of a module. ``chosen_for`` lists the other constants on which its value
-    depends.
-    """
+    depends."""
 
     name: str
     constant: Constant

@@ -41,8 +41,7 @@ def lines_of(methods: Iterable[MethodCoverage]) -> Share | None:
 def measured_lines(requirement: Requirement) -> tuple[str, Share] | None:
     """Returns the executed lines of the methods in the invocation tree, and the target on which
     they were measured. This is the host if any line was measured there, and otherwise the virtual
-    K64.
-    """
+    K64."""
     shares = ((name, lines_of(requirement.coverage.get(name, []))) for name in (HOST, VIRTUAL_K64))
     return next(((name, lines) for name, lines in shares if lines), None)
 
@@ -84,8 +83,7 @@ def _per_cent(share: Share | None) -> float:
 @dataclass
 class Bar:
     """A row of the chart: the source lines and branches that the tests of the requirements in one
-    section executed.
-    """
+    section executed."""
 
     section: str
     host_lines: Share | None
@@ -95,8 +93,7 @@ class Bar:
 
 def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
     """Returns the rows of the chart, one for each section. A method in several invocation trees is
-    counted once for each tree.
-    """
+    counted once for each tree."""
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]
@@ -136,8 +133,7 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
 
 def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:
     """Returns the values of a test for the filters. A test without a requirement has no value for
-    the filters of requirements and levels.
-    """
+    the filters of requirements and levels."""
     verified = [model.requirements[one] for one in test.verifies if one in model.requirements]
     folders = test.place.file.split("/")[1:-1]
     return {

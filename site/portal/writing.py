@@ -17,8 +17,7 @@ def write_changed(path: Path, content: str | bytes) -> None:
 
 def remove_others(folder: Path, names: str, kept: Iterable[str]) -> None:
     """Removes the files below a folder that match the pattern ``names`` and are not in ``kept``.
-    The paths in ``kept`` are relative to the folder.
-    """
+    The paths in ``kept`` are relative to the folder."""
     kept_names = set(kept)
     for path in folder.rglob(names):
         if path.is_file() and str(path.relative_to(folder)) not in kept_names:

@@ -1,7 +1,6 @@
 """The chunks of a campaign, and the files of the finished chunks.
 
-The result of a chunk depends only on its seed and its count, and is the same on every computer.
-"""
+The result of a chunk depends only on its seed and its count, and is the same on every computer."""
 
 from __future__ import annotations
 
@@ -34,8 +33,7 @@ class Chunk:
 
 def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
     """Returns the chunks of a campaign. A longer campaign with the same seed begins with the chunks
-    of a shorter campaign. Only the last chunk of the shorter campaign may have fewer cases.
-    """
+    of a shorter campaign. Only the last chunk of the shorter campaign may have fewer cases."""
     if count < 1 or count > size * SEEDS:
         raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")
     number = -(-count // size)
@@ -87,8 +85,7 @@ class Store:
 
     def read(self, chunk: Chunk) -> list[dict[str, Any]] | None:
         """Returns the cases of a chunk. Returns None if the chunk is not finished. Raises an error
-        for a chunk of another program.
-        """
+        for a chunk of another program."""
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
         if not path.is_file():
             return None
@@ -100,8 +97,7 @@ class Store:
 
     def finished(self) -> list[Chunk]:
         """Returns the finished chunks, sorted by their numbers. If several chunks have the same
-        number, returns the longest of them.
-        """
+        number, returns the longest of them."""
         seed = int(self.folder.name.rpartition("-")[2])
         longest: dict[int, int] = {}
         for path in self.folder.glob("*-*.json"):
@@ -112,8 +108,7 @@ class Store:
 
 def whole_part(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Returns the chunks before the first missing or incomplete chunk. These chunks are a
-    shorter campaign.
-    """
+    shorter campaign."""
     whole: list[Chunk] = []
     for number, chunk in enumerate(chunks):
         if chunk.number != number or (whole and chunk.count > whole[0].count):

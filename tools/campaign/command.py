@@ -17,6 +17,7 @@ from tools.lock import only_one
 from tools.steps import FailureError, Steps, UsageError
 from traceability.model.build import commit
 from traceability.reading.published import publish
+from weeding_robot_client.options import positive
 
 SHOWN_EVERY = 10.0  # seconds
 
@@ -50,13 +51,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "further chunk",
     )
     parser.set_defaults(run=campaign)
-
-
-def positive(text: str) -> int:
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError("must be at least 1")
-    return value
 
 
 def campaign(root: Path, options: argparse.Namespace) -> int:

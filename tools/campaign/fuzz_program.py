@@ -2,8 +2,7 @@
 """Runs all fuzzers of the firmware several times, and prints a line of JSON after each round.
 
 This program needs only the standard library. It can run on any worker, in the folder of the
-project.
-"""
+project."""
 
 from __future__ import annotations
 
@@ -15,6 +14,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+FUZZERS = {"frames": "short inputs", "link": "the PC link", "robot": "the whole firmware"}
 # Number of inputs in one run. The first fuzzer needs about 30 s of processor time. Each other
 # fuzzer needs about 5 s.
 INPUTS = {"frames": 1_000_000, "link": 50_000, "robot": 1_000}
@@ -31,12 +31,8 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
     """Runs a fuzzer. Inputs that reach new code are stored in a folder, which is removed
     afterwards."""
     with tempfile.TemporaryDirectory() as corpus, tempfile.TemporaryDirectory() as failed:
-        words = [
-            program,
-            f"-seed={seed % (1 << 32) or 1}",
-            f"-runs={inputs}",
-            f"-timeout={LONGEST}",
-        ]
+        words = [program, f"-seed={seed % (1 << 32) or 1}", f"-runs={inputs}"]
+        words += [f"-timeout={LONGEST}"]
         words += [f"-max_len={LONGEST_INPUT[name]}"] if name in LONGEST_INPUT else []
         words += [f"-artifact_prefix={failed}/", corpus, CORPUS / name]
         run = subprocess.run(
@@ -47,10 +43,9 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
             errors="replace",
             check=False,
         )
-        done = [
-            int(number) for number in re.findall(r"^(?:#|Done )(\d+)", run.stderr, re.MULTILINE)
-        ]
-        result: dict[str, Any] = {"fuzzer": name, "inputs": max(done, default=0), "failure": None}
+        done = re.findall(r"^(?:#|Done )(\d+)", run.stderr, re.MULTILINE)
+        tried = max(map(int, done), default=0)
+        result: dict[str, Any] = {"fuzzer": name, "inputs": tried, "failure": None}
         if run.returncode != 0:
             result["failure"] = {
                 "text": cause_in(run.stderr),
@@ -70,22 +65,15 @@ def cause_in(output: str) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--frames", type=Path, required=True, help="fuzzer of short inputs")
-    parser.add_argument("--link", type=Path, required=True, help="fuzzer of the PC link")
-    parser.add_argument("--robot", type=Path, required=True, help="fuzzer of the whole firmware")
+    for name, does in FUZZERS.items():
+        parser.add_argument(f"--{name}", type=Path, required=True, help=f"fuzzer of {does}")
     parser.add_argument("--seed", type=int, required=True, help="chooses the inputs")
     parser.add_argument("--count", type=int, required=True, help="number of runs")
     options = parser.parse_args()
     for number in range(options.count):
         seed = options.seed * 1_000 + number
-        runs = [
-            fuzz(program.resolve(), name, seed, INPUTS[name])
-            for name, program in (
-                ("frames", options.frames),
-                ("link", options.link),
-                ("robot", options.robot),
-            )
-        ]
+        programs = {name: getattr(options, name).resolve() for name in FUZZERS}
+        runs = [fuzz(program, name, seed, INPUTS[name]) for name, program in programs.items()]
         print(json.dumps({"runs": runs}), flush=True)
 
 

@@ -6,13 +6,14 @@ import bisect
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from elftools.dwarf.die import DIE
 from elftools.elf.elffile import ELFFile
 
 from traceability.sources import files_below
 
+Extent = TypeVar("Extent", bound=tuple[Any, ...])  # begins with an address and the end
 NOWHERE = "other"  # name for padding, libraries and tables of the compiler
 _ADDRESS = 0x03  # DW_OP_addr
 _WRAPPERS = {"DW_TAG_typedef", "DW_TAG_const_type", "DW_TAG_volatile_type"}
@@ -35,8 +36,6 @@ class Places:
             self._read(ELFFile(file))
             self._objects.sort(key=lambda item: item[:2])
             self._functions.sort()
-            self._starts = [item[0] for item in self._objects]
-            self._first = [item[0] for item in self._functions]
             # Types are read now, because they can be read only while the file is open.
             self._members = {
                 address: dict(self._bytes(die, 0, source))
@@ -45,15 +44,11 @@ class Places:
 
     def of(self, address: int) -> str:
         """Returns the module of an address. Returns NOWHERE if the address belongs to no module."""
-        for starts, items in ((self._starts, self._objects), (self._first, self._functions)):
-            at = bisect.bisect_right(starts, address) - 1
-            if at < 0 or address >= items[at][1]:
-                continue
-            if items is self._functions:
-                return self._functions[at][2]
-            spread = self._members[self._objects[at][0]]
-            return spread.get(address - self._objects[at][0], self._objects[at][3])
-        return NOWHERE
+        if place := _at(self._objects, address):
+            start, _, _, source = place
+            return self._members[start].get(address - start, source)
+        function = _at(self._functions, address)
+        return function[2] if function else NOWHERE
 
     def _read(self, elf: ELFFile) -> None:
         tops = [unit.get_top_DIE() for unit in elf.get_dwarf_info().iter_CUs()]
@@ -134,13 +129,11 @@ class Places:
                     if "DW_AT_bit_size" not in child.attributes and isinstance(at, int):
                         # A base class is a part of the derived class, and is not a separate object
                         # in the list.
-                        inner = self._bytes(member, offset + at, module)
-                        yield from inner
+                        yield from self._bytes(member, offset + at, module)
 
     def _resolved(self, die: DIE) -> DIE:
         """Returns the type without typedef, const and volatile. If the type is a class that is only
-        declared, returns the definition of the class in another file.
-        """
+        declared, returns the definition of the class in another file."""
         while die.tag in _WRAPPERS:
             inner = _type_of(die)
             if inner is None:
@@ -168,6 +161,12 @@ class Places:
                 ):
                     count *= attributes["DW_AT_upper_bound"].value + 1
         return count
+
+
+def _at(items: list[Extent], address: int) -> Extent | None:
+    """Returns the item that contains an address. The items are sorted by their addresses."""
+    at = bisect.bisect_right(items, address, key=lambda item: item[0]) - 1
+    return items[at] if at >= 0 and address < items[at][1] else None
 
 
 def _children(die: DIE, tags: Iterable[str]) -> Iterator[DIE]:

@@ -83,8 +83,7 @@ def run_on_dask(
     again.
 
     The workers need the tools of the project. Start the workers in the folder of the project, with
-    the Python of the project.
-    """
+    the Python of the project."""
     from distributed import Client, as_completed
 
     with Client(scheduler, timeout="20s") as client:  # type: ignore[no-untyped-call]  # no types

@@ -13,41 +13,24 @@ from traceability.reading.clang_names import function_id, is_function
 from traceability.reading.translation_units import clang_arguments, standard
 from traceability.sources import include_options
 
-# Operator -> its replacements. Each replacement is a mutant.
+# Operator -> the function of mutant.hpp that computes the original or the changed value, and the
+# replacements of the operator. Each replacement is a mutant.
 OPERATORS = {
-    "<": ("<=", ">="),
-    ">": (">=", "<="),
-    "<=": ("<", ">"),
-    ">=": (">", "<"),
-    "==": ("!=",),
-    "!=": ("==",),
-    "+": ("-",),
-    "-": ("+",),
-    "*": ("/",),
-    "/": ("*",),
-    "%": ("*",),
-    "&": ("|",),
-    "|": ("&",),
-    "<<": (">>",),
-    ">>": ("<<",),
-}
-# Operator -> the function of mutant.hpp that computes the original or the changed value.
-FUNCTIONS = {
-    "<": "less",
-    ">": "greater",
-    "<=": "lessOrEqual",
-    ">=": "greaterOrEqual",
-    "==": "equal",
-    "!=": "unequal",
-    "+": "plus",
-    "-": "minus",
-    "*": "times",
-    "/": "divided",
-    "%": "remainder",
-    "&": "bothBits",
-    "|": "eitherBits",
-    "<<": "shiftedLeft",
-    ">>": "shiftedRight",
+    "<": ("less", ("<=", ">=")),
+    ">": ("greater", (">=", "<=")),
+    "<=": ("lessOrEqual", ("<", ">")),
+    ">=": ("greaterOrEqual", (">", "<")),
+    "==": ("equal", ("!=",)),
+    "!=": ("unequal", ("==",)),
+    "+": ("plus", ("-",)),
+    "-": ("minus", ("+",)),
+    "*": ("times", ("/",)),
+    "/": ("divided", ("*",)),
+    "%": ("remainder", ("*",)),
+    "&": ("bothBits", ("|",)),
+    "|": ("eitherBits", ("&",)),
+    "<<": ("shiftedLeft", (">>",)),
+    ">>": ("shiftedRight", ("<<",)),
 }
 RELATIONS = ("<", ">", "<=", ">=", "==", "!=")
 STATEMENTS = {CursorKind.COMPOUND_STMT, CursorKind.CASE_STMT, CursorKind.DEFAULT_STMT}
@@ -78,8 +61,7 @@ class Point:
     part.
 
     In ``before``, ``#`` is replaced by the number of the first mutant. ``cut`` is the operator
-    between two operands. ``inside`` replaces the text of ``cut``.
-    """
+    between two operands. ``inside`` replaces the text of ``cut``."""
 
     start: int
     end: int
@@ -101,8 +83,7 @@ def find_points(
     root: Path, unit: str, files: list[str], wanted: set[str] | None = None
 ) -> dict[str, list[Point]]:
     """Returns for each file the points in the bodies of the requested functions, in the order of
-    the text. By default, all functions are searched.
-    """
+    the text. By default, all functions are searched."""
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
     finder.units(tree.cursor)
@@ -128,15 +109,13 @@ class _Finder:
             if place is None or place.name not in self.files:
                 continue
             if is_function(child) and child.is_definition():
-                if self.is_wanted(child) and not self.is_constant(child):
+                self.method = function_id(child)
+                wanted = self.wanted is None or self.method in self.wanted
+                if wanted and not self.is_constant(child):
                     self.file = self.files[place.name]
-                    self.method = function_id(child)
                     self.body(child)
             else:
                 self.units(child)
-
-    def is_wanted(self, function: Cursor) -> bool:
-        return self.wanted is None or function_id(function) in self.wanted
 
     def is_constant(self, function: Cursor) -> bool:
         for token in function.get_tokens():
@@ -171,9 +150,8 @@ class _Finder:
         # without the call has the same effect.
         if len(list(body.get_children())) < 2:
             return
-        void = function.result_type.kind == TypeKind.VOID
-        if function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR):
-            void = True
+        no_value = function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR)
+        void = no_value or function.result_type.kind == TypeKind.VOID
         text = "return" if void else "return {}"
         at = body.extent.start.offset + 1
         mutant = self.mutant(body, "return", f"{text} at once")
@@ -215,13 +193,10 @@ class _Finder:
         if operator not in OPERATORS:
             return
         kind = "relation" if operator in RELATIONS else "arithmetic"
-        mutants = tuple(
-            self.mutant(cursor, kind, f"{other} for {operator} in {self.short(cursor)}")
-            for other in OPERATORS[operator]
-        )
-        start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        before = f"mutant::{FUNCTIONS[operator]}(#, "
-        self.add(Point(start, end, before, ")", mutants, at, ","))
+        function, others = OPERATORS[operator]
+        changes = (f"{other} for {operator} in {self.short(cursor)}" for other in others)
+        mutants = [self.mutant(cursor, kind, change) for change in changes]
+        self.wrap(cursor, f"mutant::{function}(#, ", ")", *mutants, cut=at, inside=",")
 
     def operator(self, cursor: Cursor) -> tuple[str, tuple[int, int]]:
         """Returns the operator between two operands, and its place."""
@@ -238,9 +213,8 @@ class _Finder:
         text = self.short(cursor)
         if not text[:1].isdigit():
             return  # The source has the name of a macro here, and no number.
-        mutants = tuple(self.mutant(cursor, "constant", f"{text} {way} 1") for way in "+-")
-        start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        self.add(Point(start, end, "(mutant::offset(#) + ", ")", mutants))
+        mutants = (self.mutant(cursor, "constant", f"{text} {way} 1") for way in "+-")
+        self.wrap(cursor, "(mutant::offset(#) + ", ")", *mutants)
 
     def negated(self, cursor: Cursor) -> None:
         if any(self.operator(part)[0] in RELATIONS for part in _layers(cursor)):
@@ -248,9 +222,17 @@ class _Finder:
         mutant = self.mutant(cursor, "condition", f"not {self.short(cursor)}")
         self.wrap(cursor, "(mutant::on(#) != static_cast<bool>(", "))", mutant)
 
-    def wrap(self, cursor: Cursor, before: str, after: str, mutant: Mutant) -> None:
+    def wrap(
+        self,
+        cursor: Cursor,
+        before: str,
+        after: str,
+        *mutants: Mutant,
+        cut: tuple[int, int] = (0, 0),
+        inside: str = "",
+    ) -> None:
         start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        self.add(Point(start, end, before, after, (mutant,)))
+        self.add(Point(start, end, before, after, mutants, cut, inside))
 
     def add(self, point: Point) -> None:
         if point not in self.points.setdefault(self.file, []):
@@ -266,8 +248,7 @@ class _Finder:
 
 def _layers(cursor: Cursor) -> list[Cursor]:
     """Returns an expression and the expressions inside it, down to the first node that the compiler
-    did not add. The outermost expression is first.
-    """
+    did not add. The outermost expression is first."""
     found = [cursor]
     while found[-1].kind == CursorKind.UNEXPOSED_EXPR:
         children = list(found[-1].get_children())

@@ -37,8 +37,7 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
     """Runs tests with an active mutant. The number 0 means that no mutant is active.
 
     ``seconds`` contains the time of each test without a mutant. A test that ends the program has
-    failed. The remaining tests then run in the next process.
-    """
+    failed. The remaining tests then run in the next process."""
     outcome = Outcome()
     left = dict(seconds)
     hangs = 0
@@ -61,8 +60,7 @@ def _run(
     """Runs one process. Returns the test that ended the process, if there is one, and whether this
     test hung.
 
-    ``limit`` counts processor seconds, because other programs on this computer delay the tests.
-    """
+    ``limit`` counts processor seconds, because other programs on this computer delay the tests."""
     tests = list(tests)
     # Every run of a random test has the same seed. A difference is therefore an effect of the
     # mutant.
@@ -100,8 +98,7 @@ def _pattern(test: str) -> str:
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
     """Returns a test without a result from the suite whose name was printed last. This test is
-    needed because a fault can end the process in the set-up of a suite, before a test begins.
-    """
+    needed because a fault can end the process in the set-up of a suite, before a test begins."""
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")
         opened = set(tests) - outcome.failed - outcome.passed
@@ -111,8 +108,7 @@ def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | N
 
 def _limit_processor_time(process: int, seconds: int) -> None:
     """Limits the processor time of the process and of each child. The kernel ends a process at this
-    limit.
-    """
+    limit."""
     with contextlib.suppress(ProcessLookupError):  # The process has already ended.
         resource.prlimit(process, resource.RLIMIT_CPU, (seconds, seconds + 1))
 

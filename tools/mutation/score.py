@@ -49,8 +49,7 @@ class Tried:
     """A mutant that was tried, with the tests that found it. ``own`` states for each requirement
     whether a test of the requirement found the mutant.
 
-    ``own`` contains no value for a requirement if its tests were not decided.
-    """
+    ``own`` contains no value for a requirement if its tests were not decided."""
 
     mutant: Mutant
     killed_by: list[str]
@@ -59,8 +58,7 @@ class Tried:
 
 def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
     """Returns the tests for the functions that have mutants. Only the invocation trees count here:
-    a function outside them has no requirement, even if its comment has the tag @satisfies.
-    """
+    a function outside them has no requirement, even if its comment has the tag @satisfies."""
     plan = Plan({name: [] for name in functions}, {}, {})
     for requirement in model.requirements.values():
         if requirement.tree is None:
@@ -86,8 +84,7 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
     returns all functions.
 
     The recording of a death test is always incomplete, because the test runs in a separate process
-    that is not recorded.
-    """
+    that is not recorded."""
     known = [name for name in test.results[HOST].recordings if name in traces.tests]
     if test.suite.endswith("DeathTest") or any(
         traces.file(name).with_suffix(".truncated").exists() for name in known
@@ -151,8 +148,7 @@ def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str
     test that found the mutant, or has no tests left.
 
     The tests run in parts. Each part takes a multiple of the time of the previous part. Therefore,
-    the program starts only a few times.
-    """
+    the program starts only a few times."""
     outcome = Outcome()
     most = FIRST_PART
     while open_groups := [group for group in groups if not group & outcome.failed]:
@@ -211,8 +207,7 @@ def found_before(
     unchanged, and a test that found the mutant must still pass without a mutant.
 
     Equal changes of a method are one group. The result contains a group only if the last run found
-    each of its mutants.
-    """
+    each of its mutants."""
     results: dict[tuple[str, ...], list[dict[str, Any]]] = {}
     for item in last.get("tried", []):
         results.setdefault(_group(Mutant(*(item[name] for name in MUTANT))), []).append(item)

@@ -29,8 +29,7 @@ def write_switched(root: Path, log: TextIO) -> list[Mutant]:
     has are left out. Returns the mutants, whose numbers begin at 1.
 
     A mutant that does not compile is omitted. For example, if C++ demands a constant expression, a
-    mutant of a sum in this expression does not compile.
-    """
+    mutant of a sum in this expression does not compile."""
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []
     for unit, files in translation_units(root).items():

@@ -9,6 +9,7 @@ from typing import TextIO
 import pytest
 
 from tools import cli, sim
+from tools.closed_loop_runs import HOST_PROGRAM
 from tools.cmake_build import BOARD_PROGRAM
 from tools.steps import FailureError
 from tools.task_graph import Graph, Task
@@ -23,7 +24,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ``called``, one on each line."""
     folder = tmp_path / "build/host/sim"
     folder.mkdir(parents=True)
-    for name in (sim.PROGRAM, BOARD_PROGRAM):
+    for name in (HOST_PROGRAM, BOARD_PROGRAM):
         add_program(tmp_path, name, 0)
     monkeypatch.setattr(cli, "ROOT", tmp_path)
     replace_builds(monkeypatch, tmp_path)
@@ -137,6 +138,6 @@ def test_a_failed_build_runs_no_program(
 def test_a_program_that_is_missing_is_an_error(
     root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (root / "build/host/sim" / sim.PROGRAM).unlink()
+    (root / "build/host/sim" / HOST_PROGRAM).unlink()
     assert cli.main(["sim"]) == 1
     assert "weeding_robot_host: No such file" in capsys.readouterr().err

@@ -10,7 +10,7 @@ import pytest
 from portal.board_figure import SUPPLY, board_figure, headers, used_pins
 from portal.pin_map import HEADER
 
-pytestmark = pytest.mark.reads("src/k64/pins.hpp")
+pytestmark = pytest.mark.reads("src/k64/pins.hpp", "site/templates/board.html")
 
 ROOT = Path(__file__).parents[3]
 PIN = re.compile(r'<g class="pin[^"]*" data-pin="(\w+)" data-part="(\w*)"><title>([^<]*)</title>')

@@ -27,9 +27,8 @@ from portal.paper_views import (
     families,
     hidden_names,
 )
-from portal.portal import CheckText, Portal
+from portal.portal import Portal
 from portal.requirement_pages import Row, aligned, outside_tree, shortened
-from portal.site_build import check_texts
 from portal.tuned_values import chosen_values, other_lines
 from portal.tuning_page import control_values
 from portal.verification_views import (
@@ -43,6 +42,8 @@ from portal.verification_views import (
 )
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
+from traceability.checks.registry import CHECKS as CHECKS_OF_PROJECT
+from traceability.checks.registry import Check
 from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
 from traceability.reading.fault_record import OUTCOMES
@@ -70,8 +71,8 @@ pytestmark = pytest.mark.reads("site", "sim/faults", "sim/plant")
 
 ROOT = Path(__file__).parents[3]
 CHECKS = [
-    CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),
-    CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "fix it."),
+    Check("tree-static", "Possible", "Each edge is one.", "runs.", "call it."),
+    Check("link-site", "Links", "Each has one.", "others.", "fix it."),
 ]
 OUTCOME = Outcome("a-1", "tree-static", "Says.", "src/a.cpp", 1, True, True, ["found"])
 
@@ -102,7 +103,7 @@ def test_a_derived_class_overrides_operations_of_its_base(portal: Portal) -> Non
 
 
 def test_the_checks_of_a_change_exist() -> None:
-    known = {check.id for check in check_texts()}
+    known = {check.id for check in CHECKS_OF_PROJECT}
     assert {*COMMON_CHECKS, *MACHINE_CHECKS, *ROLE_CHECKS} <= known
 
 
@@ -229,7 +230,7 @@ def test_the_search_has_every_kind(portal: Portal) -> None:
 
 
 def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Portal) -> None:
-    assert portal.early == 1, "only the links are checked later, on the finished site"
+    assert [check for check in portal.checks if portal.is_later(check)] == ["link-site"]
     assert "holds" in portal.verdict_of("tree-dynamic")
     stale = Portal(portal.root, replace(portal.model, results_hashes={HOST: None}), REPORT, CHECKS)
     assert "no fresh results" in stale.verdict_of("tree-dynamic")

@@ -8,20 +8,18 @@ from pathlib import Path
 import pytest
 from sphinx.util.inventory import InventoryFile
 
-from portal.portal import CheckText
 from portal.site_build import SiteResult, build_site
 from tests.python.portal.fixture import MODES, REPORT, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.checks.link_checks import dead_links
+from traceability.checks.registry import Check
 from traceability.model.design_model import Model
 from traceability.schema import Finding, Place
 from weeding_robot_client import exit_codes
 
 pytestmark = pytest.mark.reads("site", "docutils.conf")
 
-CHECKS = [
-    CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it.")
-]
+CHECKS = [Check("tree-static", "Possible", "Each edge is one.", "runs.", "call it.")]
 BY_DOXYGEN = """<doxygen version="1.9.8"><compounddef id="classwr_1_1RC" kind="class" prot="public">
 <compoundname>wr::RC</compoundname><sectiondef kind="public-func">
 <memberdef kind="function" id="classwr_1_1RC_1a0" prot="public" static="no" const="no"
@@ -54,7 +52,7 @@ class Site:
 
 @pytest.fixture
 def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Site:
-    monkeypatch.setattr("portal.site_build.check_texts", lambda: CHECKS)
+    monkeypatch.setattr("portal.site_build.CHECKS", CHECKS)
     return Site(tmp_path)
 
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from portal import site_build
-from portal.portal import CheckText
 from tests.python.portal.fixture import MODES, REPORT, make_project
 from tests.python.site.browser import BROWSER, look
+from traceability.checks.registry import Check
 
 PAGES = [
     "index", "structure", "guide", "interfaces", "datatypes", "machines", "uses", "trees", "tests",
@@ -30,13 +30,9 @@ pytestmark = [
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     root = tmp_path_factory.mktemp("project")
-    checks = [
-        CheckText(
-            "tree-static", "Calls are possible", "It is.", "Each edge is one.", "runs.", "call it."
-        )
-    ]
+    checks = [Check("tree-static", "Calls are possible", "Each edge is one.", "runs.", "call it.")]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(site_build, "check_texts", lambda: checks)
+        patch.setattr(site_build, "CHECKS", checks)
         site_build.build_site(root, make_project(root), REPORT)
     return root / "build" / "site"
 

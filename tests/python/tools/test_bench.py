@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tools import cli
-from tools.bench import costs, orders_of, wishes
+from tools.bench import costs, wishes
 from tools.steps import FailureError
 from traceability.reading.bench_record import (
     BENCH,
@@ -30,19 +30,19 @@ def scenario(name: str) -> str:
 
 @pytest.mark.parametrize("name", [paper.name for paper in SCENARIOS])
 def test_each_scenario_orders_for_1000_cycles_after_its_start(name: str) -> None:
-    orders = orders_of(scenario(name))
+    orders = scenario(name)
     assert len(list(wishes(orders, None))) == CYCLES + 8
     assert len(list(wishes(orders, 1))) == 11
 
 
 def test_the_orders_have_the_values_of_the_paper() -> None:
-    first = [wish.wheels[3].value for wish in wishes(orders_of(scenario("velocity")), None)][8:]
+    first = [wish.wheels[3].value for wish in wishes(scenario("velocity"), None)][8:]
     assert first == [0.0] * 500 + [50.0] * 500
-    second = list(wishes(orders_of(scenario("velocity_and_steering")), None))[8:]
+    second = list(wishes(scenario("velocity_and_steering"), None))[8:]
     assert {point.value for wish in second for point in wish.wheels} == {50.0}
     assert {wish.steering_degrees for wish in second} == {32.0, -32.0}
     for name in ("steps", "steps_and_steering"):
-        steps = [wish.wheels[3].value for wish in wishes(orders_of(scenario(name)), None)]
+        steps = [wish.wheels[3].value for wish in wishes(scenario(name), None)]
         levels = [value for before, value in zip([-1.0, *steps], steps, strict=False)
                   if value != before]  # fmt: skip
         assert levels == [0, 50, 100, 150, 200, 250, 300, 250, 200, 150, 100, 50, 0]

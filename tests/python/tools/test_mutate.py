@@ -14,13 +14,10 @@ import pytest
 
 from tools import mutate
 from tools.cli import parser
-from tools.mutation import score, switched
 from tools.mutation.points import Mutant
 from tools.mutation.score import Justifications, Plan, Tried
 from tools.task_graph import Graph, Outcome, Task
-from traceability.model import build
 from traceability.model.design_model import Model
-from traceability.reading import traces
 from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.task_record import TESTS_TRACE
 from traceability.schema import HOST, Equivalent, Place
@@ -39,15 +36,15 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     first of two mutants."""
     (tmp_path / "build/results").mkdir(parents=True)
     replace_tests(monkeypatch, tmp_path, lambda _log: None)
-    monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})
+    monkeypatch.setattr(mutate, "read_traces", lambda _root, _cache: {HOST: None})
     (tmp_path / "src").mkdir()
     (tmp_path / "src/a.cpp").write_text(9 * "return 1 + 2;\n", encoding="utf-8")
     facts = SimpleNamespace(declared=SimpleNamespace(equivalents=[]))
-    monkeypatch.setattr(build, "build", lambda _root: (Model("", "", "sources", {}), facts))
+    monkeypatch.setattr(mutate, "build", lambda _root: (Model("", "", "sources", {}), facts))
     plan = Plan({"A::f": ["FR-1"]}, {"FR-1": {"T.A"}}, {"A::f": {"T.A"}})
-    monkeypatch.setattr(score, "make_plan", lambda *_: plan)
-    monkeypatch.setattr(switched, "write_switched", lambda _root, _log: MUTANTS)
-    monkeypatch.setattr(switched, "build_switched", lambda _root, _log: None)
+    monkeypatch.setattr(mutate, "make_plan", lambda *_: plan)
+    monkeypatch.setattr(mutate, "write_switched", lambda _root, _log: MUTANTS)
+    monkeypatch.setattr(mutate, "build_switched", lambda _root, _log: None)
 
     def measure(_program: Path, plan: Plan, _known: dict[str, float]) -> list[str]:
         plan.seconds = {"T.A": 0.1}
@@ -68,8 +65,8 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         goes_on(tried)
         return tried
 
-    monkeypatch.setattr(score, "measure", measure)
-    monkeypatch.setattr(score, "try_all", try_all)
+    monkeypatch.setattr(mutate, "measure", measure)
+    monkeypatch.setattr(mutate, "try_all", try_all)
     monkeypatch.setattr(mutate, "SHOWN_EVERY", 0.0)
     return tmp_path
 
@@ -108,7 +105,7 @@ def test_it_shows_seed_progress_and_what_no_test_finds(
 def test_without_tests_that_pass_nothing_is_measured(
     root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(score, "measure", lambda *_words: ["T.A"])
+    monkeypatch.setattr(mutate, "measure", lambda *_words: ["T.A"])
     assert run(root) == 1
     assert "no test passes in the mutated build" in capsys.readouterr().out
     assert not (root / "build/results/mutation.json").exists()
@@ -128,7 +125,7 @@ def test_a_justified_mutant_is_not_listed(
         "src/a.cpp", "A::f", "return 1 + 2;", ["2 + 1"], "Nobody sees it.", Place("m.toml", 1)
     )
     facts = SimpleNamespace(declared=SimpleNamespace(equivalents=[entry]))
-    monkeypatch.setattr(build, "build", lambda _root: (Model("", "", "sources", {}), facts))
+    monkeypatch.setattr(mutate, "build", lambda _root: (Model("", "", "sources", {}), facts))
     assert run(root, "--publish") == 0
     printed = capsys.readouterr().out
     assert "no test finds this change" not in printed
@@ -165,7 +162,7 @@ def test_a_resumed_run_tries_only_what_no_test_found(
         goes_on(tried)
         return tried
 
-    monkeypatch.setattr(score, "try_all", find_all)
+    monkeypatch.setattr(mutate, "try_all", find_all)
     assert run(root, "--resume") == 0
     assert asked == [2]
     assert "2 of 2 mutants were found" in capsys.readouterr().out
@@ -189,7 +186,7 @@ def test_an_ended_run_leaves_the_results_until_then(
         goes_on([Tried(mutants[0], ["T.A"], {"FR-1": True})])
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(score, "try_all", interrupted)
+    monkeypatch.setattr(mutate, "try_all", interrupted)
     with pytest.raises(KeyboardInterrupt):
         run(root)
     model = read_mutation(root, "sources")
