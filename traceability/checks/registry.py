@@ -146,14 +146,14 @@ _FIXED = [
         "a page states that a class derives from another class, this is true. Each constant and "
         "formula that a text of design/ inserts has a value. Each attribute of a report that a "
         "page names is an attribute of the client's classes, and the table of these attributes in "
-        "docs/client.rst is complete. Each module, name, attribute and keyword argument of the "
-        "client that a Python example on a page uses exists. A function that a comment of a module "
-        "names without a class, such as start(), is in the files of the module, or is a method of "
-        "a module that it uses. `paper-stale` checks the names in design/concordance.toml, and "
+        "docs/client.rst is complete. mypy finds no wrong name, parameter or type in the Python "
+        "examples on the pages. A function that a comment of a module names without a class, such "
+        "as start(), is in the files of the module, or is a method of a module that it uses. "
+        "`paper-stale` checks the names in design/concordance.toml, and "
         "`pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
-        "does not find a name whose meaning has changed. In a Python example, it does not detect "
-        "the class of an object that a function returns.",
+        "does not find a name whose meaning has changed. In a Python example, it does not find "
+        "wrong names of packages other than the client.",
         "write the name that the code has now.",
     ),
     Check(
