@@ -32,7 +32,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     for name, place in names:
         if name not in model.modules:
             yield Finding(
-                facts.declared.entries.line_in(place, name),
+                facts.line_in(place, name),
                 "arch-module",
                 f"there is no module {name}",
             )
@@ -43,7 +43,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     for connection in model.connections:
         if connection.connector not in connectors:
             text = f"there is no connector {connection.connector}"
-            place = facts.declared.entries.line_in(connection.place, connection.connector)
+            place = facts.line_in(connection.place, connection.connector)
             yield Finding(place, "arch-module", text)
         ends = (connection.source, connection.target)
         if is_outside(connection):
@@ -51,7 +51,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         missing = [name for name in ends if name not in model.modules]
         if missing:
             text = f"there is no module {missing[0]}"
-            place = facts.declared.entries.line_in(connection.place, missing[0])
+            place = facts.line_in(connection.place, missing[0])
             yield Finding(place, "arch-module", text)
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
@@ -92,10 +92,10 @@ def _ends(model: Model, kind: str, end: str, owner: str, facts: Facts) -> Iterat
     ends = {getattr(each, end): each for each in model.connections if each.kind == kind}
     for name, connection in ends.items():
         if elements and name in model.modules and name not in modules:
-            place = facts.declared.entries.line_in(connection.place, name)
+            place = facts.line_in(connection.place, name)
             text = f"{name} has a {kind} connection, but is not a module of a {owner}"
             yield Finding(place, "arch-module", text)
 
 
 def _wrong(element: ArchitectureElement, name: str, text: str, facts: Facts) -> Finding:
-    return Finding(facts.declared.entries.line_in(element.place, name), "arch-module", text)
+    return Finding(facts.line_in(element.place, name), "arch-module", text)

@@ -32,7 +32,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         for pattern in facts.declared.patterns
         if pattern.name not in texts.recipes
     ]
-    line_in = facts.declared.entries.line_in
+    line_in = facts.line_in
     for place, word, text in wrong:
         yield Finding(line_in(place, word), "pattern-change", text)
 

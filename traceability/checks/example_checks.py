@@ -12,6 +12,7 @@ from pathlib import Path
 from textwrap import dedent
 
 from traceability.reading.result_cache import cached_result
+from traceability.reading.source_lines import texts_below
 from traceability.schema import Finding, Place
 from traceability.sources import files_below, hash_of
 
@@ -41,12 +42,11 @@ def wrong_examples(root: Path) -> Iterator[Finding]:
 def _examples(root: Path) -> Iterator[tuple[str, str]]:
     """Yields each example: its page, and its code. Blank lines precede the code, so that each line
     has the same number as on the page."""
-    for path in files_below(root, PAGES, (".md", ".rst")):
-        text = path.read_text(encoding="utf-8")
+    for file, text in texts_below(root, PAGES, (".md", ".rst")):
         for match in BLOCK.finditer(text):
             group = match.lastindex or 0
             above = "\n" * text.count("\n", 0, match.start(group))
-            yield str(path.relative_to(root)), above + dedent(match[group])
+            yield file, above + dedent(match[group])
 
 
 def _problems(examples: list[tuple[str, str]], client: Path) -> list[tuple[str, ...]]:

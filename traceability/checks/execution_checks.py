@@ -19,9 +19,9 @@ from traceability.model.execution import (
 )
 from traceability.reading.comments import comment_blanked
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import texts_below
 from traceability.schema import ExecutionContext, Finding, Place
-from traceability.sources import DESIGN as SOURCES
-from traceability.sources import SRC, files_below
+from traceability.sources import DESIGN, SRC
 
 MASKED = "interrupts masked"  # name of a protection in design/execution.toml
 WRITES_MASKED = "writes with interrupts masked"  # another such name
@@ -75,7 +75,7 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
             context.handlers, {}, facts.declared.ends
         ):
             text = f"{context.id} names the idle program '{context.idle}', but never calls it"
-            place = facts.declared.entries.line_in(context.place, "idle =")
+            place = facts.line_in(context.place, "idle =")
             findings.append(_declared(place, text))
     return findings
 
@@ -97,11 +97,11 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
             body = "a body" if context.body else "no body"
             text = f"{context.id} has the kind {context.kind}, but has {body}"
             key = "body" if context.body else "kind"
-            place = facts.declared.entries.line_in(context.place, key)
+            place = facts.line_in(context.place, key)
             findings.append(_declared(place, text))
         if len(set(context.handlers)) != len(context.handlers):
             text = f"{context.id} names a handler more than once"
-            place = facts.declared.entries.line_in(context.place, "handlers")
+            place = facts.line_in(context.place, "handlers")
             findings.append(_declared(place, text))
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
@@ -271,10 +271,8 @@ def _loops(facts: Facts) -> Iterator[Finding]:
 def _heap(facts: Facts) -> Iterator[Finding]:
     """Finds uses of the heap in the source files. The firmware image is not read, because it may be
     older than the source files."""
-    for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
-        file = str(path.relative_to(facts.root))
-        bare = comment_blanked(path.read_text(encoding="utf-8"))
-        for number, line in enumerate(bare.splitlines(), 1):
+    for file, code in texts_below(facts.root, DESIGN, (".cpp", ".hpp")):
+        for number, line in enumerate(comment_blanked(code).splitlines(), 1):
             if match := HEAP.search(line):
                 words = match[0] if match[0].startswith("#") else match[0].split()[0]
                 text = f"'{words.partition('(')[0]}' uses the heap"

@@ -160,7 +160,7 @@ def _products(model: Model, facts: Facts) -> Iterator[Finding]:
         if name not in model.modules:
             text = f"{file} lists {name}, which is not a module"
             yield Finding(
-                facts.declared.entries.line_in(place, f'"{name}"'),
+                facts.line_in(place, f'"{name}"'),
                 "module-used",
                 text,
                 "correct the name",

@@ -130,7 +130,7 @@ def _numbers(text: str) -> dict[str, Quantity]:
 def _requirements(model: Model, facts: Facts) -> Iterator[Finding]:
     links = {entry.requirement: entry for entry in facts.declared.numbers}
     without = {
-        number: facts.declared.entries.line_in(entry.place, number)
+        number: facts.line_in(entry.place, number)
         for entry in facts.declared.numbers_without
         for number in entry.numbers
     }
@@ -170,7 +170,7 @@ def _linked(
     not exist, or with a constant or a formula that has another value."""
     known = {constant.name: constant for constant in facts.syntax.values}
     for number, name in entry.constants.items():
-        place = facts.declared.entries.line_in(entry.place, number)
+        place = facts.line_in(entry.place, number)
         constants = constants_named(name, facts.syntax.values)
         if number not in stated:
             text = f"{entry.requirement} does not state {number}"

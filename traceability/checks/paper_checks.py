@@ -47,7 +47,7 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
         if not statement.here and not statement.deviation:
             texts.append(("the statement has neither an answer nor a deviation", "says"))
         for text, word in texts:
-            line = facts.declared.entries.line_in(statement.place, word)
+            line = facts.line_in(statement.place, word)
             yield Finding(line, "paper-statement", text)
 
 
@@ -114,7 +114,7 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]
             text = (
                 f"the paper's {entry.kind} {entry.name} is linked to {target}, which does not exist"
             )
-            yield Finding(facts.declared.entries.line_in(entry.place, target), "paper-stale", text)
+            yield Finding(facts.line_in(entry.place, target), "paper-stale", text)
 
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
@@ -186,7 +186,7 @@ def _figure(entry: PaperElement, facts: Facts) -> Iterator[Finding]:
         f"the paper has the number {said[0]} for {entry.name}, but this project has "
         f"{' or '.join(sorted(true, key=int))}"
     )
-    place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
+    place = facts.line_in(entry.place, "name" if entry.kind == COUNT else "note")
     yield Finding(place, "paper-stale", text, "correct the number, or the design")
 
 
@@ -220,7 +220,7 @@ def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
     for place, target, check, what in named:
         if target.startswith("view:") and not has_page(site, _page_of(target)):
             text = f"{what} is linked to {target}, which is not a page"
-            yield Finding(facts.declared.entries.line_in(place, target), check, text)
+            yield Finding(facts.line_in(place, target), check, text)
 
 
 def _page_of(target: str) -> str:

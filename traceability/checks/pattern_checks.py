@@ -164,9 +164,7 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
             )
     for clause in clauses.values():
         for text, word, fix in _clause_problems(clause, facts):
-            yield Finding(
-                facts.declared.entries.line_in(clause.place, word), "pattern-known", text, fix
-            )
+            yield Finding(facts.line_in(clause.place, word), "pattern-known", text, fix)
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
@@ -225,9 +223,7 @@ def _required(facts: Facts) -> Iterator[Finding]:
             if module not in facts.classes
         ]
         for text, word in problems:
-            yield Finding(
-                facts.declared.entries.line_in(item.place, word), "pattern-role-required", text
-            )
+            yield Finding(facts.line_in(item.place, word), "pattern-role-required", text)
 
 
 def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:

@@ -37,7 +37,7 @@ class Shape:
         """Returns the place of the key `replaces` in design/applications.toml."""
         declared = self.facts.declared.applications.get(self.application.id)
         place = declared.place if declared else self.application.place
-        return self.facts.declared.entries.line_in(place, "replaces")
+        return self.facts.line_in(place, "replaces")
 
     def playing(self, role: str) -> list[str]:
         return [item.module for item in self.application.roles if item.role == role]

@@ -22,6 +22,7 @@ from traceability.reading.gtest_cases import empty_loops, read_tests, unknown_ma
 from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import DIFFERENT, HAS, PRODUCTS
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import texts_below
 from traceability.schema import (
     HOST,
     SOURCE_KINDS,
@@ -32,7 +33,7 @@ from traceability.schema import (
     Requirement,
     Suspicion,
 )
-from traceability.sources import files_below, text_of
+from traceability.sources import text_of
 
 TAGGED = ("src", "extensions", "tests")
 TEST_BUILD = "tests/CMakeLists.txt"
@@ -392,7 +393,7 @@ def _unknown(model: Model, facts: Facts) -> Iterator[Finding]:
             tagged += [(transition.place, name) for name in transition.requirements]
     for scenario in model.closed_loop:
         names = [figure.requirement for figure in scenario.figures if figure.requirement]
-        tagged += [(facts.declared.entries.line_in(scenario.place, name), name) for name in names]
+        tagged += [(facts.line_in(scenario.place, name), name) for name in names]
     for place, name in tagged:
         if name not in model.requirements:
             yield Finding(place, "req-unknown", f"there is no requirement {name}")
@@ -500,8 +501,7 @@ def _reviews(model: Model) -> Iterator[Finding]:
 def _macros(facts: Facts) -> Iterator[Finding]:
     """Finds test macros that gtest_cases.py cannot read. The tests that they define would be
     missing in the model. Also finds loops that never run."""
-    for path in files_below(facts.root, ["tests"], (".cpp", ".hpp")):
-        file, code = str(path.relative_to(facts.root)), path.read_text(encoding="utf-8")
+    for file, code in texts_below(facts.root, ["tests"], (".cpp", ".hpp")):
         for line, head in empty_loops(code):
             text = f"the loop '{head}' never runs, or counts away from its limit"
             fix = "correct the limits of the loop, or remove it"

@@ -71,11 +71,11 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _at(facts: Facts, item: Assumption | Hazard | SafetyGoal) -> Place:
     """Returns the line with the id of an entry."""
-    return facts.declared.entries.line_in(item.place, item.id)
+    return facts.line_in(item.place, item.id)
 
 
 def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
-    place = facts.declared.entries.line_in(item.place, name)
+    place = facts.line_in(item.place, name)
     return Finding(place, "hazard-name", f"{item.id} names {name}, which is not declared")
 
 

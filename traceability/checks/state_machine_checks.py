@@ -62,7 +62,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
     exist."""
 
     def finding(text: str, fix: str, name: str, step: Transition | None = None) -> Finding:
-        place = facts.declared.entries.line_in(step.place if step else machine.place, name)
+        place = facts.line_in(step.place if step else machine.place, name)
         return Finding(place, "fsm-declared", text, fix)
 
     declared = facts.declared.applications.get(machine.application)
@@ -231,7 +231,7 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
     given = ", ".join(sorted(code.initial)) or "no state"
     text = f"{code.storage} begins with {given}, but the machine begins with {machine.initial}"
     fix = "correct 'initial', or pass the initial state of the machine to the Context"
-    place = facts.declared.entries.line_in(machine.place, "initial")
+    place = facts.line_in(machine.place, "initial")
     yield Finding(place, "fsm-code", text, fix)
 
 
@@ -474,7 +474,7 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Findin
         for name in step.requirements:
             if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests):
                 text = f"no passing test of {name} makes the transition {words(step)}"
-                yield Finding(facts.declared.entries.line_in(step.place, name), "fsm-seen", text)
+                yield Finding(facts.line_in(step.place, name), "fsm-seen", text)
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
