@@ -28,8 +28,8 @@ def _findings(model: Model) -> Iterator[Finding]:
             yield Finding(finding.place, "board-finding", text)
     for fault in model.driver_faults or []:
         if fault.finding and fault.finding not in model.board_findings:
-            text = f"the fault '{fault.fault}' caused the finding {fault.finding}, which is not"
-            yield Finding(FINDINGS, "board-finding", f"{text} declared")
+            said = f"the fault '{fault.fault}' caused the finding {fault.finding}"
+            yield Finding(FINDINGS, "board-finding", f"{said}, which is not declared")
 
 
 def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:

@@ -267,8 +267,8 @@ def _enabled(facts: Facts) -> Iterator[Finding]:
     """Finds interrupt lines that have a handler in the vector table but that no call enables."""
     for line, handler in silent_lines(facts).items():
         place = facts.bodies[handler][0].place if handler in facts.bodies else DECLARED
-        text = f"the vector table has {handler} at interrupt line {line}, but no call enables"
-        yield _declared(place, f"{text} this line")
+        said = f"the vector table has {handler} at interrupt line {line}"
+        yield _declared(place, f"{said}, but no call enables this line")
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:

@@ -62,7 +62,7 @@ def _change(
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
     """Returns whether a class in the folder has one of the roles that the recipe demands for the
     new class."""
-    above = set(_above(facts, kit, name))
+    above = _above(facts, kit, name)
     if change.derives:
         return not above.isdisjoint(change.derives)
     kin = {
@@ -82,12 +82,9 @@ def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> boo
     return made is not None and not files.isdisjoint(made.patched)
 
 
-def _above(facts: Facts, kit: Kit, name: str) -> Iterator[str]:
-    """Yields all direct and indirect base classes of a class. The class can be in the folder of
-    the change or in the design."""
-    bases = [kit.bases[name]] if kit.bases.get(name) else []
+def _above(facts: Facts, kit: Kit, name: str) -> set[str]:
+    """Returns all base classes of a class in the design or in the folder of the change."""
     if name in facts.classes:
-        bases = list(facts.classes[name].bases)
-    for base in bases:
-        yield base
-        yield from _above(facts, kit, base)
+        return facts.bases_of(name)
+    base = kit.bases.get(name)
+    return {base, *_above(facts, kit, base)} if base else set()
