@@ -47,8 +47,7 @@ def test_an_attribute_has_a_known_value(
     tmp_path: Path, name: str, value: object, says: str
 ) -> None:
     model = changed(tmp_path, **{name: value})
-    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
-    assert [one.text for one in _attributes(model, facts)] == [says] * bool(says)
+    assert [one.text for one in _attributes(model)] == [says] * bool(says)
 
 
 @pytest.mark.parametrize(
@@ -79,8 +78,7 @@ def test_the_products_agree_with_the_modules_that_satisfy_a_requirement(
     tmp_path: Path, methods: list[str], products: list[str], says: list[str]
 ) -> None:
     model = changed(tmp_path, satisfied_by=methods, products=products)
-    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
-    assert [one.text for one in _attributes(model, facts)] == [f"FR-1 has {text}" for text in says]
+    assert [one.text for one in _attributes(model)] == [f"FR-1 has {text}" for text in says]
 
 
 @pytest.mark.parametrize(
@@ -100,8 +98,7 @@ def test_the_method_has_something_that_shows_it(
 ) -> None:
     measured = [read_evidence("checks.uses-board exactly 0", WHERE)] * evidence
     model = changed(tmp_path, method=method, verified_by=[], evidence=measured)
-    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
-    assert len(list(_attributes(model, facts))) == found
+    assert len(list(_attributes(model))) == found
 
 
 @pytest.mark.parametrize(
