@@ -39,67 +39,39 @@ WHY = {
     "cannot read.",
     "doc": "The pages are generated from the comments of the code, the texts of design/ and the "
     "files of docs/. A mistake in such a text is also on the pages.",
-    "module": (
-        "A developer can find, understand and replace a small module that has a known place and a "
-        "specification. To do this, the developer need not read the other modules."
-    ),
-    "secret": (
-        "Each module hides a design decision, its secret. Only this module uses the names that "
-        "belong to the secret. If another module uses these names, a change of the decision also "
-        "changes that other module."
-    ),
-    "pattern": (
-        "A pattern makes changes easy only while the code has the structure of the pattern. Each "
-        "clause states a part of this structure."
-    ),
+    "module": "A developer can find, understand and replace a small module that has a known place "
+    "and a specification. To do this, the developer need not read the other modules.",
+    "secret": "Each module hides a design decision, its secret. Only this module uses the names "
+    "that belong to the secret. If another module uses these names, a change of the decision also "
+    "changes that other module.",
+    "pattern": "A pattern makes changes easy only while the code has the structure of the pattern. "
+    "Each clause states a part of this structure.",
     "change": "A developer who changes a value must find the other values that depend on it. An "
     "example of a likely change shows which files a developer must edit.",
-    "uses": (
-        "The allowed uses of a module show two facts: which modules must be reused together with "
-        "it, and which changes can break it."
-    ),
-    "board": (
-        "In the tests, the virtual K64 replaces the hardware. If the virtual K64 does not detect "
-        "a mistake, the mistake can reach the robot."
-    ),
-    "tree": (
-        "An invocation tree shows the calls by which the code fulfils a requirement. The code "
-        "must contain these calls, and a test must execute them."
-    ),
-    "fsm": (
-        "People read the declared state machine instead of the code of the states. Therefore, "
-        "the machine and the code must have the same transitions."
-    ),
-    "proof": (
-        "A test checks only some sequences of events. A proof checks all sequences that are "
-        "possible in the model."
-    ),
-    "exec": (
-        "Interrupts and threads of different priorities share data. A wrong access may cause a "
-        "fault only once in a thousand cycles, so that tests do not find it."
-    ),
-    "stack": (
-        "The threads and interrupts share one stack. The stack must be large enough for the "
-        "deepest calls. It is possible that no test makes these calls."
-    ),
-    "time": (
-        "A cycle that is too long disturbs the control. It is possible that no test contains the "
-        "longest cycle."
-    ),
+    "uses": "The allowed uses of a module show two facts: which modules must be reused together "
+    "with it, and which changes can break it.",
+    "board": "In the tests, the virtual K64 replaces the hardware. If the virtual K64 does not "
+    "detect a mistake, the mistake can reach the robot.",
+    "tree": "An invocation tree shows the calls by which the code fulfils a requirement. The code "
+    "must contain these calls, and a test must execute them.",
+    "fsm": "People read the declared state machine instead of the code of the states. Therefore, "
+    "the machine and the code must have the same transitions.",
+    "proof": "A test checks only some sequences of events. A proof checks all sequences that are "
+    "possible in the model.",
+    "exec": "Interrupts and threads of different priorities share data. A wrong access may cause a "
+    "fault only once in a thousand cycles, so that tests do not find it.",
+    "stack": "The threads and interrupts share one stack. The stack must be large enough for the "
+    "deepest calls. It is possible that no test makes these calls.",
+    "time": "A cycle that is too long disturbs the control. It is possible that no test contains "
+    "the longest cycle.",
     "req": "A requirement counts as fulfilled only if the code, the tests and the test results "
     "show that it is fulfilled.",
-    "suspect": (
-        "A verdict is valid only for the texts that were judged. The checks compare the present "
-        "texts with the baseline, and find the texts that have changed."
-    ),
-    "hazard": (
-        "The safety case leads from each hazard to tests that ran. If a link in this chain is "
-        "missing, the argument is invalid, and a reader may not notice the gap."
-    ),
-    "paper": (
-        "The paper describes the design that this project implements. The project uses the names "
-        "of the paper, or explains why a name is different."
-    ),
+    "suspect": "A verdict is valid only for the texts that were judged. The checks compare the "
+    "present texts with the baseline, and find the texts that have changed.",
+    "hazard": "The safety case leads from each hazard to tests that ran. If a link in this chain "
+    "is missing, the argument is invalid, and a reader may not notice the gap.",
+    "paper": "The paper describes the design that this project implements. The project uses the "
+    "names of the paper, or explains why a name is different.",
     "arch": "The architecture is the first picture that a newcomer sees. It must match the code.",
     "link": "A reader who follows a link must find the target.",
 }
