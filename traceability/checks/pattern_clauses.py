@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from traceability.reading.ast_facts import ANY_CLASS, BodyFact, CallFact, FieldFact, MethodFact
+from traceability.reading.reach import reached_from
 from traceability.reading.source_facts import Facts
 from traceability.schema import PatternApplication, Place
 
@@ -129,16 +130,8 @@ class Shape:
     def calls_from(self, method: str, module: str) -> set[str]:
         """Returns all methods that a method calls, directly or through other functions of the same
         class."""
-        own = {body.id: body for body in self.bodies(module)}
-        work, seen = [method], {method}
-        called: set[str] = set()
-        while work:
-            body = own.get(work.pop())
-            targets = {call.target for call in body.calls} if body else set()
-            called |= targets
-            work += [name for name in targets - seen if name in own]
-            seen |= targets
-        return called
+        own = {body.id: {call.target for call in body.calls} for body in self.bodies(module)}
+        return reached_from(method, own)
 
 
 def owner_of(method: str) -> str:
@@ -158,14 +151,11 @@ def abstract(role: str) -> Callable[[Shape], Broken]:
     return clause
 
 
-def only_base(role: str) -> Callable[[Shape], Broken]:
-    def clause(shape: Shape) -> Broken:
-        for module in shape.playing(role):
-            if not shape.facts.classes[module].only_base:
-                text = f"{module} is not abstract, and an object of it can be constructed"
-                yield shape.place(module), text
-
-    return clause
+def only_base(shape: Shape) -> Broken:
+    for module in shape.playing("Serializable"):
+        if not shape.facts.classes[module].only_base:
+            text = f"{module} is not abstract, and an object of it can be constructed"
+            yield shape.place(module), text
 
 
 def derived(role: str, base_role: str) -> Callable[[Shape], Broken]:
@@ -208,15 +198,10 @@ def state_unmarked(shape: Shape) -> Broken:
         for name in shape.facts.names_of.get(context, []):
             state = own.get((name.target, name.member))
             # True if another class in the same file uses the enumerator.
-            beside = owner_of(name.by) not in (
-                "",
-                context,
-            )
+            beside = owner_of(name.by) not in ("", context)
             if state and context not in states and not beside:
-                yield (
-                    name.place,
-                    f"{context} uses the enumerator of {state}: {name.target}::{name.member}",
-                )
+                mark = f"{name.target}::{name.member}"
+                yield name.place, f"{context} uses the enumerator of {state}: {mark}"
     yield from state_unasked(shape, {target for target, _ in own})
 
 
@@ -245,7 +230,7 @@ def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
             for field in shape.fields(body.owner)
             if field.refers and field.classes == bases
         ]
-        lines = (shape.facts.root / body.place.file).read_text(encoding="utf-8").splitlines()
+        lines = shape.facts.lines_of(body.place.file)
         for number in range(body.place.line, body.end + 1):
             if any(re.search(rf"&\s*{name}\.get\(\)", lines[number - 1]) for name in members):
                 text = f"{body.owner} takes the address of its present {bases[0]}"
@@ -307,7 +292,7 @@ def change_operation(
 
 
 def changed_outside(shape: Shape, allowed: set[str], operation: str, base: str) -> Broken:
-    unresolved = f"{ANY_CLASS}::{operation.rsplit('::', 1)[-1]}"
+    unresolved = f"{ANY_CLASS}::{last_of(operation)}"
     for body in shape.facts.syntax.bodies:
         for call in body.calls:
             if call.target in (operation, unresolved) and shape.user(body) not in allowed:
@@ -369,10 +354,8 @@ def decorator_forwards(shape: Shape) -> Broken:
         if not extending and module not in decorators:
             yield shape.place(module), f"{module} extends no operation"
     for name in sorted(set(shape.replaced) - replaced):
-        yield (
-            shape.declared_at,
-            f"no decorator replaces {name}, but the design lists it as replaced",
-        )
+        text = f"no decorator replaces {name}, but the design lists it as replaced"
+        yield shape.declared_at, text
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
@@ -414,16 +397,14 @@ def template_primitives(shape: Shape) -> Broken:
         for subclass in shape.playing("Concrete Class"):
             owners = {subclass, *shape.bases(subclass)} - {module}
             for primitive in sorted(called):
-                overriders = shape.facts.overriders.get(primitive, [])
-                if shape.derives(subclass, module) and not owners & {
-                    owner_of(m) for m in overriders
-                }:
+                overriders = {owner_of(m) for m in shape.facts.overriders.get(primitive, [])}
+                if shape.derives(subclass, module) and not owners & overriders:
                     yield shape.place(subclass), f"{subclass} does not override {primitive}"
 
 
 def template_overrides(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
-        names = {method.rsplit("::", 1)[-1] for method in template_methods(shape, module)}
+        names = {last_of(method) for method in template_methods(shape, module)}
         for subclass in shape.playing("Concrete Class"):
             for method in shape.methods(subclass):
                 if method.name in names:
@@ -492,12 +473,9 @@ def command_receiver(shape: Shape) -> Broken:
 
 
 def makes(shape: Shape, module: str, product: str) -> bool:
-    return any(
-        product in field.classes and not field.refers for field in shape.fields(module)
-    ) or any(
-        name.how == "construct" and name.target == product
-        for name in shape.facts.names_of.get(module, [])
-    )
+    fields = (field for field in shape.fields(module) if not field.refers)
+    names = (n for n in shape.facts.names_of.get(module, []) if n.how == "construct")
+    return any(product in f.classes for f in fields) or any(n.target == product for n in names)
 
 
 def command_client(shape: Shape) -> Broken:
@@ -580,8 +558,7 @@ def builder_director(shape: Shape) -> Broken:
             yield shape.place(director), f"{director} calls no {shape.any_with('Builder')}"
         for target, place in shape.calls(director):
             owner = owner_of(target)
-            constructor = target.rsplit("::", 1)[-1] == owner
-            if owner in built and not constructor:
+            if owner in built and last_of(target) != owner:
                 yield place, f"{director} calls {target}"
 
 
@@ -629,10 +606,8 @@ def singleton_constructor(shape: Shape) -> Broken:
     for module in shape.playing("Singleton"):
         constructors = [item for item in shape.methods(module) if item.kind == "constructor"]
         if not constructors:
-            yield (
-                shape.place(module),
-                f"{module} has no declared constructor, so the compiler adds a public constructor",
-            )
+            text = "has no declared constructor, so the compiler adds a public constructor"
+            yield shape.place(module), f"{module} {text}"
         for method in constructors:
             if method.access != "private":
                 yield method.place, f"a constructor of {module} is {method.access}"
@@ -737,7 +712,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     ),
     "pattern-serializer-used": serializer_used,
     "pattern-serializer-derives": together(
-        only_base("Serializable"),
+        only_base,
         abstract("Reader"),
         abstract("Writer"),
         derived("Concrete Reader", "Reader"),
