@@ -656,8 +656,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-state-called": called("State"),
     "pattern-state-unnamed": together(unnamed("Context", "Concrete State"), state_unmarked),
     "pattern-state-successor": together(
-        unnamed("State", "Concrete State"),
-        unnamed("Concrete State", "Concrete State"),
+        unnamed("State", "Concrete State"), unnamed("Concrete State", "Concrete State")
     ),
     "pattern-state-change": state_change,
     "pattern-strategy-abstract": abstract("Strategy"),
@@ -665,8 +664,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-strategy-held": held("Strategy"),
     "pattern-strategy-called": called("Strategy"),
     "pattern-strategy-unnamed": together(
-        unnamed("Context", "Concrete Strategy"),
-        unnamed("Strategy", "Concrete Strategy"),
+        unnamed("Context", "Concrete Strategy"), unnamed("Strategy", "Concrete Strategy")
     ),
     "pattern-decorator-component": together(
         abstract("Component"),
@@ -686,8 +684,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-template-nonvirtual": template_nonvirtual,
     "pattern-template-derives": derived("Concrete Class", "Abstract Class"),
     "pattern-template-unnamed": together(
-        unnamed("Abstract Class", "Concrete Class"),
-        unnamed("Concrete Class", "Concrete Class"),
+        unnamed("Abstract Class", "Concrete Class"), unnamed("Concrete Class", "Concrete Class")
     ),
     "pattern-template-primitives": template_primitives,
     "pattern-template-overrides": template_overrides,

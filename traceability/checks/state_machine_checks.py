@@ -8,13 +8,7 @@ import re
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
-from traceability.model.state_machines import (
-    Change,
-    MachineCode,
-    is_stay,
-    matching,
-    read_machine,
-)
+from traceability.model.state_machines import Change, MachineCode, is_stay, matching, read_machine
 from traceability.reading.ast_facts import BodyFact
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import nodes_of
