@@ -783,10 +783,9 @@ _FIXED = [
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
         "names of products that exist. A product is named if it contains all modules that satisfy "
         "the requirement. If it contains none of these modules, it is not named. The requirement "
-        "has one @method of verification: test, analysis, "
-        "measurement or inspection. If the method is test, the @verifies of a test names the "
-        "requirement. If the method is measurement or analysis, the requirement has @evidence, or "
-        "the @verifies of a test names it.",
+        "has one @method of verification: test, analysis, measurement or inspection. If the method "
+        "is test, the @verifies of a test names the requirement. If the method is measurement or "
+        "analysis, the requirement has @evidence, or the @verifies of a test names it.",
         "The check cannot judge whether the method suits the requirement. It does not find parts "
         "that remain unverified although the requirement has no @partly.",
         "write the attribute, or correct its value.",
@@ -986,12 +985,11 @@ _FIXED = [
         "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
         "without known exceptions accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
-        "the robot. It does not find a formula with the velocity of the robot if the goal "
-        "declares no velocity. It cannot judge whether the tests measure the right reaction. It "
-        "does not limit the time and the distance of a halt. It compares only the declared "
-        "reaction time, and not the times in the text that describes the reaction. If a goal has a "
-        "known exception, the check does not compare the times that the scenarios of this goal "
-        "accept.",
+        "the robot. It does not find a formula with the velocity of the robot if the goal declares "
+        "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
+        "limit the time and the distance of a halt. It compares only the declared reaction time, "
+        "and not the times in the text that describes the reaction. If a goal has a known "
+        "exception, the check does not compare the times that the scenarios of this goal accept.",
         "correct the time, the formula or the velocity, or shorten the reaction time of the "
         "firmware.",
     ),
@@ -1110,9 +1108,8 @@ _FIXED = [
         "The concordance names only parts that exist",
         "The entries of design/concordance.toml and the backticks in their texts name only "
         "existing modules, methods, applications, state machines, requirements, checks and pages. "
-        "A count of modules or of applications equals the number of entries in "
-        "design/modules.toml or design/applications.toml. The value of a constant equals the value "
-        "in the code.",
+        "A count of modules or of applications equals the number of entries in design/modules.toml "
+        "or design/applications.toml. The value of a constant equals the value in the code.",
         "The check cannot judge whether the named part is really the counterpart of the element "
         "in the paper. Only a reader can judge this.",
         "name the part that replaced the missing part.",
