@@ -179,21 +179,29 @@ def held(role: str) -> Callable[[Shape], Broken]:
     return clause
 
 
-def unnamed(role: str, concrete: str) -> Callable[[Shape], Broken]:
+def unnamed(roles: tuple[str, ...], *concrete: str) -> Callable[[Shape], Broken]:
+    """Finds modules with one of the roles that name a module with one of the concrete roles."""
+
     def clause(shape: Shape) -> Broken:
-        for module in shape.playing(role):
-            for place, target in shape.named(module, shape.playing(concrete)):
-                yield place, f"{module} names {target}"
+        hidden = [module for role in concrete for module in shape.playing(role)]
+        for role in roles:
+            for module in shape.playing(role):
+                yield from named(shape, module, hidden)
 
     return clause
+
+
+def named(shape: Shape, module: str, hidden: list[str]) -> Broken:
+    for place, target in shape.named(module, hidden):
+        yield place, f"{module} names {target}"
 
 
 def state_unmarked(shape: Shape) -> Broken:
     """Finds a Context that uses an enumerator which only one of the states uses. With this
     enumerator, the Context could distinguish the states."""
     states = shape.playing("Concrete State")
-    named = [mark for state in states for mark in shape.marks(state)]
-    own = {mark: state for state in states for mark in shape.marks(state) if named.count(mark) == 1}
+    marks = [mark for state in states for mark in shape.marks(state)]
+    own = {mark: state for state in states for mark in shape.marks(state) if marks.count(mark) == 1}
     for context in shape.playing("Context"):
         for name in shape.facts.names_of.get(context, []):
             state = own.get((name.target, name.member))
@@ -428,8 +436,7 @@ def command_invoker(shape: Shape) -> Broken:
     hidden = shape.playing("Concrete Command") + shape.playing("Receiver")
     commands = shape.playing("Command")
     for module in dict.fromkeys([*commands, *shape.playing("Invoker")]):
-        for place, target in shape.named(module, hidden):
-            yield place, f"{module} names {target}"
+        yield from named(shape, module, hidden)
     for invoker in shape.playing("Invoker"):
         calls = [
             call
@@ -549,11 +556,9 @@ def builder_director(shape: Shape) -> Broken:
     concrete = shape.playing("Concrete Builder")
     built = {*products, *parts_of(shape, concrete)}
     for builder in builders:
-        for place, target in shape.named(builder, concrete):
-            yield place, f"{builder} names {target}"
+        yield from named(shape, builder, concrete)
     for director in shape.playing("Director"):
-        for place, target in shape.named(director, unknown_to(shape, director)):
-            yield place, f"{director} names {target}"
+        yield from named(shape, director, unknown_to(shape, director))
         if not any(owner_of(target) in builders for target, _ in shape.calls(director)):
             yield shape.place(director), f"{director} calls no {shape.any_with('Builder')}"
         for target, place in shape.calls(director):
@@ -654,18 +659,14 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-state-derives": derived("Concrete State", "State"),
     "pattern-state-held": held("State"),
     "pattern-state-called": called("State"),
-    "pattern-state-unnamed": together(unnamed("Context", "Concrete State"), state_unmarked),
-    "pattern-state-successor": together(
-        unnamed("State", "Concrete State"), unnamed("Concrete State", "Concrete State")
-    ),
+    "pattern-state-unnamed": together(unnamed(("Context",), "Concrete State"), state_unmarked),
+    "pattern-state-successor": unnamed(("State", "Concrete State"), "Concrete State"),
     "pattern-state-change": state_change,
     "pattern-strategy-abstract": abstract("Strategy"),
     "pattern-strategy-derives": derived("Concrete Strategy", "Strategy"),
     "pattern-strategy-held": held("Strategy"),
     "pattern-strategy-called": called("Strategy"),
-    "pattern-strategy-unnamed": together(
-        unnamed("Context", "Concrete Strategy"), unnamed("Strategy", "Concrete Strategy")
-    ),
+    "pattern-strategy-unnamed": unnamed(("Context", "Strategy"), "Concrete Strategy"),
     "pattern-decorator-component": together(
         abstract("Component"),
         derived("Decorator", "Component"),
@@ -673,19 +674,14 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
         derived("Concrete Decorator", "Decorator"),
     ),
     "pattern-decorator-holds": decorator_holds,
-    "pattern-decorator-unnamed": together(
-        *(
-            unnamed(role, concrete)
-            for role in ("Component", "Decorator", "Concrete Component", "Concrete Decorator")
-            for concrete in ("Concrete Component", "Concrete Decorator")
-        )
+    "pattern-decorator-unnamed": unnamed(
+        ("Component", "Decorator", "Concrete Component", "Concrete Decorator"),
+        *("Concrete Component", "Concrete Decorator"),
     ),
     "pattern-decorator-forwards": decorator_forwards,
     "pattern-template-nonvirtual": template_nonvirtual,
     "pattern-template-derives": derived("Concrete Class", "Abstract Class"),
-    "pattern-template-unnamed": together(
-        unnamed("Abstract Class", "Concrete Class"), unnamed("Concrete Class", "Concrete Class")
-    ),
+    "pattern-template-unnamed": unnamed(("Abstract Class", "Concrete Class"), "Concrete Class"),
     "pattern-template-primitives": template_primitives,
     "pattern-template-overrides": template_overrides,
     "pattern-command-single": together(abstract("Command"), command_single),
@@ -700,12 +696,9 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-singleton-one": singleton_one,
     "pattern-singleton-constructor": singleton_constructor,
     "pattern-singleton-copy": singleton_copy,
-    "pattern-serializer-abstractions": together(
-        *(
-            unnamed(role, concrete)
-            for role in ("Concrete Element", "Serializable", "Reader", "Writer")
-            for concrete in ("Concrete Reader", "Concrete Writer")
-        )
+    "pattern-serializer-abstractions": unnamed(
+        ("Concrete Element", "Serializable", "Reader", "Writer"),
+        *("Concrete Reader", "Concrete Writer"),
     ),
     "pattern-serializer-used": serializer_used,
     "pattern-serializer-derives": together(

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import pairwise
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -22,7 +21,7 @@ from traceability.reading.gtest_cases import empty_loops, read_tests, unknown_ma
 from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import DIFFERENT, HAS, PRODUCTS
 from traceability.reading.source_facts import Facts
-from traceability.reading.source_lines import texts_below
+from traceability.reading.source_lines import headings, texts_below
 from traceability.schema import (
     HOST,
     SOURCE_KINDS,
@@ -148,16 +147,6 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
             else:
                 continue
             yield Finding(requirement.place, "req-source", text, fix)
-
-
-def headings(page: Path) -> list[str]:
-    """Returns the headings of a hand-written page."""
-    lines = text_of(page).splitlines()
-    return [
-        above.strip()
-        for above, line in pairwise(lines)
-        if above.strip() and re.fullmatch(r"[=\-~]{3,}", line)
-    ]
 
 
 def _without(model: Model) -> Iterator[Finding]:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 from pathlib import Path
 
 from traceability.schema import Place
-from traceability.sources import files_below
+from traceability.sources import files_below, text_of
 
 
 def texts_below(
@@ -31,6 +32,13 @@ def lines_below(
 def place_at(file: str, text: str, position: int) -> Place:
     """Returns the place of a position in the text of a file."""
     return Place(file, text.count("\n", 0, position) + 1)
+
+
+def headings(page: Path) -> Iterator[str]:
+    """Yields the headings of a hand-written page."""
+    for above, line in pairwise(text_of(page).splitlines()):
+        if above.strip() and len(line) > 2 and set(line) <= set("=-~#*^"):
+            yield above.strip()
 
 
 def place_of(root: Path, line: str) -> Place | None:

@@ -11,12 +11,13 @@ from typing import Any
 import pytest
 
 from tests.python.model.small_case import make_model, write_case
-from traceability.checks.requirement_checks import _attributes, _sources, headings
+from traceability.checks.requirement_checks import _attributes, _sources
 from traceability.model.design_model import Model
 from traceability.model.evidence import read_evidence
 from traceability.reading.comments import Comments
 from traceability.reading.declared_safety import read_sources
 from traceability.reading.products import PRODUCTS
+from traceability.reading.source_lines import headings
 from traceability.schema import PaperPlace, Place
 
 WHERE = Place("design/paper.toml", 1)
@@ -131,5 +132,5 @@ def facts_of(root: Path) -> Any:
     page = root / "docs" / "protocol.rst"
     page.parent.mkdir(exist_ok=True)
     page.write_text("PC protocol\n===========\n\nFrames\n------\n\nA text.\n\n---\n")
-    assert headings(page) == ["PC protocol", "Frames"]
+    assert list(headings(page)) == ["PC protocol", "Frames"]
     return SimpleNamespace(root=root, comments=Comments(root))
