@@ -106,11 +106,9 @@ class Method:
     interrupt: str = ""
     satisfies: Sequence[str] = field(default_factory=list)
     documented: bool = False
-    inherited_from: str | None = (
-        # The overridden method from which this method takes its specification. None if the method
-        # has its own specification.
-        None
-    )
+    # The overridden method from which this method takes its specification. None if the method has
+    # its own specification.
+    inherited_from: str | None = None
     overrides: str | None = None
     calls: Sequence[Call] = field(default_factory=list)
     # caller -> the abstract method that it calls, if the object of this call is not known
@@ -291,11 +289,9 @@ class TreeNode:
     # several calls
     often: str = ""
     often_in_code: str | None = None
-    too_early: str = (
-        # The label of the previous node, if the code makes this call before the call of the
-        # previous node. Otherwise "".
-        ""
-    )
+    # The label of the previous node, if the code makes this call before the call of the previous
+    # node. Otherwise "".
+    too_early: str = ""
 
     @property
     def ran(self) -> bool | None:
@@ -375,9 +371,8 @@ class BindingResult:
     # files that may contain the recorded calls of this test
     recordings: Sequence[str] = field(default_factory=list)
     measured: str = ""  # text of the property "measured" that the test reports
-    instances: Mapping[str, str] = field(
-        default_factory=dict
-    )  # for a parameterised test: name of the instance -> result of the instance
+    # for a parameterised test: name of the instance -> result of the instance
+    instances: Mapping[str, str] = field(default_factory=dict)
     # products whose firmware images the test executed
     images: Sequence[str] = field(default_factory=list)
 
@@ -651,11 +646,9 @@ class TouchedFile:
     file: str
     added: int
     removed: int
-    corrections: str = (
-        # The reason why the edits do not belong to a safety function. The text is empty if they
-        # belong to a safety function.
-        ""
-    )
+    # The reason why the edits do not belong to a safety function. The text is empty if they belong
+    # to a safety function.
+    corrections: str = ""
 
     @property
     def touched(self) -> int:
@@ -691,9 +684,8 @@ class SafetyCase:
     # severity -> the rows of levels in the risk graph
     graph: Mapping[str, list[str]] = field(default_factory=dict)
     words: Mapping[str, str] = field(default_factory=dict)
-    priorities: Mapping[str, str] = field(
-        default_factory=dict
-    )  # level -> priority of a requirement
+    # level -> priority of a requirement
+    priorities: Mapping[str, str] = field(default_factory=dict)
     safe_states: Mapping[str, SafeState] = field(default_factory=dict)
     assumptions: Mapping[str, Assumption] = field(default_factory=dict)
     hazards: Mapping[str, Hazard] = field(default_factory=dict)
@@ -1042,18 +1034,14 @@ class TimeBound:
     # starts once in a control cycle.
     entries: int | None
     ticks: int
-    noise: (
-        int | None
-        # The number of starts in 1 ms if there is noise at all inputs. None if noise causes no
-        # additional starts.
-    )
+    # The number of starts in 1 ms if there is noise at all inputs. None if noise causes no
+    # additional starts.
+    noise: int | None
     priority: int | None
     why: str
-    response_ms: float | None = (
-        # For an interrupt: the longest time from the request to the end of the handler. None for a
-        # thread.
-        None
-    )
+    # For an interrupt: the longest time from the request to the end of the handler. None for a
+    # thread.
+    response_ms: float | None = None
 
 
 @dataclass(frozen=True)
@@ -1077,11 +1065,8 @@ class TimeProof:
     """The longest execution times of the robot's firmware image, computed from its instructions."""
 
     contexts: Sequence[TimeBound]
-    cycle_ms: (
-        # The longest time from the clock pulse to the end of the main thread, including all
-        # interrupts.
-        float
-    )
+    # The longest time from the clock pulse to the end of the main thread, including all interrupts.
+    cycle_ms: float
     noise_ms: float  # the same time as ``cycle_ms``, but with noise at all inputs
     # the longest measured time from the clock pulse to the report, in the runs of the bench and in
     # the tests of the firmware image
@@ -1276,9 +1261,8 @@ class Port:
     image: str
     needs: str  # program that must be installed for the tests; "" if no program is needed
     files: Mapping[str, int]  # file that the port adds -> number of its lines
-    composition_lines: (
-        int  # number of existing lines of the composition that are removed or changed
-    )
+    # number of existing lines of the composition that are removed or changed
+    composition_lines: int
     outside_lines: int  # number of changed lines of other files
     tests: Mapping[str, str] | None  # test -> result; None if the present sources have no results
     # flash and RAM of the port's image [byte]; empty if the image was not built from the present

@@ -3,13 +3,13 @@ number of requirements, come from the model."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from itertools import chain, pairwise
+from itertools import chain
 from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.products import PRODUCTS
+from traceability.reading.source_lines import headings
 
 # The hand-written pages of each group, in this order. A hand-written page that is not listed here
 # is in the group "build".
@@ -73,13 +73,6 @@ def hand_written(folder: Path) -> list[Entry]:
 def first_title(path: Path) -> str:
     """Returns the first heading of a page, or the file name if the page has no heading."""
     return next(headings(path), path.stem)
-
-
-def headings(path: Path) -> Iterator[str]:
-    """Yields the headings of a hand-written page."""
-    for above, line in pairwise(path.read_text(encoding="utf-8").splitlines()):
-        if above.strip() and len(line) > 2 and set(line) <= set("=-~#*^"):
-            yield above.strip()
 
 
 class Navigation:

@@ -31,7 +31,6 @@ from portal.measured_pages import (
 )
 from portal.messages import codes_by_name, messages
 from portal.module_page import module_page
-from portal.navigation import headings
 from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
 from portal.recording_page import plotted
@@ -50,6 +49,7 @@ from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading import closed_loop_record
 from traceability.reading.bench_record import SCENARIOS
 from traceability.reading.products import DEFAULT, FUNCTIONS, PRODUCTS, RECORDED
+from traceability.reading.source_lines import headings
 from traceability.schema import (
     Method,
     Module,

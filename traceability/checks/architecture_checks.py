@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from traceability.model.architecture import is_outside
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
-from traceability.schema import ArchitectureElement, Finding, Place
+from traceability.schema import Finding, Place
 
 # kinds of the elements that act: their modules have connections
 ACTING = ("controller", "process", "sensor", "event")
@@ -31,28 +31,19 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         names += [(name, group.place) for name in (group.module, *group.modules)]
     for name, place in names:
         if name not in model.modules:
-            yield Finding(
-                facts.declared.entries.line_in(place, name),
-                "arch-module",
-                f"there is no module {name}",
-            )
-    connectors = {
-        "",
-        *(element.name for element in model.architecture if element.kind == "connector"),
-    }
+            yield _wrong(place, name, f"there is no module {name}", facts)
+    connectors = {element.name for element in model.architecture if element.kind == "connector"}
     for connection in model.connections:
-        if connection.connector not in connectors:
-            text = f"there is no connector {connection.connector}"
-            place = facts.declared.entries.line_in(connection.place, connection.connector)
-            yield Finding(place, "arch-module", text)
+        name = connection.connector
+        if name and name not in connectors:
+            yield _wrong(connection.place, name, f"there is no connector {name}", facts)
         ends = (connection.source, connection.target)
         if is_outside(connection):
             continue
         missing = [name for name in ends if name not in model.modules]
         if missing:
             text = f"there is no module {missing[0]}"
-            place = facts.declared.entries.line_in(connection.place, missing[0])
-            yield Finding(place, "arch-module", text)
+            yield _wrong(connection.place, missing[0], text, facts)
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
             text += f" through {', '.join(connection.through)}" if connection.through else ""
@@ -72,10 +63,10 @@ def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
                 continue
             if name not in connected:
                 text = f"no connection and no group contains {name}, a module of {element.name}"
-                yield _wrong(element, name, text, facts)
+                yield _wrong(element.place, name, text, facts)
             elif owner != element.name:
                 text = f"{name} is a module of {owner} and of {element.name}"
-                yield _wrong(element, name, text, facts)
+                yield _wrong(element.place, name, text, facts)
     for kind, end, owner in ENDS:
         yield from _ends(model, kind, end, owner, facts)
     sources = {each.source for each in model.connections if each.kind == PHYSICAL}
@@ -92,10 +83,9 @@ def _ends(model: Model, kind: str, end: str, owner: str, facts: Facts) -> Iterat
     ends = {getattr(each, end): each for each in model.connections if each.kind == kind}
     for name, connection in ends.items():
         if elements and name in model.modules and name not in modules:
-            place = facts.declared.entries.line_in(connection.place, name)
             text = f"{name} has a {kind} connection, but is not a module of a {owner}"
-            yield Finding(place, "arch-module", text)
+            yield _wrong(connection.place, name, text, facts)
 
 
-def _wrong(element: ArchitectureElement, name: str, text: str, facts: Facts) -> Finding:
-    return Finding(facts.declared.entries.line_in(element.place, name), "arch-module", text)
+def _wrong(entry: Place, name: str, text: str, facts: Facts) -> Finding:
+    return Finding(facts.line_in(entry, name), "arch-module", text)

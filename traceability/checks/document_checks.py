@@ -19,14 +19,8 @@ from traceability.sources import DESIGN, files_below
 READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "README.md")
 
 TEXT_CHECKS = (
-    missing_paths,
-    missing_options,
-    wrong_values,
-    literal_exit_codes,
-    missing_parts,
-    wrong_pins,
-    wrong_counts,
-    wrong_totals,
+    *(missing_paths, missing_options, wrong_values, literal_exit_codes),
+    *(missing_parts, wrong_pins, wrong_counts, wrong_totals),
 )
 
 
@@ -41,13 +35,9 @@ def check(_model: Model, facts: Facts) -> list[Finding]:
 
 
 def _unknown_tags(facts: Facts) -> list[Finding]:
+    fix = f"use one of: {', '.join(sorted(TAGS))}"
     return [
-        Finding(
-            tag.place,
-            "doc-warning",
-            f"there is no tag @{tag.name}",
-            f"use one of: {', '.join(sorted(TAGS))}",
-        )
+        Finding(tag.place, "doc-warning", f"there is no tag @{tag.name}", fix)
         for comment in facts.comments.below((*DESIGN, "tests", "requirements"))
         for tag in comment.tags
         if tag.name and tag.name not in TAGS

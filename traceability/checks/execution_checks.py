@@ -19,9 +19,9 @@ from traceability.model.execution import (
 )
 from traceability.reading.comments import comment_blanked
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import texts_below
 from traceability.schema import ExecutionContext, Finding, Place
-from traceability.sources import DESIGN as SOURCES
-from traceability.sources import SRC, files_below
+from traceability.sources import DESIGN, SRC
 
 MASKED = "interrupts masked"  # name of a protection in design/execution.toml
 WRITES_MASKED = "writes with interrupts masked"  # another such name
@@ -42,6 +42,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.contexts:
         return
     yield from _contexts(model, facts)
+    yield from _handlers(model, facts)
     yield from _pipes(model, facts)
     yield from _priorities(model, facts)
     yield from _ends(facts)
@@ -54,84 +55,77 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     yield from _unprotected(model, facts)
 
 
-def _contexts(model: Model, facts: Facts) -> list[Finding]:
-    declared, findings = _handlers(model, facts)
-    lines = handler_lines(facts)
-    for handler in sorted(set(lines) - set(declared)):
-        text = f"the handler {handler} of interrupt line {lines[handler][0]} belongs to no context"
-        findings.append(_declared(DECLARED, text))
-    for handler, context in declared.items():
-        if handler not in facts.bodies:
-            text = f"{context.id} names the handler {handler}, which does not exist"
-            findings.append(_declared(context.place, text))
-        elif handler not in lines and context.kind in (INTERRUPT, THREAD):
-            text = f"the vector table does not contain {handler}"
-            findings.append(_declared(context.place, text))
-    for context in model.contexts.values():
-        if context.kind == THREAD and context.body not in facts.bodies:
-            text = f"the thread {context.id} names the body {context.body}, which does not exist"
-            findings.append(_declared(context.place, text))
-        if context.kind == START and context.idle not in facts.robot.reached(
-            context.handlers, {}, facts.declared.ends
-        ):
-            text = f"{context.id} names the idle program '{context.idle}', but never calls it"
-            place = facts.declared.entries.line_in(context.place, "idle =")
-            findings.append(_declared(place, text))
-    return findings
-
-
-def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Returns the context of each handler, and findings about wrong contexts. A context is wrong if
-    its kind is unknown, if it is a thread without a body, if it has a body but is not a thread, or
-    if one of its handlers is listed twice or belongs to another context too."""
-    declared: dict[str, ExecutionContext] = {}
-    findings: list[Finding] = []
+def _contexts(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds contexts with a wrong kind, body or idle program."""
     for context in model.contexts.values():
         if context.kind not in KINDS:
-            text = (
-                f"{context.id} has the kind {context.kind}; the possible kinds are "
-                f"{', '.join(KINDS)}"
-            )
-            findings.append(_declared(context.place, text))
+            kinds = ", ".join(KINDS)
+            text = f"{context.id} has the kind {context.kind}; the possible kinds are {kinds}"
+            yield _declared(context.place, text)
         if (context.kind == THREAD) != bool(context.body):
-            body = "a body" if context.body else "no body"
+            body, key = ("a body", "body") if context.body else ("no body", "kind")
             text = f"{context.id} has the kind {context.kind}, but has {body}"
-            key = "body" if context.body else "kind"
-            place = facts.declared.entries.line_in(context.place, key)
-            findings.append(_declared(place, text))
+            yield _declared(facts.line_in(context.place, key), text)
+        if context.kind == THREAD and context.body not in facts.bodies:
+            text = f"the thread {context.id} names the body {context.body}, which does not exist"
+            yield _declared(context.place, text)
+        if context.kind == START and context.idle not in _reached(context.handlers, facts):
+            text = f"{context.id} names the idle program '{context.idle}', but never calls it"
+            yield _declared(facts.line_in(context.place, "idle ="), text)
+
+
+def _handlers(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds handlers that do not exist, and handlers with no context or with several contexts."""
+    declared: dict[str, ExecutionContext] = {}  # handler -> its context
+    lines = handler_lines(facts)
+    for context in model.contexts.values():
         if len(set(context.handlers)) != len(context.handlers):
             text = f"{context.id} names a handler more than once"
-            place = facts.declared.entries.line_in(context.place, "handlers")
-            findings.append(_declared(place, text))
+            yield _declared(facts.line_in(context.place, "handlers"), text)
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
             if other is not context:
                 for first, two in (context, other), (other, context):
                     text = f"{first.id} and {two.id} have the same handler {handler}"
-                    findings.append(_declared(first.place, text))
-    return declared, findings
+                    yield _declared(first.place, text)
+    for handler, context in declared.items():
+        if handler not in facts.bodies:
+            text = f"{context.id} names the handler {handler}, which does not exist"
+            yield _declared(context.place, text)
+        elif handler not in lines and context.kind in (INTERRUPT, THREAD):
+            yield _declared(context.place, f"the vector table does not contain {handler}")
+    for handler in lines.keys() - declared.keys():
+        text = f"the handler {handler} of interrupt line {lines[handler][0]} belongs to no context"
+        yield _declared(DECLARED, text)
+
+
+def _reached(functions: Iterable[str], facts: Facts) -> dict[str, str]:
+    """Returns all functions that the given functions may call, each with its first caller."""
+    return facts.robot.reached(functions, {}, facts.declared.ends)
+
+
+def _of_interrupts(model: Model, facts: Facts) -> Iterator[tuple[ExecutionContext, dict[str, str]]]:
+    """Yields each interrupt, with all functions that its handlers may call."""
+    for context in model.contexts.values():
+        if context.kind == INTERRUPT:
+            start = [*context.handlers, *_called_by_products(context.handlers, facts)]
+            yield context, _reached(start, facts)
 
 
 def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
     for pipe in model.pipes:
         if pipe.id not in facts.declared.pipes:
-            text = f"the pipe {pipe.id} has no name"
-            yield _declared(pipe.place, text)
-        writing = {context for contexts in pipe.writers.values() for context in contexts}
-        reading = {context for contexts in pipe.readers.values() for context in contexts}
-        for what, contexts in (("writes", writing), ("reads", reading)):
+            yield _declared(pipe.place, f"the pipe {pipe.id} has no name")
+        for verb, methods in (("writes", pipe.writers), ("reads", pipe.readers)):
+            contexts = sorted({context for names in methods.values() for context in names})
             if len(contexts) > 1:
-                text = (
-                    f"more than one context {what} the pipe {pipe.name}: "
-                    f"{', '.join(sorted(contexts))}"
-                )
+                text = f"more than one context {verb} the pipe {pipe.name}: {', '.join(contexts)}"
                 fix = "add a pipe for each writer and reader"
                 yield Finding(pipe.place, "exec-shared", text, fix)
     names = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():
         if name not in names:
-            text = f"the robot has no pipe {name}"
-            yield _declared(pipe_text.place, text)
+            yield _declared(pipe_text.place, f"the robot has no pipe {name}")
 
 
 def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -155,7 +149,7 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
                 # constant.
                 shared = name in right
                 place = _enabled_at(name, context, facts) if shared else _place_of(name, facts)
-                key = (name, context.id if name in right else "")
+                key = (name, context.id if shared else "")
                 findings[key] = _declared(place, f"{text}{context.place.file}")
     yield from findings.values()
 
@@ -179,8 +173,8 @@ def _enabled_at(constant: str, context: ExecutionContext, facts: Facts) -> Place
 def _place_of(constant: str, facts: Facts) -> Place:
     """Returns the first source line in which the name of a constant occurs."""
     file, _, name = constant.removeprefix("var ").partition(":")
-    lines = (facts.root / file).read_text(encoding="utf-8").splitlines()
-    return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))
+    lines = enumerate(facts.lines_of(file), 1)
+    return Place(file, next((number for number, line in lines if name in line), 1))
 
 
 def _ends(facts: Facts) -> Iterator[Finding]:
@@ -188,10 +182,8 @@ def _ends(facts: Facts) -> Iterator[Finding]:
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
     for name in facts.declared.ends:
         if name not in called:
-            yield _declared(
-                place,
-                f"design/execution.toml lists {name} in 'ends', but no code calls this method",
-            )
+            text = f"design/execution.toml lists {name} in 'ends', but no code calls this method"
+            yield _declared(place, text)
 
 
 def _declared(place: Place, text: str) -> Finding:
@@ -206,12 +198,8 @@ def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
         for method in module.methods
         if method.interrupt == "no"
     }
-    for context in model.contexts.values():
-        if context.kind != INTERRUPT:
-            continue
-        start = [*context.handlers, *_called_by_products(context.handlers, facts)]
-        reached = facts.robot.reached(start, {}, facts.declared.ends)
-        for name in sorted(set(reached) & set(forbidden)):
+    for context, reached in _of_interrupts(model, facts):
+        for name in sorted(reached.keys() & forbidden.keys()):
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, but the interrupt '{context.name}' calls it: {way}"
             yield Finding(forbidden[name].place, "exec-isr", text)
@@ -238,11 +226,7 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds floating-point numbers in code that an interrupt executes. They are a fault, because
     the processor then also saves the floating-point registers, and the interrupt takes longer."""
     findings: dict[Place, Finding] = {}
-    for context in model.contexts.values():
-        if context.kind != INTERRUPT:
-            continue
-        start = [*context.handlers, *_called_by_products(context.handlers, facts)]
-        reached = facts.robot.reached(start, {}, facts.declared.ends)
+    for context, reached in _of_interrupts(model, facts):
         for body in (body for name in reached for body in facts.bodies.get(name, [])):
             if body.floats:
                 place = Place(body.place.file, body.floats)
@@ -271,10 +255,8 @@ def _loops(facts: Facts) -> Iterator[Finding]:
 def _heap(facts: Facts) -> Iterator[Finding]:
     """Finds uses of the heap in the source files. The firmware image is not read, because it may be
     older than the source files."""
-    for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
-        file = str(path.relative_to(facts.root))
-        bare = comment_blanked(path.read_text(encoding="utf-8"))
-        for number, line in enumerate(bare.splitlines(), 1):
+    for file, code in texts_below(facts.root, DESIGN, (".cpp", ".hpp")):
+        for number, line in enumerate(comment_blanked(code).splitlines(), 1):
             if match := HEAP.search(line):
                 words = match[0] if match[0].startswith("#") else match[0].split()[0]
                 text = f"'{words.partition('(')[0]}' uses the heap"
@@ -284,11 +266,9 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 def _enabled(facts: Facts) -> Iterator[Finding]:
     """Finds interrupt lines that have a handler in the vector table but that no call enables."""
     for line, handler in silent_lines(facts).items():
-        yield _declared(
-            facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
-            f"the vector table has {handler} at interrupt line {line}, but no call enables "
-            "this line",
-        )
+        place = facts.bodies[handler][0].place if handler in facts.bodies else DECLARED
+        said = f"the vector table has {handler} at interrupt line {line}"
+        yield _declared(place, f"{said}, but no call enables this line")
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
@@ -314,8 +294,7 @@ def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
         if member.protection not in (MASKED, WRITES_MASKED):
             continue
         using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
-        handlers = [name for context in using for name in context.handlers]
-        reached = facts.robot.reached(handlers, {}, facts.declared.ends)
+        reached = _reached([name for context in using for name in context.handlers], facts)
         for body in facts.syntax.bodies:
             changed = body.touches.get(member.id)
             needs = changed is not None and (changed or member.protection == MASKED)
@@ -330,13 +309,11 @@ def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
 def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
     for member in model.shared:
         if not member.protection:
-            yield Finding(
-                member.place,
-                "exec-shared",
-                f"several contexts use {member.id}: it is changed by {' and '.join(member.writers)}"
-                + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
-                + ", and the design declares no protection",
-            )
+            text = f"several contexts use {member.id}: it is changed by "
+            text += " and ".join(member.writers)
+            text += f" and read by {' and '.join(member.readers)}" if member.readers else ""
+            text += ", and the design declares no protection"
+            yield Finding(member.place, "exec-shared", text)
     members = {member.id for member in model.shared}
     owners = {member.rpartition("::")[0] for member in members}
     for name, protection in facts.declared.protections.items():

@@ -82,12 +82,8 @@ def _outside(facts: Facts) -> Iterator[Finding]:
             )
             yield _finding(body.place, text)
     for fact in facts.syntax.classes:
-        if (
-            fact.place.file.endswith(".cpp")
-            and fact.kind in ("class", "struct")
-            and not fact.local
-            and "::" not in fact.name
-        ):
+        outer = fact.kind in ("class", "struct") and not fact.local and "::" not in fact.name
+        if outer and fact.place.file.endswith(".cpp"):
             yield _finding(fact.place, f"the class {fact.name} has no header")
 
 
@@ -97,9 +93,8 @@ def _loose(facts: Facts) -> Iterator[Finding]:
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)
         if module in facts.modules:
-            text = (
-                f"the variable {variable.name} is not a member, so all objects of {module} share it"
-            )
+            said = f"the variable {variable.name} is not a member"
+            text = f"{said}, so all objects of {module} share it"
             fix = "make it a member, or a constant"
             yield Finding(variable.place, "module-file", text, fix)
 

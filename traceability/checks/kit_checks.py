@@ -16,22 +16,16 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.patterns:
         return
     kits = facts.declared.kits
-    wrong = [
-        (kit.place, f"there is no application {name}")
-        for name, kit in kits.items()
-        if name not in model.changes
-    ]
+    for name, kit in kits.items():
+        if name not in model.changes:
+            yield Finding(kit.place, "change-kit", f"there is no application {name}")
     for name, change in model.changes.items():
         if change.made is None:
-            place = model.patterns[name].place
-            wrong.append(
-                (place, f"no folder of changes/ shows how to make the likely change of {name}")
-            )
+            text = f"no folder of changes/ shows how to make the likely change of {name}"
+            yield Finding(model.patterns[name].place, "change-kit", text)
         else:
-            problems = _change(model, facts, change, change.made, kits[name])
-            wrong += [(change.made.place, text) for text in problems]
-    for place, text in wrong:
-        yield Finding(place, "change-kit", text)
+            for text in _change(model, facts, change, change.made, kits[name]):
+                yield Finding(change.made.place, "change-kit", text)
 
 
 def _change(
@@ -44,10 +38,8 @@ def _change(
             yield f"there is no class {name}"
         elif not _plays(model, facts, change, kit, name):
             parts = " or ".join(change.derives or change.altered)
-            yield (
-                f"{name} has no role in {change.application}: "
-                f"it neither derives from {parts} nor uses {parts}"
-            )
+            role = f"{name} has no role in {change.application}"
+            yield f"{role}: it neither derives from {parts} nor uses {parts}"
     if not made.classes and not _touches(model, change, made):
         yield f"the folder of the change edits none of {', '.join(change.altered)}"
     targets = {test.target for test in made.tests}
@@ -62,7 +54,7 @@ def _change(
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
     """Returns whether a class in the folder has one of the roles that the recipe demands for the
     new class."""
-    above = set(_above(facts, kit, name))
+    above = _above(facts, kit, name)
     if change.derives:
         return not above.isdisjoint(change.derives)
     kin = {
@@ -82,12 +74,9 @@ def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> boo
     return made is not None and not files.isdisjoint(made.patched)
 
 
-def _above(facts: Facts, kit: Kit, name: str) -> Iterator[str]:
-    """Yields all direct and indirect base classes of a class. The class can be in the folder of
-    the change or in the design."""
-    bases = [kit.bases[name]] if kit.bases.get(name) else []
+def _above(facts: Facts, kit: Kit, name: str) -> set[str]:
+    """Returns all base classes of a class in the design or in the folder of the change."""
     if name in facts.classes:
-        bases = list(facts.classes[name].bases)
-    for base in bases:
-        yield base
-        yield from _above(facts, kit, base)
+        return facts.bases_of(name)
+    base = kit.bases.get(name)
+    return {base, *_above(facts, kit, base)} if base else set()

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 from contextlib import nullcontext, suppress
 from dataclasses import dataclass
+from itertools import chain
 from multiprocessing import get_context
 from pathlib import Path
 from urllib.parse import unquote
@@ -19,9 +20,9 @@ from urllib.parse import unquote
 from traceability.model.design_model import Model
 from traceability.reading.change_kits import PATCH
 from traceability.reading.products import LIST, listed
-from traceability.reading.source_lines import lines_below
+from traceability.reading.source_lines import lines_below, texts_below
 from traceability.schema import Finding, Place
-from traceability.sources import file_hash, files_below, text_of
+from traceability.sources import file_hash, text_of
 from traceability.whole_file import write_whole
 
 PAGES = ("README.md", "CONTRIBUTING.md", "changes", "docs", "ports")
@@ -157,12 +158,13 @@ def check(model: Model, site: Path) -> Iterator[Finding]:
     finding."""
     places = _sources(model)
     root = site.resolve()
-    texts = Texts(root.parent.parent)
+    project = root.parent.parent
+    templates = list(lines_below(project, ("site",), (".html",)))
     pages: dict[tuple[str, int, str], list[tuple[str, str]]] = {}
     for path, line, link, reason in dead_links(site):
         page = str(path.relative_to(root))
         target = re.sub(r"^(\.\./)+", "", link)
-        place = texts.place_of(target, page) or _place(path, line, root, places)
+        place = _written(project, templates, target, page) or _place(path, line, root, places)
         pages.setdefault((place.file, place.line, target), []).append((page, reason))
     for (file, line, target), links in pages.items():
         text = f"dead link '{target}' in {links[0][0]}{_others(links)}: {links[0][1]}"
@@ -196,38 +198,16 @@ def has_page(site: Path, name: str) -> bool:
     return not anchor or f'id="{anchor}"' in path.read_text(encoding="utf-8")
 
 
-class Texts:
-    """The source texts of the pages: the files of docs/ and the templates. Finds the source line of
-    a link."""
-
-    def __init__(self, root: Path) -> None:
-        self.root = root
-        self.lines: dict[str, list[str]] = {}
-
-    def place_of(self, target: str, page: str) -> Place | None:
-        """Returns the source line that contains the complete text of a link. Returns None if the
-        link is composed of several parts, because then no source text contains the whole link."""
-        own = Path("docs") / Path(page).with_suffix(".rst").name
-        written = re.compile(
-            rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
-        )
-        first = [str(own)] if (self.root / own).is_file() else []
-        for file in [*first, *self.templates]:
-            for number, line in enumerate(self.read(file), 1):
-                if written.search(line):
-                    return Place(file, number)
-        return None
-
-    @functools.cached_property
-    def templates(self) -> list[str]:
-        return [
-            str(p.relative_to(self.root)) for p in files_below(self.root, ("site",), (".html",))
-        ]
-
-    def read(self, file: str) -> list[str]:
-        if file not in self.lines:
-            self.lines[file] = (self.root / file).read_text(encoding="utf-8").splitlines()
-        return self.lines[file]
+def _written(
+    root: Path, templates: list[tuple[Place, str]], target: str, page: str
+) -> Place | None:
+    """Returns the line of a file of docs/ or of a template that contains the complete text of a
+    link. Returns None if the link is composed of several parts, because then no source text
+    contains the whole link."""
+    link = re.compile(rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]""")
+    own = Path("docs") / Path(page).with_suffix(".rst").name
+    lines = chain(lines_below(root, (str(own),), ()), templates)
+    return next((place for place, line in lines if link.search(line)), None)
 
 
 def missing_parts(root: Path) -> Iterator[Finding]:
@@ -235,19 +215,18 @@ def missing_parts(root: Path) -> Iterator[Finding]:
     the pages of docs/ and in the other hand-written pages."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
-    targets, keys, folders = _targets(root), _keys(root), _built(root)
+    parts = (
+        ("product '{}'", PRODUCT, products),
+        ("program '{}'", PROGRAM, _targets(root)),
+        ("build/{}", BUILT, _built(root)),
+        ("key '{}'", KEY, _keys(root)),
+        ("pin {} in use", PIN, pins),
+    )
     for place, line in lines_below(root, PAGES, (".md", ".rst")):
-        wrong = [f"product '{name}'" for name in PRODUCT.findall(line) if name not in products]
-        wrong += [f"program '{name}'" for name in PROGRAM.findall(line) if name not in targets]
-        wrong += [f"build/{name}" for name in BUILT.findall(line) if name not in folders]
-        wrong += [f"key '{key}'" for key in KEY.findall(line) if key not in keys]
-        wrong += [
-            f"pin {name} in use"
-            for name in PIN.findall(line)
-            if name not in pins | _pins_of_port(root, place.file)
-        ]
-        for name in wrong:
-            yield Finding(place, "link-doc", f"there is no {name}")
+        for part, pattern, names in parts:
+            for name in [name for name in pattern.findall(line) if name not in names]:
+                if names is not pins or name not in _pins_of_port(root, place.file):
+                    yield Finding(place, "link-doc", f"there is no {part.format(name)}")
 
 
 def _pins(root: Path) -> set[str]:
@@ -276,8 +255,8 @@ def _pins_of_port(root: Path, file: str) -> set[str]:
 
 def _keys(root: Path) -> set[str]:
     """Returns the keys of the keyboard to which the client reacts."""
-    files = files_below(root, ("client",), (".py",))
-    return set(re.findall(r'\bb"(\w)"', "".join(path.read_text("utf-8") for path in files)))
+    code = (text for _, text in texts_below(root, ("client",), (".py",)))
+    return set(re.findall(r'\bb"(\w)"', "".join(code)))
 
 
 def _built(root: Path) -> set[str]:
@@ -285,9 +264,8 @@ def _built(root: Path) -> set[str]:
     name."""
     presets = root / PRESETS
     listed = json.loads(presets.read_text("utf-8"))["configurePresets"] if presets.exists() else []
-    files = files_below(root, (*PROGRAMS, "traceability"), (".py",))
-    code = "".join(path.read_text(encoding="utf-8") for path in files)
-    named = re.findall(r"\bbuild(?:/|\"(?:, | / )\")(\w+)", code)
+    code = (text for _, text in texts_below(root, (*PROGRAMS, "traceability"), (".py",)))
+    named = re.findall(r"\bbuild(?:/|\"(?:, | / )\")(\w+)", "".join(code))
     return {preset["name"] for preset in listed}.union(named)
 
 
@@ -296,13 +274,11 @@ def _targets(root: Path) -> set[str]:
     folder of the preset. The functions of CMake whose names end with "image" add an image without a
     folder."""
     found = set()
-    for path in files_below(root, BUILDING, (".txt",)):
-        text = path.read_text(encoding="utf-8")
+    for file, text in texts_below(root, BUILDING, (".txt",)):
         values = dict(SET.findall(text))
         for kind, name in ADDED.findall(text):
             target = values.get(name, name)
-            folder = path.parent.relative_to(root)
-            found.add(str(folder / target) if kind == "executable" else target)
+            found.add(str(Path(file).parent / target) if kind == "executable" else target)
     return found
 
 

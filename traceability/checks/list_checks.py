@@ -10,6 +10,7 @@ from itertools import takewhile
 from pathlib import Path
 
 from traceability.reading.bench_record import FOLDER as BENCH
+from traceability.reading.source_lines import place_at, texts_below
 from traceability.schema import Finding, Place
 from traceability.sources import files_below, text_of
 
@@ -40,15 +41,15 @@ SENTENCE = re.compile(r"(?<=[.?]) ")
 
 def wrong_counts(root: Path) -> Iterator[Finding]:
     """Finds lists whose number of items differs from the number in the sentence before the list."""
-    for path in files_below(root, PAGES, (".md", ".rst")):
-        lines = path.read_text(encoding="utf-8").splitlines()
+    for file, text in texts_below(root, PAGES, (".md", ".rst")):
+        lines = text.splitlines()
         for number, line in enumerate(lines):
             if line.endswith(":"):
                 stated, items = _stated(lines[: number + 1]), _items(lines[number + 1 :])
                 if items and len(stated) == 1 and NUMBERS[stated[0]] != items:
-                    text = f"the text states {stated[0]} items, but the list has {items}"
-                    place = Place(str(path.relative_to(root)), number + 1)
-                    yield Finding(place, "doc-warning", text, "correct the number, or the list")
+                    said = f"the text states {stated[0]} items, but the list has {items}"
+                    fix = "correct the number, or the list"
+                    yield Finding(Place(file, number + 1), "doc-warning", said, fix)
 
 
 def wrong_totals(root: Path) -> Iterator[Finding]:
@@ -57,15 +58,13 @@ def wrong_totals(root: Path) -> Iterator[Finding]:
     patterns = {
         part: re.compile(rf"\b{TOTALS[part].replace('{}', NUMBER)}\b{SOME}") for part in totals
     }
-    for path in files_below(root, TEXTS, SUFFIXES) if totals else ():
-        text = re.sub(r"\s", " ", path.read_text(encoding="utf-8"))
+    for file, text in texts_below(root, TEXTS, SUFFIXES) if totals else ():
         for part, pattern in patterns.items():
-            for match in pattern.finditer(text):
+            for match in pattern.finditer(re.sub(r"\s", " ", text)):
                 stated = next(filter(None, match.groups())).lower()
                 if NUMBERS.get(stated, stated) not in (totals[part], str(totals[part])):
-                    line = path.read_text(encoding="utf-8").count("\n", 0, match.start()) + 1
                     said = f"the text states '{match[0]}', but there are {totals[part]}"
-                    place = Place(str(path.relative_to(root)), line)
+                    place = place_at(file, text, match.start())
                     yield Finding(place, "doc-warning", said, "correct the number")
 
 

@@ -14,6 +14,7 @@ from traceability.reading.ast_facts import BodyFact
 from traceability.reading.comments import Comment
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.products import listed
+from traceability.reading.reach import reached_from
 from traceability.reading.source_facts import Facts, is_constructor
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC, text_of
@@ -56,16 +57,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods:
             if method.access == "public":
                 findings += _specification(method)
-    for find in (
-        _folders,
-        _written,
-        _products,
-        _unused,
-        _unused_parts,
-        _assertions,
-        _behaviour,
-        _units,
-    ):
+    general = (_folders, _written, _products, _unused, _unused_parts)
+    for find in (*general, _assertions, _behaviour, _units):
         findings += find(model, facts)
     findings += _nested(facts)
     return [*findings, *_silent(facts, findings)]
@@ -81,11 +74,7 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
         user = facts.user(name.by, name.place)
         owner = user if user in model.modules else ""
         named.setdefault(owner, set()).add(name.target.split("::")[0])
-    used, work = set[str](), [""]
-    while work:
-        reached = named.get(work.pop(), set()) - used
-        used |= reached
-        work += reached
+    used = reached_from("", named)
     for module in model.modules.values():
         if not module.datatype and module.name not in used and named.get(""):
             text = (
@@ -156,15 +145,10 @@ def _products(model: Model, facts: Facts) -> Iterator[Finding]:
         if extends and module.name not in named:
             text = f"{file} does not list {module.name}"
             yield Finding(module.place, "module-used", text, "add the module to a part")
-    for name in sorted(named):
-        if name not in model.modules:
-            text = f"{file} lists {name}, which is not a module"
-            yield Finding(
-                facts.declared.entries.line_in(place, f'"{name}"'),
-                "module-used",
-                text,
-                "correct the name",
-            )
+    for name in sorted(named - model.modules.keys()):
+        text = f"{file} lists {name}, which is not a module"
+        line = facts.line_in(place, f'"{name}"')
+        yield Finding(line, "module-used", text, "correct the name")
 
 
 def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -178,24 +162,15 @@ def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
 def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
     folder = Path(module.header).parent
     if not (facts.root / folder / "module.dox").exists() or str(folder) in DESIGN:
-        yield Finding(
-            module.place,
-            "module-logic",
-            f"{module.name} is in {folder}, which is not the folder of a logic module",
-        )
+        text = f"{module.name} is in {folder}, which is not the folder of a logic module"
+        yield Finding(module.place, "module-logic", text)
     if Path(module.header).stem != module.name:
-        yield Finding(
-            module.place,
-            "module-name",
-            f"the module {module.name} is in {Path(module.header).name}",
-        )
+        text = f"the module {module.name} is in {Path(module.header).name}"
+        yield Finding(module.place, "module-name", text)
     names = facts.declared.names
     if names and not module.extension and module.name not in names.get(module.logic, []):
-        yield Finding(
-            module.place,
-            "module-count",
-            f"{module.name} is not a module of {module.logic} in design/modules.toml",
-        )
+        text = f"{module.name} is not a module of {module.logic} in design/modules.toml"
+        yield Finding(module.place, "module-count", text)
 
 
 def _written(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -212,16 +187,12 @@ def _written(model: Model, facts: Facts) -> Iterator[Finding]:
                 yield Finding(place, "module-count", text, fix)
     for module in model.modules.values():
         if module.datatype and module.name in names.get(module.logic, []):
-            yield Finding(
-                module.place,
-                "module-count",
-                f"{module.name} has a @datatype, but the design lists it as a module of "
-                f"{module.logic}",
-            )
+            logic = module.logic
+            text = f"{module.name} has a @datatype, but the design lists it as a module of {logic}"
+            yield Finding(module.place, "module-count", text)
     listed = [name for folder in names for name in names[folder]]
-    total = facts.declared.total
-    if total is not None and {len(listed), len(set(listed))} != {total}:
-        different = len(set(listed))
+    different, total = len(set(listed)), facts.declared.total
+    if total is not None and {len(listed), different} != {total}:
         text = (
             f"the design lists {len(listed)} modules with {different} different names, but the "
             f"paper has {total} modules"
@@ -256,24 +227,18 @@ def words_of(text: str) -> str:
 
 def _nested(facts: Facts) -> Iterator[Finding]:
     """Finds public nested classes of a module that have no @brief."""
-    nested = [
-        fact
-        for fact in facts.syntax.classes
-        if fact.access == "public" and fact.name.split("::")[0] in facts.modules
-    ]
-    for fact in nested:
-        if not facts.comment(fact).brief:
+    modules = facts.modules
+    for fact in facts.syntax.classes:
+        public = fact.access == "public" and fact.name.split("::")[0] in modules
+        if public and not facts.comment(fact).brief:
             yield Finding(fact.place, "module-spec", f"{fact.name} is public, but has no @brief")
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
     """Finds public declarations in headers that have no comment. Registers need no comment, because
     the manual of the microcontroller describes them."""
-    seen = {
-        (finding.place.file, finding.place.line)
-        for finding in findings
-        if finding.check == "module-spec"
-    }
+    spec = [finding.place for finding in findings if finding.check == "module-spec"]
+    seen = {(place.file, place.line) for place in spec}
     for declaration in facts.syntax.silent:
         place = declaration.place
         if (place.file, place.line) in seen or place.file == REGISTERS:
@@ -327,26 +292,17 @@ def _has_words(place: Place, facts: Facts) -> bool:
 
 def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> Iterator[Finding]:
     count = len([secret for secret in comment.all("secret") if says(secret)])
+    secret = words_of(module.secret)
     if count != 1:
-        yield Finding(
-            module.place,
-            "module-secret",
-            f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}",
-        )
-    elif words_of(module.secret) in (words_of(module.function), words_of(module.brief)):
-        yield Finding(
-            module.place,
-            "module-secret",
-            f"the secret of {module.name} repeats its public texts",
-        )
-    elif words_of(module.secret) in secrets:
-        yield Finding(
-            module.place,
-            "module-secret",
-            f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
-        )
+        wrong = f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}"
+    elif secret in (words_of(module.function), words_of(module.brief)):
+        wrong = f"the secret of {module.name} repeats its public texts"
+    elif secret in secrets:
+        wrong = f"{module.name} states the same secret as {secrets[secret]}"
     else:
-        secrets[words_of(module.secret)] = module.name
+        secrets[secret] = module.name
+        return
+    yield Finding(module.place, "module-secret", wrong)
 
 
 def _specification(method: Method) -> Iterator[Finding]:
@@ -410,6 +366,5 @@ def _folders(model: Model, facts: Facts) -> Iterator[Finding]:
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
                 missing = [f"@secret of its own, because {secrets[secret]} has the same"]
         for name in missing:
-            yield Finding(
-                logic.place, "module-folder", f"the logic module {logic.id} has no {name}"
-            )
+            text = f"the logic module {logic.id} has no {name}"
+            yield Finding(logic.place, "module-folder", text)

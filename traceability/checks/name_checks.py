@@ -20,9 +20,9 @@ from traceability.reading.ast_facts import BodyFact, MethodFact
 from traceability.reading.comments import code_of, comment_tokens
 from traceability.reading.constant_texts import ROLE, formula_text
 from traceability.reading.source_facts import Facts
-from traceability.reading.source_lines import lines_below
+from traceability.reading.source_lines import lines_below, place_at, texts_below
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, files_below, text_of
+from traceability.sources import DESIGN, text_of
 
 # Forms of names in comments. No English word has one of these forms: HallCount, Wheel::stop,
 # kPeriod.
@@ -100,13 +100,9 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     named = [*_in_comments(comments), *_pages(facts.root), *_design(facts.root)]
     for place, name in named:
         if not words.knows(name):
+            kind = CHECKS.get(Path(place.file).stem, "doc-name")
             text = f"the text names {name}, which the code does not have"
-            yield Finding(
-                place,
-                CHECKS.get(Path(place.file).stem, "doc-name"),
-                text,
-                "write the name that the code has now",
-            )
+            yield Finding(place, kind, text, "write the name that the code has now")
     yield from _functions(model, words, comments)
     yield from _constants(facts)
     yield from _tests(model, facts.root)
@@ -144,14 +140,12 @@ def _tests(model: Model, root: Path) -> Iterator[Finding]:
 
 def _derivations(facts: Facts) -> Iterator[Finding]:
     """Finds sentences in pages that state a wrong base class of a class."""
-    for path in files_below(facts.root, IN_PAGES, PAGES):
-        text = path.read_text(encoding="utf-8")
+    for file, text in texts_below(facts.root, IN_PAGES, PAGES):
         for match in DERIVES.finditer(text):
             name, base = match.groups()
             if {name, base} <= facts.classes.keys() and base not in facts.bases_of(name):
-                line = text.count("\n", 0, match.start()) + 1
                 said = f"the text states that {name} derives from {base}, but it does not"
-                place = Place(str(path.relative_to(facts.root)), line)
+                place = place_at(file, text, match.start())
                 yield Finding(place, "doc-name", said, "write the name of the base class")
 
 
@@ -183,24 +177,22 @@ def _of_report(code: str) -> tuple[dict[str, int], set[str]]:
     classes."""
     fields: dict[str, int] = {}
     members: set[str] = set()
-    for owner in ast.parse(code).body:
-        for node in (
-            owner.body if isinstance(owner, ast.ClassDef) and owner.name in OF_REPORT else ()
-        ):
-            if isinstance(node, ast.FunctionDef):
-                members.add(node.name)
-            elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
-                members.add(node.target.id)
-                if not ast.unparse(node.annotation).startswith("ClassVar"):
-                    fields[node.target.id] = node.lineno
+    classes = (node for node in ast.parse(code).body if isinstance(node, ast.ClassDef))
+    for node in (node for owner in classes if owner.name in OF_REPORT for node in owner.body):
+        if isinstance(node, ast.FunctionDef):
+            members.add(node.name)
+        elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            members.add(node.target.id)
+            if not ast.unparse(node.annotation).startswith("ClassVar"):
+                fields[node.target.id] = node.lineno
     return fields, members
 
 
 def _words(model: Model, facts: Facts) -> Words:
     code: set[str] = set()
-    for path in files_below(facts.root, (*DESIGN, "sim", "traceability/reading/products.py")):
-        if path.suffix in (".hpp", ".cpp", ".py"):
-            code.update(IDENTIFIER.findall(code_of(path.read_text(encoding="utf-8"))))
+    read = (*DESIGN, "sim", "traceability/reading/products.py")
+    for _, text in texts_below(facts.root, read, (".hpp", ".cpp", ".py")):
+        code.update(IDENTIFIER.findall(code_of(text)))
     code |= _fields(facts.root) | {constant.name for constant in facts.syntax.values}
     code |= {name.partition(".")[0] for name in model.constants}
     paper = {word for entry in model.paper for word in re.findall(r"[\w:]+", entry.name)}
@@ -210,8 +202,7 @@ def _words(model: Model, facts: Facts) -> Words:
 def _fields(root: Path) -> set[str]:
     """Returns the names of the fields and values of the frames. A field that exists for each wheel
     has a name for each wheel."""
-    text = text_of(root / FRAMES)
-    found = FIELD.findall(text)
+    found = FIELD.findall(text_of(root / FRAMES))
     return {name for name, _ in found} | {
         f"{name}{wheel}" for name, each in found if each for wheel in range(4)
     }
@@ -251,9 +242,8 @@ def _in_comments(comments: list[tuple[Place, str]]) -> Iterator[tuple[Place, str
 
 def _comments(facts: Facts) -> Iterator[tuple[Place, str]]:
     """Yields each line of the comments of the code."""
-    for path in files_below(facts.root, DESIGN, (".hpp", ".cpp")):
-        file = str(path.relative_to(facts.root))
-        for line, _, written in comment_tokens(path.read_text(encoding="utf-8")):
+    for file, code in texts_below(facts.root, DESIGN, (".hpp", ".cpp")):
+        for line, _, written in comment_tokens(code):
             for number, text in enumerate(written.split("\n"), line):
                 if not any(mark in text for mark in FOR_A_TOOL):
                     yield Place(file, number), text

@@ -130,37 +130,30 @@ def _numbers(text: str) -> dict[str, Quantity]:
 def _requirements(model: Model, facts: Facts) -> Iterator[Finding]:
     links = {entry.requirement: entry for entry in facts.declared.numbers}
     without = {
-        number: facts.declared.entries.line_in(entry.place, number)
+        number: facts.line_in(entry.place, number)
         for entry in facts.declared.numbers_without
         for number in entry.numbers
     }
+    stated = {item.id: _stated(item) for item in model.requirements.values()}
     for requirement in model.requirements.values() if links or without else []:
-        stated = _stated(requirement)
-        yield from _unlinked(requirement, stated, links.get(requirement.id), without)
+        # Numbers for which design/requirement_numbers.toml names neither a constant nor a reason.
+        linked = links[requirement.id].constants if requirement.id in links else {}
+        for number in stated[requirement.id].keys() - linked.keys():
+            if f"{requirement.id} {number}" not in without:
+                text = f"{requirement.id} states {number}, but no constant is linked with it"
+                yield Finding(requirement.place, "req-number", text)
     for entry in links.values():
-        stated_in = model.requirements.get(entry.requirement)
-        yield from _linked(entry, _stated(stated_in) if stated_in else {}, facts)
-    yield from _unneeded(model, without)
+        yield from _linked(entry, stated.get(entry.requirement, {}), facts)
+    needed = {f"{name} {number}" for name, numbers in stated.items() for number in numbers}
+    for number in without.keys() - needed:
+        text = f"no requirement states {number}"
+        yield Finding(without[number], "req-number", text, "remove the entry")
     yield from wrong_bounds(model)
     yield from wrong_limits(model, facts)
 
 
 def _stated(requirement: Requirement) -> dict[str, Quantity]:
     return bare_numbers(requirement.text) | stated_numbers(requirement.text)
-
-
-def _unlinked(
-    requirement: Requirement,
-    stated: dict[str, Quantity],
-    links: RequirementNumbers | None,
-    without: dict[str, Place],
-) -> Iterator[Finding]:
-    """Finds numbers in the texts of requirements for which design/requirement_numbers.toml names
-    neither a constant nor a reason why there is no constant."""
-    for number in stated.keys() - (links.constants.keys() if links else set()):
-        if f"{requirement.id} {number}" not in without:
-            text = f"{requirement.id} states {number}, but no constant is linked with it"
-            yield Finding(requirement.place, "req-number", text)
 
 
 def _linked(
@@ -170,7 +163,7 @@ def _linked(
     not exist, or with a constant or a formula that has another value."""
     known = {constant.name: constant for constant in facts.syntax.values}
     for number, name in entry.constants.items():
-        place = facts.declared.entries.line_in(entry.place, number)
+        place = facts.line_in(entry.place, number)
         constants = constants_named(name, facts.syntax.values)
         if number not in stated:
             text = f"{entry.requirement} does not state {number}"
@@ -187,18 +180,6 @@ def _linked(
             shown = f"{constants[0].number} {constants[0].unit}".strip()
             text = f"{name} is {shown}, but {entry.requirement} states {number}"
             yield Finding(constants[0].place, "req-number", text)
-
-
-def _unneeded(model: Model, without: dict[str, Place]) -> Iterator[Finding]:
-    needed = {
-        f"{requirement.id} {number}"
-        for requirement in model.requirements.values()
-        for number in _stated(requirement)
-    }
-    for number, place in without.items():
-        if number not in needed:
-            text = f"no requirement states {number}"
-            yield Finding(place, "req-number", text, "remove the entry")
 
 
 def wrong_bounds(model: Model) -> Iterator[Finding]:
@@ -230,7 +211,6 @@ def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
                 share and states(requirement.text, share, "%")
             ):
                 continue
-            entries = facts.declared.entries
-            place = entries.line_in(places[scenario["name"]], f'"{figure["title"]}"')
+            place = facts.line_in(places[scenario["name"]], f'"{figure["title"]}"')
             text = f"{requirement.id} does not state {figure['limit']} {figure['unit']}"
             yield Finding(place, "req-number", text, "correct the limit, or name its requirement")

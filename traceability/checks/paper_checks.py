@@ -7,19 +7,14 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from traceability.checks.link_checks import has_page
+from traceability.checks.registry import KNOWN
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, PaperElement
 
 # kinds of elements whose names in the code must equal the names in the paper
-EXACT = (
-    "module",
-    "method",
-    "state",
-    "application",
-)
+EXACT = ("module", "method", "state", "application")
 COUNT, CONSTANT = "figure-of-design", "constant"
-PAGES = ("view", "docs")  # kinds of link targets that are pages of the built site
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -47,7 +42,7 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
         if not statement.here and not statement.deviation:
             texts.append(("the statement has neither an answer nor a deviation", "says"))
         for text, word in texts:
-            line = facts.declared.entries.line_in(statement.place, word)
+            line = facts.line_in(statement.place, word)
             yield Finding(line, "paper-statement", text)
 
 
@@ -81,20 +76,14 @@ def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
         entries[key] = entry
     for key, place in concordance.lines.items():
         if key not in entries:
-            yield Finding(
-                place,
-                "paper-complete",
-                f"the {key[0]} {key[1]} of the paper has no entry in the concordance",
-            )
+            text = f"the {key[0]} {key[1]} of the paper has no entry in the concordance"
+            yield Finding(place, "paper-complete", text)
     for entry in model.paper:
         if not entry.here and not entry.deviation:
-            yield Finding(
-                entry.place,
-                "paper-complete",
-                f"the entry of the {entry.kind} {entry.name} names neither a counterpart nor a "
-                "deviation",
-                "name the counterpart in this project, or write a deviation with the reason",
-            )
+            said = f"the entry of the {entry.kind} {entry.name}"
+            text = f"{said} names neither a counterpart nor a deviation"
+            fix = "name the counterpart in this project, or write a deviation with the reason"
+            yield Finding(entry.place, "paper-complete", text, fix)
     yield from _arrows(model)
 
 
@@ -111,10 +100,9 @@ def _arrows(model: Model) -> Iterator[Finding]:
 def _stale(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]:
     for target in entry.here:
         if not exists(target, model, facts):
-            text = (
-                f"the paper's {entry.kind} {entry.name} is linked to {target}, which does not exist"
-            )
-            yield Finding(facts.declared.entries.line_in(entry.place, target), "paper-stale", text)
+            named = f"the paper's {entry.kind} {entry.name}"
+            text = f"{named} is linked to {target}, which does not exist"
+            yield Finding(facts.line_in(entry.place, target), "paper-stale", text)
 
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
@@ -126,11 +114,8 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
         return owner in model.modules and facts.method(owner, method) is not None
     if kind == "docs":
         return (facts.root / "docs" / f"{name}.rst").exists()
-    if kind == "check":
-        from traceability.checks.registry import KNOWN
-
-        return name in KNOWN
     names_of: dict[str, Collection[str]] = {
+        "check": KNOWN,
         "module": model.modules,
         "pattern": model.patterns,
         "change": model.patterns,
@@ -156,11 +141,8 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]
         )
         yield Finding(entry.place, "paper-alias", text, "remove the alias")
     elif not same and not entry.alias:
-        text = (
-            f"the paper's {entry.name} is named {' and '.join(entry.here)} here, but its entry has "
-            "no alias"
-        )
-        yield Finding(entry.place, "paper-alias", text)
+        named = f"the paper's {entry.name} is named {' and '.join(entry.here)} here"
+        yield Finding(entry.place, "paper-alias", f"{named}, but its entry has no alias")
     elif entry.alias and entry.kind == "module" and entry.name in facts.classes:
         text = f"the code has a class {entry.name}, but the entry states another name for it"
         yield Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")
@@ -169,25 +151,22 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]
 def _figure(entry: PaperElement, facts: Facts) -> Iterator[Finding]:
     """Compares the numbers in the paper with this project: the number of modules and applications,
     and the values of constants."""
-    said = re.search(r"\d+", entry.name if entry.kind == COUNT else entry.note)
-    if said is None or entry.kind not in (COUNT, CONSTANT):
-        return
     if entry.kind == COUNT:
+        key, text = "name", entry.name
         counts = {"module": facts.modules, "application": facts.declared.applications}
         true = {str(len(things)) for word, things in counts.items() if word in entry.name}
+    elif entry.kind == CONSTANT:
+        key, text = "note", entry.note
+        methods = [name.partition(":")[2] for name in entry.here if name.startswith("method:")]
+        true = {number for method in methods for number in _returned(method, facts)}
     else:
-        methods = [
-            target.partition(":")[2] for target in entry.here if target.startswith("method:")
-        ]
-        true = {figure for method in methods for figure in _returned(method, facts)}
-    if not true or said[0] in true:
         return
-    text = (
-        f"the paper has the number {said[0]} for {entry.name}, but this project has "
-        f"{' or '.join(sorted(true, key=int))}"
-    )
-    place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
-    yield Finding(place, "paper-stale", text, "correct the number, or the design")
+    said = re.search(r"\d+", text)
+    if said and true and said[0] not in true:
+        has = " or ".join(sorted(true, key=int))
+        text = f"the paper has the number {said[0]} for {entry.name}, but this project has {has}"
+        fix = "correct the number, or the design"
+        yield Finding(facts.line_in(entry.place, key), "paper-stale", text, fix)
 
 
 def _returned(method: str, facts: Facts) -> Iterator[str]:
@@ -220,7 +199,7 @@ def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
     for place, target, check, what in named:
         if target.startswith("view:") and not has_page(site, _page_of(target)):
             text = f"{what} is linked to {target}, which is not a page"
-            yield Finding(facts.declared.entries.line_in(place, target), check, text)
+            yield Finding(facts.line_in(place, target), check, text)
 
 
 def _page_of(target: str) -> str:

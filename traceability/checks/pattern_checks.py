@@ -3,6 +3,7 @@ code has the structure that the clauses of the pattern demand."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from traceability.checks.pattern_clauses import CLAUSES, Shape
@@ -50,33 +51,27 @@ def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Fi
 
 
 def _known(application: PatternApplication, facts: Facts) -> Iterator[Finding]:
-    declared = facts.declared.applications.get(application.id)
-    problems: list[tuple[str, str]] = []
-    if declared is None:
-        problems.append((f"there is no application {application.id}", "correct the id"))
-    elif declared.pattern != application.pattern:
-        problems.append(
-            (
-                f"{application.id} is an application of {declared.pattern}, not of "
-                f"{application.pattern}",
-                "correct the pattern",
-            )
-        )
-    module = application.module
-    if not any(b.module == module and b.role in DECLARING for b in application.roles):
-        text = f"{module} is not the abstract class of {application.id}"
-        problems.append((text, "write the tag @patternapp above the abstract class"))
-    if not application.title:
-        text = f"the application {application.id} has no title"
-        problems.append((text, "write the title as the third argument of the tag @patternapp"))
-    texts = {"@why": application.why, "@changes": application.changes}
-    problems += [
-        (f"the application {application.id} has no {tag}", f"write {tag} below @patternapp")
-        for tag, text in texts.items()
-        if not text
-    ]
-    for text, fix in problems:
+    for text, fix in _problems(application, facts):
         yield Finding(application.place, "pattern-known", text, fix)
+
+
+def _problems(item: PatternApplication, facts: Facts) -> Iterator[tuple[str, str]]:
+    """Yields the faults of the tag @patternapp. Each fault has a text and a fix."""
+    declared = facts.declared.applications.get(item.id)
+    if declared is None:
+        yield f"there is no application {item.id}", "correct the id"
+    elif declared.pattern != item.pattern:
+        text = f"{item.id} is an application of {declared.pattern}, not of {item.pattern}"
+        yield text, "correct the pattern"
+    if not any(b.module == item.module and b.role in DECLARING for b in item.roles):
+        text = f"{item.module} is not the abstract class of {item.id}"
+        yield text, "write the tag @patternapp above the abstract class"
+    if not item.title:
+        text = f"the application {item.id} has no title"
+        yield text, "write the title as the third argument of the tag @patternapp"
+    for tag, text in (("@why", item.why), ("@changes", item.changes)):
+        if not text:
+            yield f"the application {item.id} has no {tag}", f"write {tag} below @patternapp"
 
 
 def _declared_once(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -126,17 +121,12 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
         return f"{binding.application} has no role '{binding.role}'", f"use one of: {roles}"
     added = model.modules[binding.module].extension
     if binding.module not in declared.roles[binding.role] and not added:
-        return (
-            f"design/applications.toml does not assign {binding.module} to the role {binding.role} "
-            f"of "
-            f"{binding.application}",
-            "correct the role, or change design/applications.toml",
-        )
+        role = f"the role {binding.role} of {binding.application}"
+        text = f"design/applications.toml does not assign {binding.module} to {role}"
+        return text, "correct the role, or change design/applications.toml"
     if binding.application not in model.patterns:
-        return (
-            f"the application {binding.application} is not declared",
-            "declare the application with the tag @patternapp above its abstract class",
-        )
+        text = f"the application {binding.application} is not declared"
+        return text, "declare the application with the tag @patternapp above its abstract class"
     return None
 
 
@@ -154,53 +144,38 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
     clauses = facts.declared.clauses
     if not clauses:
         return
-    for name in CLAUSES:
-        if name not in clauses:
-            yield Finding(
-                Place("design/clauses.toml", 1),
-                "pattern-known",
-                f"the clause {name} is not declared, so its function is never used",
-                "write a clause with this id",
-            )
+    for name in CLAUSES.keys() - clauses.keys():
+        text = f"the clause {name} is not declared, so its function is never used"
+        place = Place("design/clauses.toml", 1)
+        yield Finding(place, "pattern-known", text, "write a clause with this id")
     for clause in clauses.values():
         for text, word, fix in _clause_problems(clause, facts):
-            yield Finding(
-                facts.declared.entries.line_in(clause.place, word), "pattern-known", text, fix
-            )
+            yield Finding(facts.line_in(clause.place, word), "pattern-known", text, fix)
 
 
-def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
-    """Returns the faults of a clause. Each fault has a text, the word of the entry to which the
+def _clause_problems(clause: ClauseText, facts: Facts) -> Iterator[tuple[str, str, str]]:
+    """Yields the faults of a clause. Each fault has a text, the word of the entry to which the
     finding points, and a fix."""
-    problems: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
-        problems.append((f"no function decides the clause {clause.id}", clause.id, fix))
+        yield f"no function decides the clause {clause.id}", clause.id, fix
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
         text = f"{clause.id} is not a clause of the pattern {clause.pattern}"
-        problems.append((text, clause.pattern, "correct the pattern"))
-        return problems
-    roles = next(
-        (pattern.roles for pattern in facts.declared.patterns if pattern.name == clause.pattern), []
-    )
-    return problems + [
-        (f"{role} is not a role of {clause.pattern}", role, "correct the role")
-        for role in clause.about
-        if role not in roles
-    ]
+        yield text, clause.pattern, "correct the pattern"
+        return
+    roles = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
+    for role in clause.about:
+        if role not in roles.get(clause.pattern, []):
+            yield f"{role} is not a role of {clause.pattern}", role, "correct the role"
 
 
 def _counts(facts: Facts) -> Iterator[Finding]:
     """Finds patterns whose number of applications differs from the number in the paper."""
+    patterns = Counter(item.pattern for item in facts.declared.applications.values())
     for pattern in facts.declared.patterns:
-        applications = [
-            i for i in facts.declared.applications.values() if i.pattern == pattern.name
-        ]
-        if len(applications) != pattern.applications:
-            text = (
-                f"the design has {len(applications)} applications of {pattern.name}, not "
-                f"{pattern.applications}"
-            )
+        count, expected = patterns[pattern.name], pattern.applications
+        if count != expected:
+            text = f"the design has {count} applications of {pattern.name}, not {expected}"
             yield Finding(pattern.place, "pattern-count", text)
 
 
@@ -209,46 +184,30 @@ def _required(facts: Facts) -> Iterator[Finding]:
     unknown, or the module of a role does not exist."""
     patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
     for item in facts.declared.applications.values():
-        roles = patterns.get(item.pattern, [])
-        if item.pattern not in patterns:
-            problems = [(f"there is no pattern {item.pattern} ({item.id})", "pattern")]
-        else:
-            problems = _roles_of(item, roles)
-        problems += [
-            (
-                f"there is no module {module}, to which the design assigns the role {role} in "
-                f"{item.id}",
-                module,
-            )
-            for role, modules in item.roles.items()
-            for module in modules
-            if module not in facts.classes
-        ]
-        for text, word in problems:
-            yield Finding(
-                facts.declared.entries.line_in(item.place, word), "pattern-role-required", text
-            )
+        for text, word in _wrong_roles(item, patterns, facts):
+            yield Finding(facts.line_in(item.place, word), "pattern-role-required", text)
 
 
-def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
-    """Returns the faults in the roles of a pattern application. Each fault has a text, and the word
+def _wrong_roles(
+    item: KnownApplication, patterns: dict[str, list[str]], facts: Facts
+) -> Iterator[tuple[str, str]]:
+    """Yields the faults in the roles of a pattern application. Each fault has a text, and the word
     of the entry to which the finding points."""
-    unbound = [
-        (f"{item.id} assigns no module to the role {role}", "roles")
-        for role in roles
-        if not item.roles.get(role)
-    ]
-    twice = [
-        (f"{item.id} assigns {module} to the role {role} twice", f'"{module}"')
-        for role, modules in item.roles.items()
-        for module in {name for name in modules if modules.count(name) > 1}
-    ]
-    unknown = [
-        (f"{role} is not a role of {item.pattern} ({item.id})", role)
-        for role in item.roles
-        if role not in roles
-    ]
-    return unbound + twice + unknown
+    if item.pattern not in patterns:
+        yield f"there is no pattern {item.pattern} ({item.id})", "pattern"
+    roles = patterns.get(item.pattern, list(item.roles))
+    for role in roles:
+        if not item.roles.get(role):
+            yield f"{item.id} assigns no module to the role {role}", "roles"
+    for role, modules in item.roles.items():
+        if role not in roles:
+            yield f"{role} is not a role of {item.pattern} ({item.id})", role
+        for module, count in Counter(modules).items():
+            if count > 1:
+                yield f"{item.id} assigns {module} to the role {role} twice", f'"{module}"'
+            if module not in facts.classes:
+                assigned = f"to which the design assigns the role {role} in {item.id}"
+                yield f"there is no module {module}, {assigned}", module
 
 
 def _missing_roles(
@@ -276,15 +235,12 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
                 body = binding.role == "Command" and "::" in subclass and not fact.local
                 if body or _has_subclass_role(subclass, binding, model, facts):
                     continue
-                findings.setdefault(
-                    subclass,
-                    Finding(
-                        fact.place,
-                        "pattern-subclass-unbound",
-                        f"{subclass} derives from {binding.module}, which is {binding.role} in "
-                        f"{application.id}, but has no role of a subclass",
-                    ),
+                text = (
+                    f"{subclass} derives from {binding.module}, which is {binding.role} in "
+                    f"{application.id}, but has no role of a subclass"
                 )
+                finding = Finding(fact.place, "pattern-subclass-unbound", text)
+                findings.setdefault(subclass, finding)
     yield from findings.values()
 
 

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from traceability.reading.ast_facts import ANY_CLASS, BodyFact, CallFact, FieldFact, MethodFact
+from traceability.reading.reach import reached_from
 from traceability.reading.source_facts import Facts
 from traceability.schema import PatternApplication, Place
 
@@ -37,7 +38,7 @@ class Shape:
         """Returns the place of the key `replaces` in design/applications.toml."""
         declared = self.facts.declared.applications.get(self.application.id)
         place = declared.place if declared else self.application.place
-        return self.facts.declared.entries.line_in(place, "replaces")
+        return self.facts.line_in(place, "replaces")
 
     def playing(self, role: str) -> list[str]:
         return [item.module for item in self.application.roles if item.role == role]
@@ -129,16 +130,8 @@ class Shape:
     def calls_from(self, method: str, module: str) -> set[str]:
         """Returns all methods that a method calls, directly or through other functions of the same
         class."""
-        own = {body.id: body for body in self.bodies(module)}
-        work, seen = [method], {method}
-        called: set[str] = set()
-        while work:
-            body = own.get(work.pop())
-            targets = {call.target for call in body.calls} if body else set()
-            called |= targets
-            work += [name for name in targets - seen if name in own]
-            seen |= targets
-        return called
+        own = {body.id: {call.target for call in body.calls} for body in self.bodies(module)}
+        return reached_from(method, own)
 
 
 def owner_of(method: str) -> str:
@@ -158,14 +151,11 @@ def abstract(role: str) -> Callable[[Shape], Broken]:
     return clause
 
 
-def only_base(role: str) -> Callable[[Shape], Broken]:
-    def clause(shape: Shape) -> Broken:
-        for module in shape.playing(role):
-            if not shape.facts.classes[module].only_base:
-                text = f"{module} is not abstract, and an object of it can be constructed"
-                yield shape.place(module), text
-
-    return clause
+def only_base(shape: Shape) -> Broken:
+    for module in shape.playing("Serializable"):
+        if not shape.facts.classes[module].only_base:
+            text = f"{module} is not abstract, and an object of it can be constructed"
+            yield shape.place(module), text
 
 
 def derived(role: str, base_role: str) -> Callable[[Shape], Broken]:
@@ -189,34 +179,37 @@ def held(role: str) -> Callable[[Shape], Broken]:
     return clause
 
 
-def unnamed(role: str, concrete: str) -> Callable[[Shape], Broken]:
+def unnamed(roles: tuple[str, ...], *concrete: str) -> Callable[[Shape], Broken]:
+    """Finds modules with one of the roles that name a module with one of the concrete roles."""
+
     def clause(shape: Shape) -> Broken:
-        for module in shape.playing(role):
-            for place, target in shape.named(module, shape.playing(concrete)):
-                yield place, f"{module} names {target}"
+        hidden = [module for role in concrete for module in shape.playing(role)]
+        for role in roles:
+            for module in shape.playing(role):
+                yield from named(shape, module, hidden)
 
     return clause
+
+
+def named(shape: Shape, module: str, hidden: list[str]) -> Broken:
+    for place, target in shape.named(module, hidden):
+        yield place, f"{module} names {target}"
 
 
 def state_unmarked(shape: Shape) -> Broken:
     """Finds a Context that uses an enumerator which only one of the states uses. With this
     enumerator, the Context could distinguish the states."""
     states = shape.playing("Concrete State")
-    named = [mark for state in states for mark in shape.marks(state)]
-    own = {mark: state for state in states for mark in shape.marks(state) if named.count(mark) == 1}
+    marks = [mark for state in states for mark in shape.marks(state)]
+    own = {mark: state for state in states for mark in shape.marks(state) if marks.count(mark) == 1}
     for context in shape.playing("Context"):
         for name in shape.facts.names_of.get(context, []):
             state = own.get((name.target, name.member))
             # True if another class in the same file uses the enumerator.
-            beside = owner_of(name.by) not in (
-                "",
-                context,
-            )
+            beside = owner_of(name.by) not in ("", context)
             if state and context not in states and not beside:
-                yield (
-                    name.place,
-                    f"{context} uses the enumerator of {state}: {name.target}::{name.member}",
-                )
+                mark = f"{name.target}::{name.member}"
+                yield name.place, f"{context} uses the enumerator of {state}: {mark}"
     yield from state_unasked(shape, {target for target, _ in own})
 
 
@@ -245,7 +238,7 @@ def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
             for field in shape.fields(body.owner)
             if field.refers and field.classes == bases
         ]
-        lines = (shape.facts.root / body.place.file).read_text(encoding="utf-8").splitlines()
+        lines = shape.facts.lines_of(body.place.file)
         for number in range(body.place.line, body.end + 1):
             if any(re.search(rf"&\s*{name}\.get\(\)", lines[number - 1]) for name in members):
                 text = f"{body.owner} takes the address of its present {bases[0]}"
@@ -307,7 +300,7 @@ def change_operation(
 
 
 def changed_outside(shape: Shape, allowed: set[str], operation: str, base: str) -> Broken:
-    unresolved = f"{ANY_CLASS}::{operation.rsplit('::', 1)[-1]}"
+    unresolved = f"{ANY_CLASS}::{last_of(operation)}"
     for body in shape.facts.syntax.bodies:
         for call in body.calls:
             if call.target in (operation, unresolved) and shape.user(body) not in allowed:
@@ -369,10 +362,8 @@ def decorator_forwards(shape: Shape) -> Broken:
         if not extending and module not in decorators:
             yield shape.place(module), f"{module} extends no operation"
     for name in sorted(set(shape.replaced) - replaced):
-        yield (
-            shape.declared_at,
-            f"no decorator replaces {name}, but the design lists it as replaced",
-        )
+        text = f"no decorator replaces {name}, but the design lists it as replaced"
+        yield shape.declared_at, text
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
@@ -414,16 +405,14 @@ def template_primitives(shape: Shape) -> Broken:
         for subclass in shape.playing("Concrete Class"):
             owners = {subclass, *shape.bases(subclass)} - {module}
             for primitive in sorted(called):
-                overriders = shape.facts.overriders.get(primitive, [])
-                if shape.derives(subclass, module) and not owners & {
-                    owner_of(m) for m in overriders
-                }:
+                overriders = {owner_of(m) for m in shape.facts.overriders.get(primitive, [])}
+                if shape.derives(subclass, module) and not owners & overriders:
                     yield shape.place(subclass), f"{subclass} does not override {primitive}"
 
 
 def template_overrides(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
-        names = {method.rsplit("::", 1)[-1] for method in template_methods(shape, module)}
+        names = {last_of(method) for method in template_methods(shape, module)}
         for subclass in shape.playing("Concrete Class"):
             for method in shape.methods(subclass):
                 if method.name in names:
@@ -447,8 +436,7 @@ def command_invoker(shape: Shape) -> Broken:
     hidden = shape.playing("Concrete Command") + shape.playing("Receiver")
     commands = shape.playing("Command")
     for module in dict.fromkeys([*commands, *shape.playing("Invoker")]):
-        for place, target in shape.named(module, hidden):
-            yield place, f"{module} names {target}"
+        yield from named(shape, module, hidden)
     for invoker in shape.playing("Invoker"):
         calls = [
             call
@@ -492,12 +480,9 @@ def command_receiver(shape: Shape) -> Broken:
 
 
 def makes(shape: Shape, module: str, product: str) -> bool:
-    return any(
-        product in field.classes and not field.refers for field in shape.fields(module)
-    ) or any(
-        name.how == "construct" and name.target == product
-        for name in shape.facts.names_of.get(module, [])
-    )
+    fields = (field for field in shape.fields(module) if not field.refers)
+    names = (n for n in shape.facts.names_of.get(module, []) if n.how == "construct")
+    return any(product in f.classes for f in fields) or any(n.target == product for n in names)
 
 
 def command_client(shape: Shape) -> Broken:
@@ -571,17 +556,14 @@ def builder_director(shape: Shape) -> Broken:
     concrete = shape.playing("Concrete Builder")
     built = {*products, *parts_of(shape, concrete)}
     for builder in builders:
-        for place, target in shape.named(builder, concrete):
-            yield place, f"{builder} names {target}"
+        yield from named(shape, builder, concrete)
     for director in shape.playing("Director"):
-        for place, target in shape.named(director, unknown_to(shape, director)):
-            yield place, f"{director} names {target}"
+        yield from named(shape, director, unknown_to(shape, director))
         if not any(owner_of(target) in builders for target, _ in shape.calls(director)):
             yield shape.place(director), f"{director} calls no {shape.any_with('Builder')}"
         for target, place in shape.calls(director):
             owner = owner_of(target)
-            constructor = target.rsplit("::", 1)[-1] == owner
-            if owner in built and not constructor:
+            if owner in built and last_of(target) != owner:
                 yield place, f"{director} calls {target}"
 
 
@@ -629,10 +611,8 @@ def singleton_constructor(shape: Shape) -> Broken:
     for module in shape.playing("Singleton"):
         constructors = [item for item in shape.methods(module) if item.kind == "constructor"]
         if not constructors:
-            yield (
-                shape.place(module),
-                f"{module} has no declared constructor, so the compiler adds a public constructor",
-            )
+            text = "has no declared constructor, so the compiler adds a public constructor"
+            yield shape.place(module), f"{module} {text}"
         for method in constructors:
             if method.access != "private":
                 yield method.place, f"a constructor of {module} is {method.access}"
@@ -679,20 +659,14 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-state-derives": derived("Concrete State", "State"),
     "pattern-state-held": held("State"),
     "pattern-state-called": called("State"),
-    "pattern-state-unnamed": together(unnamed("Context", "Concrete State"), state_unmarked),
-    "pattern-state-successor": together(
-        unnamed("State", "Concrete State"),
-        unnamed("Concrete State", "Concrete State"),
-    ),
+    "pattern-state-unnamed": together(unnamed(("Context",), "Concrete State"), state_unmarked),
+    "pattern-state-successor": unnamed(("State", "Concrete State"), "Concrete State"),
     "pattern-state-change": state_change,
     "pattern-strategy-abstract": abstract("Strategy"),
     "pattern-strategy-derives": derived("Concrete Strategy", "Strategy"),
     "pattern-strategy-held": held("Strategy"),
     "pattern-strategy-called": called("Strategy"),
-    "pattern-strategy-unnamed": together(
-        unnamed("Context", "Concrete Strategy"),
-        unnamed("Strategy", "Concrete Strategy"),
-    ),
+    "pattern-strategy-unnamed": unnamed(("Context", "Strategy"), "Concrete Strategy"),
     "pattern-decorator-component": together(
         abstract("Component"),
         derived("Decorator", "Component"),
@@ -700,20 +674,14 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
         derived("Concrete Decorator", "Decorator"),
     ),
     "pattern-decorator-holds": decorator_holds,
-    "pattern-decorator-unnamed": together(
-        *(
-            unnamed(role, concrete)
-            for role in ("Component", "Decorator", "Concrete Component", "Concrete Decorator")
-            for concrete in ("Concrete Component", "Concrete Decorator")
-        )
+    "pattern-decorator-unnamed": unnamed(
+        ("Component", "Decorator", "Concrete Component", "Concrete Decorator"),
+        *("Concrete Component", "Concrete Decorator"),
     ),
     "pattern-decorator-forwards": decorator_forwards,
     "pattern-template-nonvirtual": template_nonvirtual,
     "pattern-template-derives": derived("Concrete Class", "Abstract Class"),
-    "pattern-template-unnamed": together(
-        unnamed("Abstract Class", "Concrete Class"),
-        unnamed("Concrete Class", "Concrete Class"),
-    ),
+    "pattern-template-unnamed": unnamed(("Abstract Class", "Concrete Class"), "Concrete Class"),
     "pattern-template-primitives": template_primitives,
     "pattern-template-overrides": template_overrides,
     "pattern-command-single": together(abstract("Command"), command_single),
@@ -728,16 +696,13 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-singleton-one": singleton_one,
     "pattern-singleton-constructor": singleton_constructor,
     "pattern-singleton-copy": singleton_copy,
-    "pattern-serializer-abstractions": together(
-        *(
-            unnamed(role, concrete)
-            for role in ("Concrete Element", "Serializable", "Reader", "Writer")
-            for concrete in ("Concrete Reader", "Concrete Writer")
-        )
+    "pattern-serializer-abstractions": unnamed(
+        ("Concrete Element", "Serializable", "Reader", "Writer"),
+        *("Concrete Reader", "Concrete Writer"),
     ),
     "pattern-serializer-used": serializer_used,
     "pattern-serializer-derives": together(
-        only_base("Serializable"),
+        only_base,
         abstract("Reader"),
         abstract("Writer"),
         derived("Concrete Reader", "Reader"),

@@ -8,8 +8,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from traceability.schema import Finding, Place
-from traceability.sources import files_below, text_of
+from traceability.reading.source_lines import place_at, texts_below
+from traceability.schema import Finding
+from traceability.sources import text_of
 
 PINS = "src/k64/pins.hpp"
 PAGES = ("README.md", "docs", "design/questions.toml")
@@ -37,8 +38,7 @@ class _Pin:
 def wrong_pins(root: Path) -> Iterator[Finding]:
     """Finds pins for which a text names the connector or the signal of another pin."""
     pins = _pins(root)
-    for path in files_below(root, PAGES, (".md", ".rst", ".toml")) if pins else ():
-        text = path.read_text(encoding="utf-8")
+    for file, text in texts_below(root, PAGES, (".md", ".rst", ".toml")) if pins else ():
         label, end = "", 0
         for match in PIN.finditer(text):
             if not (end and NEXT.fullmatch(text[end : match.start()])):
@@ -50,9 +50,8 @@ def wrong_pins(root: Path) -> Iterator[Finding]:
             pin = pins.get(match[0])
             wrong = [words for words in (label, behind) if pin and _is_other(words, pin, pins)]
             for words in wrong:
-                place = Place(str(path.relative_to(root)), text.count("\n", 0, match.start()) + 1)
-                said = " ".join(words.split())
-                yield Finding(place, "link-doc", f"{match[0]} is not the pin of '{said}'")
+                said = f"{match[0]} is not the pin of '{' '.join(words.split())}'"
+                yield Finding(place_at(file, text, match.start()), "link-doc", said)
 
 
 def _pins(root: Path) -> dict[str, _Pin]:

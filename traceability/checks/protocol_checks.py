@@ -13,6 +13,7 @@ from cobs import cobs
 
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import text_of
 from weeding_robot_client.frames import crc16
@@ -93,25 +94,21 @@ def _examples(facts: Facts) -> Iterator[Finding]:
     with suppress(LayoutError):  # The build reports a wrong table.
         frames = read_frames(text_of(facts.root / FRAMES)).frames.values()
         layouts = {layout.kind: layout for layout in frames}
-    for number, line in enumerate(text_of(facts.root / EXAMPLES).splitlines(), 1):
+    for place, line in lines_below(facts.root, (EXAMPLES,), ()):
         parts = [part.strip() for part in line.split(";")]
         if line.startswith("#") or len(parts) != 5:
             continue
         body, crc, coded = (bytes.fromhex(part) for part in parts[2:])
-        wrong = [
-            *(["check sum"] if crc16(body).to_bytes(2, "big") != crc else []),
-            *(
-                ["bytes on the serial line"]
-                if cobs.encode(body + crc[::-1]) + b"\0" != coded
-                else []
-            ),
-        ]
-        if wrong:
+        right = {
+            "check sum": crc16(body).to_bytes(2, "big") == crc,
+            "bytes on the serial line": cobs.encode(body + crc[::-1]) + b"\0" == coded,
+        }
+        if wrong := [part for part, equal in right.items() if not equal]:
             text = f"wrong {' and '.join(wrong)} for the body of this example"
-            yield Finding(Place(EXAMPLES, number), "doc-example", text)
+            yield Finding(place, "doc-example", text)
         for stated in not_in_body(body, parts[0], layouts):
             text = f"the text states '{stated}', but the body of this example does not contain it"
-            yield Finding(Place(EXAMPLES, number), "doc-example", text, "correct the text")
+            yield Finding(place, "doc-example", text, "correct the text")
 
 
 def not_in_body(body: bytes, text: str, layouts: dict[int, Layout]) -> Iterator[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact
@@ -13,7 +14,7 @@ from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.reading.translation_units import is_board
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, text_of
+from traceability.sources import DESIGN
 
 REGISTERS = "src/k64/registers.hpp"  # the file with the table of all blocks
 REGISTER = "src/k64/Register.hpp"  # the only file that may convert a number to an address
@@ -21,6 +22,7 @@ CLASS = "Register"
 PERIPHERALS = 0x4000_0000  # the first address of the peripherals' registers
 CORE = 0xE000_0000  # the first address of the core's registers
 OWNERS = "design/register_owners.toml"
+CALL_OWNER = "call an operation of the owner"
 START_UP = "/start_up/"  # folders whose assembler instructions may access memory
 # an instruction that reads or writes memory
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')
@@ -56,11 +58,8 @@ def _undeclared(facts: Facts) -> Iterator[Finding]:
     owners = _owners(facts)
     for fact in facts.syntax.blocks:
         if fact.declares and fact.place.file == REGISTERS and fact.block not in owners:
-            yield _finding(
-                fact.place,
-                f"the block {fact.block} has no owner in {OWNERS}",
-                "declare the module that owns it",
-            )
+            text = f"the block {fact.block} has no owner in {OWNERS}"
+            yield _finding(fact.place, text, "declare the module that owns it")
 
 
 def _used(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -71,16 +70,11 @@ def _used(model: Model, facts: Facts) -> Iterator[Finding]:
         if block is None or fact.file != REGISTERS or fact.place.file == REGISTERS:
             continue
         if not any(fact.place.file in _files(owner, facts) for owner in block.owners):
-            names = [
-                m.name for m in model.modules.values() if fact.place.file in (m.header, m.source)
-            ]
-            user = names[0] if names else fact.place.file
-            findings[fact.place.file, fact.place.line, block.name] = _finding(
-                fact.place,
-                f"{user} names registers of {block.name}, which {' and '.join(block.owners)} own"
-                f"{'s' if len(block.owners) == 1 else ''}",
-                "call an operation of the owner",
-            )
+            file = fact.place.file
+            modules = (m.name for m in model.modules.values() if file in (m.header, m.source))
+            owners_own = f"{' and '.join(block.owners)} own{'s' * (len(block.owners) == 1)}"
+            text = f"{next(modules, file)} names registers of {block.name}, which {owners_own}"
+            findings[file, fact.place.line, block.name] = _finding(fact.place, text, CALL_OWNER)
     yield from findings.values()
 
 
@@ -89,11 +83,8 @@ def _past_the_table(facts: Facts) -> Iterator[Finding]:
     accesses a register by its address."""
     fix = f"add the register to {REGISTERS}, and access the register by the name from this table"
     for name in facts.syntax.names:
-        if (
-            name.target == "Register"
-            and name.how == "type"
-            and name.place.file not in (REGISTERS, REGISTER)
-        ):
+        outside = name.place.file not in (REGISTERS, REGISTER)
+        if name.target == CLASS and name.how == "type" and outside:
             yield _finding(name.place, "a register is defined outside the table of registers", fix)
     for place in facts.syntax.instructions:
         if not is_board(place.file):
@@ -114,8 +105,7 @@ def _past_the_table(facts: Facts) -> Iterator[Finding]:
 def _reaches(place: Place, facts: Facts) -> bool:
     """Returns whether an assembler instruction reads or writes memory. The start-up code may do
     this."""
-    lines = (facts.root / place.file).read_text(encoding="utf-8").splitlines()[place.line - 1 :]
-    words = "\n".join(lines).partition(";")[0]
+    words = "\n".join(facts.lines_of(place.file)[place.line - 1 :]).partition(";")[0]
     return START_UP not in place.file and MEMORY.search(words) is not None
 
 
@@ -123,31 +113,35 @@ def _twice(facts: Facts) -> Iterator[Finding]:
     """Finds register addresses that occur in two blocks. With such an address, the owner of one
     block could access a register of the other block."""
     first: dict[int, str] = {}
-    for number, block, address in _table(facts):
+    for place, block, address in _table(facts):
         if address is None:
             text = "the address of the register is not a number"
-            fix = "write the address from the manual"
-            yield _finding(Place(REGISTERS, number), text, fix)
+            yield _finding(place, text, "write the address from the manual")
             continue
         owner = first.setdefault(address, block)
         if owner != block:
             text = f"the address {address:#x} in the block {block} is already in the block {owner}"
-            fix = "keep it only in the block that the manual names"
-            yield _finding(Place(REGISTERS, number), text, fix)
+            yield _finding(place, text, "keep it only in the block that the manual names")
 
 
-def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
-    """Yields the source line, the block and the address of each register in the table. The address
-    is None if the table does not state it as a number."""
+def lines_of_blocks(root: Path) -> Iterator[tuple[Place, str, str]]:
+    """Yields the place, the block and the text of each line in the table of registers."""
     block = ""
-    for number, line in enumerate(text_of(facts.root / REGISTERS).splitlines(), 1):
+    for place, line in lines_below(root, (REGISTERS,), ()):
         opened = re.match(r"namespace (\w+)", line)
         block = opened[1] if opened else block
+        yield place, block, line
+
+
+def _table(facts: Facts) -> Iterator[tuple[Place, str, int | None]]:
+    """Yields the place, the block and the address of each register in the table. The address is
+    None if the table does not state it as a number."""
+    for place, block, line in lines_of_blocks(facts.root):
         address = re.search(r"\bRegister<[^>]*?\b(0x[\da-fA-F']+)\s*[,>]", line)
         if address is not None:
-            yield number, block, int(address[1].replace("'", ""), 16)
+            yield place, block, int(address[1].replace("'", ""), 16)
         elif re.search(r"\bRegister\s*<", line.split("//")[0]):
-            yield number, block, None
+            yield place, block, None
 
 
 def _outside(facts: Facts) -> Iterator[Finding]:
@@ -160,7 +154,7 @@ def _outside(facts: Facts) -> Iterator[Finding]:
     for fact in facts.syntax.offsets:
         if fact.offset >= PERIPHERALS:
             text = f"the number {fact.offset:#x} in this offset is an address of registers"
-            yield _finding(fact.place, text, "call an operation of the owner")
+            yield _finding(fact.place, text, CALL_OWNER)
             continue
         own = {block for block, registers in blocks.items() if fact.base in registers}
         reached = fact.base + fact.offset
@@ -169,7 +163,7 @@ def _outside(facts: Facts) -> Iterator[Finding]:
         } - own
         if others and not any(_lies_in(reached, blocks[block]) for block in own):
             text = f"an offset from {', '.join(sorted(own))} leads to {', '.join(sorted(others))}"
-            yield _finding(fact.place, text, "call an operation of the owner")
+            yield _finding(fact.place, text, CALL_OWNER)
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
@@ -188,22 +182,12 @@ def _page(address: int) -> int:
 
 def _borrowed(facts: Facts) -> Iterator[Finding]:
     """Finds blocks in the table of registers that name a register of another block."""
-    own: dict[int, str] = {}
-    lines = text_of(facts.root / REGISTERS).splitlines()
-    for number, line in enumerate(lines, 1):
-        opened = re.match(r"namespace (\w+)", line)
-        own[number] = opened[1] if opened else own.get(number - 1, "")
+    own = {place.line: block for place, block, _ in lines_of_blocks(facts.root)}
     for fact in facts.syntax.blocks:
-        if (
-            fact.place.file == REGISTERS
-            and fact.file == REGISTERS
-            and fact.block != own[fact.place.line]
-        ):
-            yield _finding(
-                fact.place,
-                f"the block {own[fact.place.line]} names a register of {fact.block}",
-                "let the owner of that block access it",
-            )
+        in_table = fact.place.file == fact.file == REGISTERS
+        if in_table and fact.block != own[fact.place.line]:
+            text = f"the block {own[fact.place.line]} names a register of {fact.block}"
+            yield _finding(fact.place, text, "let the owner of that block access it")
 
 
 def _given(facts: Facts) -> Iterator[Finding]:
@@ -222,18 +206,16 @@ def _given(facts: Facts) -> Iterator[Finding]:
             own = _module_of(body.place.file) == _module_of(flow.file)
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
-            text = (
-                f"{function} {'returns' if word == 'result' else 'receives'} a register, so two "
-                "modules can access this register"
-            )
+            verb = "returns" if word == "result" else "receives"
+            text = f"{function} {verb} a register, so two modules can access this register"
             fix = "let the owner read or write the register, and return the meaning of its value"
             findings[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
         for field in fact.fields:
             if field.access == "public" and CLASS in field.classes:
                 text = f"{fact.name}::{field.name} is a register that other modules can use"
-                fix = "make it private"
-                findings[field.place.file, field.place.line] = _finding(field.place, text, fix)
+                key = (field.place.file, field.place.line)
+                findings[key] = _finding(field.place, text, "make it private")
     yield from findings.values()
 
 
@@ -270,6 +252,5 @@ def _idle(block: Block, facts: Facts) -> Iterator[Finding]:
     users = {fact.place.file for fact in facts.syntax.blocks if fact.block == block.name}
     for owner in block.owners:
         if not users & _files(owner, facts):
-            yield _finding(
-                block.place, f"{owner} does not use the block {block.name}", "correct the owners"
-            )
+            text = f"{owner} does not use the block {block.name}"
+            yield _finding(block.place, text, "correct the owners")

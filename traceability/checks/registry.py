@@ -39,67 +39,39 @@ WHY = {
     "cannot read.",
     "doc": "The pages are generated from the comments of the code, the texts of design/ and the "
     "files of docs/. A mistake in such a text is also on the pages.",
-    "module": (
-        "A developer can find, understand and replace a small module that has a known place and a "
-        "specification. To do this, the developer need not read the other modules."
-    ),
-    "secret": (
-        "Each module hides a design decision, its secret. Only this module uses the names that "
-        "belong to the secret. If another module uses these names, a change of the decision also "
-        "changes that other module."
-    ),
-    "pattern": (
-        "A pattern makes changes easy only while the code has the structure of the pattern. Each "
-        "clause states a part of this structure."
-    ),
+    "module": "A developer can find, understand and replace a small module that has a known place "
+    "and a specification. To do this, the developer need not read the other modules.",
+    "secret": "Each module hides a design decision, its secret. Only this module uses the names "
+    "that belong to the secret. If another module uses these names, a change of the decision also "
+    "changes that other module.",
+    "pattern": "A pattern makes changes easy only while the code has the structure of the pattern. "
+    "Each clause states a part of this structure.",
     "change": "A developer who changes a value must find the other values that depend on it. An "
     "example of a likely change shows which files a developer must edit.",
-    "uses": (
-        "The allowed uses of a module show two facts: which modules must be reused together with "
-        "it, and which changes can break it."
-    ),
-    "board": (
-        "In the tests, the virtual K64 replaces the hardware. If the virtual K64 does not detect "
-        "a mistake, the mistake can reach the robot."
-    ),
-    "tree": (
-        "An invocation tree shows the calls by which the code fulfils a requirement. The code "
-        "must contain these calls, and a test must execute them."
-    ),
-    "fsm": (
-        "People read the declared state machine instead of the code of the states. Therefore, "
-        "the machine and the code must have the same transitions."
-    ),
-    "proof": (
-        "A test checks only some sequences of events. A proof checks all sequences that are "
-        "possible in the model."
-    ),
-    "exec": (
-        "Interrupts and threads of different priorities share data. A wrong access may cause a "
-        "fault only once in a thousand cycles, so that tests do not find it."
-    ),
-    "stack": (
-        "The threads and interrupts share one stack. The stack must be large enough for the "
-        "deepest calls. It is possible that no test makes these calls."
-    ),
-    "time": (
-        "A cycle that is too long disturbs the control. It is possible that no test contains the "
-        "longest cycle."
-    ),
+    "uses": "The allowed uses of a module show two facts: which modules must be reused together "
+    "with it, and which changes can break it.",
+    "board": "In the tests, the virtual K64 replaces the hardware. If the virtual K64 does not "
+    "detect a mistake, the mistake can reach the robot.",
+    "tree": "An invocation tree shows the calls by which the code fulfils a requirement. The code "
+    "must contain these calls, and a test must execute them.",
+    "fsm": "People read the declared state machine instead of the code of the states. Therefore, "
+    "the machine and the code must have the same transitions.",
+    "proof": "A test checks only some sequences of events. A proof checks all sequences that are "
+    "possible in the model.",
+    "exec": "Interrupts and threads of different priorities share data. A wrong access may cause a "
+    "fault only once in a thousand cycles, so that tests do not find it.",
+    "stack": "The threads and interrupts share one stack. The stack must be large enough for the "
+    "deepest calls. It is possible that no test makes these calls.",
+    "time": "A cycle that is too long disturbs the control. It is possible that no test contains "
+    "the longest cycle.",
     "req": "A requirement counts as fulfilled only if the code, the tests and the test results "
     "show that it is fulfilled.",
-    "suspect": (
-        "A verdict is valid only for the texts that were judged. The checks compare the present "
-        "texts with the baseline, and find the texts that have changed."
-    ),
-    "hazard": (
-        "The safety case leads from each hazard to tests that ran. If a link in this chain is "
-        "missing, the argument is invalid, and a reader may not notice the gap."
-    ),
-    "paper": (
-        "The paper describes the design that this project implements. The project uses the names "
-        "of the paper, or explains why a name is different."
-    ),
+    "suspect": "A verdict is valid only for the texts that were judged. The checks compare the "
+    "present texts with the baseline, and find the texts that have changed.",
+    "hazard": "The safety case leads from each hazard to tests that ran. If a link in this chain "
+    "is missing, the argument is invalid, and a reader may not notice the gap.",
+    "paper": "The paper describes the design that this project implements. The project uses the "
+    "names of the paper, or explains why a name is different.",
     "arch": "The architecture is the first picture that a newcomer sees. It must match the code.",
     "link": "A reader who follows a link must find the target.",
 }
@@ -146,14 +118,14 @@ _FIXED = [
         "a page states that a class derives from another class, this is true. Each constant and "
         "formula that a text of design/ inserts has a value. Each attribute of a report that a "
         "page names is an attribute of the client's classes, and the table of these attributes in "
-        "docs/client.rst is complete. Each module, name, attribute and keyword argument of the "
-        "client that a Python example on a page uses exists. A function that a comment of a module "
-        "names without a class, such as start(), is in the files of the module, or is a method of "
-        "a module that it uses. `paper-stale` checks the names in design/concordance.toml, and "
+        "docs/client.rst is complete. mypy finds no wrong name, parameter or type in the Python "
+        "examples on the pages. A function that a comment of a module names without a class, such "
+        "as start(), is in the files of the module, or is a method of a module that it uses. "
+        "`paper-stale` checks the names in design/concordance.toml, and "
         "`pattern-change` the names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
-        "does not find a name whose meaning has changed. In a Python example, it does not detect "
-        "the class of an object that a function returns.",
+        "does not find a name whose meaning has changed. In a Python example, it does not find "
+        "wrong names of packages other than the client.",
         "write the name that the code has now.",
     ),
     Check(
@@ -811,10 +783,9 @@ _FIXED = [
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
         "names of products that exist. A product is named if it contains all modules that satisfy "
         "the requirement. If it contains none of these modules, it is not named. The requirement "
-        "has one @method of verification: test, analysis, "
-        "measurement or inspection. If the method is test, the @verifies of a test names the "
-        "requirement. If the method is measurement or analysis, the requirement has @evidence, or "
-        "the @verifies of a test names it.",
+        "has one @method of verification: test, analysis, measurement or inspection. If the method "
+        "is test, the @verifies of a test names the requirement. If the method is measurement or "
+        "analysis, the requirement has @evidence, or the @verifies of a test names it.",
         "The check cannot judge whether the method suits the requirement. It does not find parts "
         "that are not verified although the requirement has no @partly.",
         "write the attribute, or correct its value.",
@@ -1014,12 +985,11 @@ _FIXED = [
         "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
         "without known exceptions accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
-        "the robot. It does not find a formula with the velocity of the robot if the goal "
-        "declares no velocity. It cannot judge whether the tests measure the right reaction. It "
-        "does not limit the time and the distance of a halt. It compares only the declared "
-        "reaction time, and not the times in the text that describes the reaction. If a goal has a "
-        "known exception, the check does not compare the times that the scenarios of this goal "
-        "accept.",
+        "the robot. It does not find a formula with the velocity of the robot if the goal declares "
+        "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
+        "limit the time and the distance of a halt. It compares only the declared reaction time, "
+        "and not the times in the text that describes the reaction. If a goal has a known "
+        "exception, the check does not compare the times that the scenarios of this goal accept.",
         "correct the time, the formula or the velocity, or shorten the reaction time of the "
         "firmware.",
     ),
@@ -1138,9 +1108,8 @@ _FIXED = [
         "The concordance names only parts that exist",
         "The entries of design/concordance.toml and the backticks in their texts name only "
         "existing modules, methods, applications, state machines, requirements, checks and pages. "
-        "A count of modules or of applications equals the number of entries in "
-        "design/modules.toml or design/applications.toml. The value of a constant equals the value "
-        "in the code.",
+        "A count of modules or of applications equals the number of entries in design/modules.toml "
+        "or design/applications.toml. The value of a constant equals the value in the code.",
         "The check cannot judge whether the named part is really the counterpart of the element "
         "in the paper. Only a reader can judge this.",
         "name the part that replaced the missing part.",

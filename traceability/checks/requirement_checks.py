@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import pairwise
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -22,6 +21,7 @@ from traceability.reading.gtest_cases import empty_loops, read_tests, unknown_ma
 from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import DIFFERENT, HAS, PRODUCTS
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import headings, texts_below
 from traceability.schema import (
     HOST,
     SOURCE_KINDS,
@@ -32,7 +32,7 @@ from traceability.schema import (
     Requirement,
     Suspicion,
 )
-from traceability.sources import files_below, text_of
+from traceability.sources import text_of
 
 TAGGED = ("src", "extensions", "tests")
 TEST_BUILD = "tests/CMakeLists.txt"
@@ -50,31 +50,14 @@ _LINKS = {
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
-    parts = (
-        _texts,
-        _tags,
-        _requirements,
-        _stale,
-        _results,
-        _without,
-        _unneeded,
-        _lines,
-        _suspects,
-        _reviews,
-    )
-    for part in parts:
-        yield from part(model)
-    yield from _unknown(model, facts)
-    yield from _tagged(model, facts)
+    of_model = (_texts, _attributes, _tags, _requirements, _stale, _results, _without, _unneeded)
+    for find in (*of_model, _lines, _suspects, _reviews):
+        yield from find(model)
+    of_facts = (_unknown, _tagged, _switched_off, _sources, _uncalled, _equivalents, _unbuilt)
+    for find_in in (*of_facts, _old_image):
+        yield from find_in(model, facts)
     yield from _twice(facts)
     yield from _macros(facts)
-    yield from _switched_off(model, facts)
-    yield from _attributes(model, facts)
-    yield from _sources(model, facts)
-    yield from _uncalled(model, facts)
-    yield from _equivalents(model, facts)
-    yield from _unbuilt(model, facts)
-    yield from _old_image(model, facts)
 
 
 def _texts(model: Model) -> Iterator[Finding]:
@@ -92,7 +75,7 @@ def _texts(model: Model) -> Iterator[Finding]:
                 yield Finding(requirement.place, "req-text", f"{requirement.id} has no {part}")
 
 
-def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _attributes(model: Model) -> Iterator[Finding]:
     """Finds requirements whose level, product or method of verification has a wrong value."""
     for requirement in model.requirements.values():
         wrong = []
@@ -155,10 +138,7 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
         for source in requirement.sources:
             if not source.kind:
                 text = f"the source of {requirement.id} has no kind: {source.name}"
-                fix = (
-                    "begin the source with one of: "
-                    f"{', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
-                )
+                fix = f"begin the source with one of: {':, '.join(SOURCE_KINDS)}:"
             elif source.kind in names and source.name not in names[source.kind]:
                 named = f"{source.kind}: {source.name}"
                 text = f"{requirement.id} has the source {named}, which does not exist"
@@ -171,31 +151,16 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(requirement.place, "req-source", text, fix)
 
 
-def headings(page: Path) -> list[str]:
-    """Returns the headings of a hand-written page."""
-    lines = text_of(page).splitlines()
-    return [
-        above.strip()
-        for above, line in pairwise(lines)
-        if above.strip() and re.fullmatch(r"[=\-~]{3,}", line)
-    ]
-
-
-def _without(model: Model) -> list[Finding]:
+def _without(model: Model) -> Iterator[Finding]:
     """Finds methods and tests that serve no requirement and have no entry in
     design/justified.toml."""
     justified = {name for item in model.justified for name in item.covers}
-    methods = [
-        Finding(method.place, "req-method", f"{method.id} serves no requirement")
-        for _, method in methods_without(model)
-        if method.id not in justified
-    ]
-    tests = [
-        Finding(test.place, "req-test", f"{test.id} verifies no requirement")
-        for test in tests_without(model)
-        if test.id not in justified
-    ]
-    return methods + tests
+    for _, method in methods_without(model):
+        if method.id not in justified:
+            yield Finding(method.place, "req-method", f"{method.id} serves no requirement")
+    for test in tests_without(model):
+        if test.id not in justified:
+            yield Finding(test.place, "req-test", f"{test.id} verifies no requirement")
 
 
 def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -223,9 +188,8 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     for entry in entries:
         for name in entry.names:
             if name not in spare:
-                yield Finding(
-                    entry.place, "req-justified", f"{name} is not a public method without a caller"
-                )
+                text = f"{name} is not a public method without a caller"
+                yield Finding(entry.place, "req-justified", text)
 
 
 def _unneeded(model: Model) -> Iterator[Finding]:
@@ -249,22 +213,19 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
         if mutant.why
     }
     for entry in facts.declared.equivalents:
-        held = bodies.get((entry.file, entry.method), [])
-        if not any(entry.line in _lines_of(facts.root, body) for body in held):
+        lines = [
+            line.strip()
+            for body in bodies.get((entry.file, entry.method), [])
+            for line in facts.lines_of(entry.file)[body.place.line - 1 : body.end]
+        ]
+        if entry.line not in lines:
             text = f"{entry.method} in {entry.file} does not contain the line: {entry.line}"
             yield Finding(entry.place, "req-justified", text)
         for change in entry.changes if whole else []:
             if (entry.file, entry.method, change) not in missed:
-                text = (
-                    f"a test finds this change of {entry.method}, or no mutant makes the change: "
-                    f"{change}"
-                )
+                found = f"a test finds this change of {entry.method}"
+                text = f"{found}, or no mutant makes the change: {change}"
                 yield Finding(entry.place, "req-justified", text)
-
-
-def _lines_of(root: Path, body: BodyFact) -> list[str]:
-    lines = (root / body.place.file).read_text(encoding="utf-8").splitlines()
-    return [line.strip() for line in lines[body.place.line - 1 : body.end]]
 
 
 def _spare(item: Justified) -> Sequence[str]:
@@ -278,14 +239,11 @@ def _spare(item: Justified) -> Sequence[str]:
 def _stale(model: Model) -> Iterator[Finding]:
     for binding, made_from in model.results_hashes.items():
         if model.stale_on(binding):
-            text = (
-                f"there are no test results of the {binding}"
-                if made_from is None
-                else f"the test results of the {binding} are older than the sources"
-            )
-            yield Finding(
-                _first_place(model, partial(_is_tested_on, model, binding)), "req-stale", text
-            )
+            text = f"the test results of the {binding} are older than the sources"
+            if made_from is None:
+                text = f"there are no test results of the {binding}"
+            place = _first_place(model, partial(_is_tested_on, model, binding))
+            yield Finding(place, "req-stale", text)
 
 
 def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
@@ -313,9 +271,8 @@ def _old_image(model: Model, facts: Facts) -> list[Finding]:
 def _requirements(model: Model) -> Iterator[Finding]:
     for requirement in model.requirements.values():
         if requirement.by_calls and not requirement.satisfied_by:
-            yield Finding(
-                requirement.place, "req-satisfied", f"no method satisfies {requirement.id}"
-            )
+            text = f"no method satisfies {requirement.id}"
+            yield Finding(requirement.place, "req-satisfied", text)
         if not requirement.evidence and not requirement.verified_by:
             yield Finding(requirement.place, "req-verified", f"no test verifies {requirement.id}")
 
@@ -353,14 +310,12 @@ def _results(model: Model) -> Iterator[Finding]:
     words = {"failed": "failed", "skipped": "was skipped", None: "did not run"}
     for test in model.tests.values():
         for binding, result in test.results.items():
-            if (
-                result.result != "passed"
-                and (test.verifies or result.result is None)
-                and not result.stale
-            ):
-                text = f"{test.id} {words[result.result]} on the {binding}" + (
-                    f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""
-                )
+            if result.result == "passed" or result.stale:
+                continue
+            text = f"{test.id} {words[result.result]} on the {binding}"
+            if test.verifies:
+                text += f", but it verifies {', '.join(test.verifies)}"
+            if test.verifies or result.result is None:
                 yield Finding(test.place, "req-passed", text)
 
 
@@ -373,12 +328,8 @@ def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
         folders.setdefault(str(Path(test.place.file).parent), Place(test.place.file, 1))
     for folder, place in folders.items():
         if words and not _built(Path(folder), words):
-            yield Finding(
-                place,
-                "req-passed",
-                f"{TEST_BUILD} has no program with the tests of {folder}",
-                "name the folder there",
-            )
+            text = f"{TEST_BUILD} has no program with the tests of {folder}"
+            yield Finding(place, "req-passed", text, "name the folder there")
 
 
 def _built(folder: Path, words: set[str]) -> bool:
@@ -394,7 +345,7 @@ def _unknown(model: Model, facts: Facts) -> Iterator[Finding]:
             tagged += [(transition.place, name) for name in transition.requirements]
     for scenario in model.closed_loop:
         names = [figure.requirement for figure in scenario.figures if figure.requirement]
-        tagged += [(facts.declared.entries.line_in(scenario.place, name), name) for name in names]
+        tagged += [(facts.line_in(scenario.place, name), name) for name in names]
     for place, name in tagged:
         if name not in model.requirements:
             yield Finding(place, "req-unknown", f"there is no requirement {name}")
@@ -411,9 +362,8 @@ def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
                     yield Finding(tag.place, "req-unknown", text)
                 if tag.text:
                     text = f"this @{tag.name} names more than one requirement"
-                    yield Finding(
-                        tag.place, "req-unknown", text, "write a tag for each requirement"
-                    )
+                    fix = "write a tag for each requirement"
+                    yield Finding(tag.place, "req-unknown", text, fix)
 
 
 def _twice(facts: Facts) -> Iterator[Finding]:
@@ -432,15 +382,10 @@ def _tags(model: Model) -> Iterator[Finding]:
     @verifies for this requirement."""
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
-        if match is None:
-            continue
-        name = f"{match[1]}-{match[2]}"
-        if name not in test.verifies:
-            yield Finding(
-                test.place,
-                "req-name",
-                f"{test.id} is named after {name} but does not verify it",
-            )
+        name = f"{match[1]}-{match[2]}" if match else ""
+        if name and name not in test.verifies:
+            text = f"{test.id} is named after {name} but does not verify it"
+            yield Finding(test.place, "req-name", text)
 
 
 def _lines(model: Model) -> Iterator[Finding]:
@@ -450,15 +395,9 @@ def _lines(model: Model) -> Iterator[Finding]:
         return
     for gap in model.line_gaps:
         if not gap.reason:
-            text = (
-                f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
-                f"{_listed(gap.lines)} of {gap.method}"
-            )
-            yield Finding(gap.place, "req-line", text)
-
-
-def _listed(lines: Sequence[int]) -> str:
-    return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
+            lines = f"line{'s' if len(gap.lines) > 1 else ''} {', '.join(map(str, gap.lines))}"
+            tests = f"no test of {', '.join(gap.requirements) or 'any requirement'}"
+            yield Finding(gap.place, "req-line", f"{tests} executes {lines} of {gap.method}")
 
 
 def _suspects(model: Model) -> Iterator[Finding]:
@@ -469,23 +408,21 @@ def _suspects(model: Model) -> Iterator[Finding]:
         for suspicion in requirement.suspicions:
             asking.setdefault(suspicion, []).append(requirement.id)
     for suspicion, ids in asking.items():
-        text = (
-            f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
-            f"{suspicion.text}"
-        )
-        yield Finding(
-            suspicion.place,
-            f"suspect-{_LINKS[suspicion.kind]}",
-            text,
+        fix = (
             f"check the text, or let a person review it with ./wr review {ids[0]}; then record the "
-            f"present text: ./wr review --baseline {' '.join(ids)}",
+            f"present text: ./wr review --baseline {' '.join(ids)}"
         )
+        text = f"{', '.join(ids)}: {_changed(suspicion)}"
+        yield Finding(suspicion.place, f"suspect-{_LINKS[suspicion.kind]}", text, fix)
     for suspicion in model.suspicions:
-        text = f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
-        yield Finding(suspicion.place, "suspect-design", text)
+        yield Finding(suspicion.place, "suspect-design", _changed(suspicion))
     for name in model.reviews_of_nothing:
         text = f"{name} has a baseline or a review, but does not exist"
         yield Finding(Place(str(BASELINE), 1), "suspect-requirement", text, "remove its entry")
+
+
+def _changed(suspicion: Suspicion) -> str:
+    return f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
 
 
 def _reviews(model: Model) -> Iterator[Finding]:
@@ -502,8 +439,7 @@ def _reviews(model: Model) -> Iterator[Finding]:
 def _macros(facts: Facts) -> Iterator[Finding]:
     """Finds test macros that gtest_cases.py cannot read. The tests that they define would be
     missing in the model. Also finds loops that never run."""
-    for path in files_below(facts.root, ["tests"], (".cpp", ".hpp")):
-        file, code = str(path.relative_to(facts.root)), path.read_text(encoding="utf-8")
+    for file, code in texts_below(facts.root, ["tests"], (".cpp", ".hpp")):
         for line, head in empty_loops(code):
             text = f"the loop '{head}' never runs, or counts away from its limit"
             fix = "correct the limits of the loop, or remove it"

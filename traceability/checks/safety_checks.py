@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from traceability.model.design_model import Model
 from traceability.model.safety_case import scenario_state, scenarios_of
@@ -23,22 +23,12 @@ PRIORITIES = ("low", "medium", "high")
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
-    parts = (
-        _names,
-        _hazards,
-        _goals,
-        _times,
-        _velocities,
-        _bounds,
-        _requirements,
-        _scenarios,
-        _assumptions,
-        _priorities,
-    )
     if not model.safety.goals and not model.safety.hazards:
         return
-    for part in parts:
-        yield from part(model, facts)
+    for find in (_names, _hazards, _goals, _times, _velocities, _assumptions):
+        yield from find(model, facts)
+    for find_in in (_bounds, _requirements, _scenarios, _priorities):
+        yield from find_in(model)
 
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -50,33 +40,23 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
         for item in items.values():
             if not re.fullmatch(rf"{prefix}-\d+", item.id):
                 text = f"{item.id} is not an id of a {ID[prefix]}"
-                yield Finding(
-                    _at(facts, item), "hazard-name", text, f"write {prefix}- and a number"
-                )
+                fix = f"write {prefix}- and a number"
+                yield Finding(_at(facts, item), "hazard-name", text, fix)
+    named: list[tuple[Hazard | SafetyGoal, Sequence[str], Collection[str]]] = []
     for hazard in case.hazards.values():
-        for name, declared in (
-            *((name, name in case.goals) for name in hazard.goals),
-            *((name, name in case.assumptions) for name in hazard.assumptions),
-        ):
-            if not declared:
-                yield _unknown(facts, hazard, name)
-        for name in hazard.scenarios:
-            if name not in case.scenarios:
-                yield _unknown(facts, hazard, name)
-    for goal in case.goals.values():
-        for name in goal.safe_states:
-            if name not in case.safe_states:
-                yield _unknown(facts, goal, name)
+        named += [(hazard, hazard.goals, case.goals), (hazard, hazard.scenarios, case.scenarios)]
+        named.append((hazard, hazard.assumptions, case.assumptions))
+    named += [(goal, goal.safe_states, case.safe_states) for goal in case.goals.values()]
+    for owner, names, declared in named:
+        for name in names:
+            if name not in declared:
+                text = f"{owner.id} names {name}, which is not declared"
+                yield Finding(facts.line_in(owner.place, name), "hazard-name", text)
 
 
 def _at(facts: Facts, item: Assumption | Hazard | SafetyGoal) -> Place:
     """Returns the line with the id of an entry."""
-    return facts.declared.entries.line_in(item.place, item.id)
-
-
-def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
-    place = facts.declared.entries.line_in(item.place, name)
-    return Finding(place, "hazard-name", f"{item.id} names {name}, which is not declared")
+    return facts.line_in(item.place, item.id)
 
 
 def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -99,10 +79,7 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
     for goal in model.safety.goals.values():
         parts = {
             "hazard": (goal.hazards, "name it in the goals of a hazard, or remove it"),
-            "requirement": (
-                goal.requirements,
-                f"write @goal {goal.id} below a requirement",
-            ),
+            "requirement": (goal.requirements, f"write @goal {goal.id} below a requirement"),
             "safe state": (goal.safe_states, "name a safe state that is declared"),
         }
         for part, (there, fix) in parts.items():
@@ -119,20 +96,16 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
             yield Finding(_at(facts, goal), "hazard-time", text)
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
-            text = (
-                f"the time of {goal.id} is {goal.time:g} s, but its formula gives "
-                f"{goal.computed:.3g} s"
-            )
+            time, computed = f"{goal.time:g} s", f"{goal.computed:.3g} s"
+            text = f"the time of {goal.id} is {time}, but its formula gives {computed}"
             yield Finding(_at(facts, goal), "hazard-time", text)
         parts = value_of(goal.parts, model.constants) if goal.parts else 1000 * goal.reaction
         if parts is None:
             text = f"the parts of the reaction of {goal.id} have no value: {goal.parts}"
             yield Finding(_at(facts, goal), "hazard-time", text)
         elif not 0.999 * parts <= 1000 * goal.reaction <= 1.1 * parts:
-            text = (
-                f"the reaction time of {goal.id} is {goal.reaction:g} s, but its parts need "
-                f"{parts:.4g} ms"
-            )
+            reaction, needed = f"{goal.reaction:g} s", f"{parts:.4g} ms"
+            text = f"the reaction time of {goal.id} is {reaction}, but its parts need {needed}"
             yield Finding(_at(facts, goal), "hazard-time", text, "correct the reaction time")
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
@@ -164,7 +137,7 @@ def _velocities(model: Model, facts: Facts) -> Iterator[Finding]:
                 yield Finding(_at(facts, goal), "hazard-time", text, fix)
 
 
-def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _bounds(model: Model) -> Iterator[Finding]:
     """Finds scenarios that accept a slower reaction than their safety goal allows. Goals with
     declared exceptions are not checked."""
     for goal in model.safety.goals.values():
@@ -177,7 +150,7 @@ def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
                     yield Finding(Place(scenario.place.file, line), "hazard-time", text, fix)
 
 
-def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _requirements(model: Model) -> Iterator[Finding]:
     """Finds requirements whose @goal does not exist."""
     for requirement in model.requirements.values():
         for name in [name for name in requirement.goals if name not in model.safety.goals]:
@@ -185,7 +158,7 @@ def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
             yield Finding(requirement.place, "hazard-requirement", text, "correct the tag @goal")
 
 
-def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _scenarios(model: Model) -> Iterator[Finding]:
     """Finds fault scenarios that name no goal, a goal that does not exist, or no goal of a hazard
     that lists them. Also finds fault scenarios that no hazard lists, that no test plays, or whose
     tests did not pass.
@@ -227,7 +200,7 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(_at(facts, assumption), "hazard-assumption", text)
 
 
-def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _priorities(model: Model) -> Iterator[Finding]:
     """Finds requirements with a priority that is too low. The levels of the safety goals that a
     requirement serves determine the lowest priority that the requirement may have."""
     case = model.safety

@@ -14,7 +14,7 @@ from traceability.model.requirement_numbers import WORDS
 from traceability.model.safety_case import plays
 from traceability.reading.products import LIST, listed
 from traceability.reading.source_facts import Facts
-from traceability.reading.source_lines import lines_below
+from traceability.reading.source_lines import lines_below, texts_below
 from traceability.schema import Finding, Place
 from traceability.sources import files_below
 
@@ -68,17 +68,17 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         yield from _wrong_faults(facts.root)
     yield from unplayed_examples(facts.root)
     texts = {name: requirement.text for name, requirement in model.requirements.items()}
-    for path in files_below(facts.root, (FOLDER,), (".scenario",)):
-        for line, number in missing_numbers(path.read_text(encoding="utf-8"), texts):
+    for file, scenario in texts_below(facts.root, (FOLDER,), (".scenario",)):
+        for line, number in missing_numbers(scenario, texts):
             text = f"the comment states {number}, but no line of the scenario has this value"
-            yield Finding(Place(str(path.relative_to(facts.root)), line), "doc-scenario", text)
+            yield Finding(Place(file, line), "doc-scenario", text)
 
 
 def unplayed_examples(root: Path) -> Iterator[Finding]:
     """Finds example scenarios that no test names. Only the files of tests that name the folder of
     the examples count."""
-    tests = [path.read_text(encoding="utf-8") for path in files_below(root, ("tests",), (".cpp",))]
-    playing = "".join(text for text in tests if EXAMPLES in text)
+    tests = texts_below(root, ("tests",), (".cpp",))
+    playing = "".join(text for _, text in tests if EXAMPLES in text)
     for path in files_below(root, (EXAMPLES,), (".scenario",)):
         if not plays(path.stem, "", playing, ()):
             place = Place(str(path.relative_to(root)), 1)

@@ -10,9 +10,9 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
-from traceability.reading.source_lines import lines_below
+from traceability.reading.source_lines import lines_below, texts_below
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, files_below
+from traceability.sources import DESIGN
 
 INCLUDE = re.compile(r"\s*#\s*include\s*<([a-z_./]+)>")
 
@@ -70,17 +70,12 @@ def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
 def _declared_again(facts: Facts) -> Iterator[Finding]:
     """Finds source files that declare a name of another file instead of including the header with
     this name. Names that a linker script defines are permitted."""
-    scripts = files_below(facts.root, DESIGN, (".ld",))
-    linked = " ".join(path.read_text(encoding="utf-8") for path in scripts)
+    linked = " ".join(text for _, text in texts_below(facts.root, DESIGN, (".ld",)))
     for name, place in facts.syntax.declared_again.items():
         if not re.search(rf"\b{re.escape(name)}\b", linked):
             text = f"{name} is declared here, but no header of its module declares it"
-            yield Finding(
-                place,
-                "secret-open",
-                text,
-                "include the header of the module, and call an operation of the module",
-            )
+            fix = "include the header of the module, and call an operation of the module"
+            yield Finding(place, "secret-open", text, fix)
 
 
 @dataclass
@@ -99,18 +94,14 @@ class Hidden:
 def _hidden(model: Model, facts: Facts) -> Iterator[Finding]:
     for hidden in _declared(model):
         uses = _uses(hidden.name, facts)
-        if uses is None or not any(hidden.allows(place.file) for place in uses):
+        if not any(hidden.allows(place.file) for place in uses):
             text = f"{hidden.owner} hides {hidden.name}, but does not use it"
             fix = "name a header, a constant, a function or a type of the module"
             yield Finding(hidden.place, "secret-hidden", text, fix)
             continue
         first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
-        for place in first.values():
-            yield Finding(
-                place,
-                "secret-hidden",
-                f"{hidden.name} is used here, but is a secret of {hidden.owner}",
-            )
+        text = f"{hidden.name} is used here, but is a secret of {hidden.owner}"
+        yield from (Finding(place, "secret-hidden", text) for place in first.values())
 
 
 def _declared(model: Model) -> Iterator[Hidden]:
@@ -124,13 +115,11 @@ def _declared(model: Model) -> Iterator[Hidden]:
             yield Hidden(name, logic.id, logic.place, (f"{folder}/",))
 
 
-def _uses(name: str, facts: Facts) -> list[Place] | None:
-    """Returns the places in the code that name a header, a class or a member. Returns None if the
-    name does not exist."""
+def _uses(name: str, facts: Facts) -> list[Place]:
+    """Returns the places in the code that name a header, a class or a member."""
     if name.endswith(".hpp"):
         headers = [f"{folder}/{name}" for folder in DESIGN if (facts.root / folder / name).exists()]
-        includes = [include.place for include in facts.syntax.includes if include.target in headers]
-        return includes if headers else None
+        return [include.place for include in facts.syntax.includes if include.target in headers]
     if name in facts.classes:
         own = facts.classes[name].place
         return [own, *(use.place for use in facts.syntax.names if use.target == name)]
@@ -143,17 +132,11 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
         if use.member in (name, member) and (use.member == name or use.target == owner)
     ]
     places += [body.place for body in facts.bodies.get(name, [])]
-    return places or _standard(name, facts.root)
-
-
-def _standard(name: str, root: Path) -> list[Place] | None:
-    """Returns the places that include a header of the standard library."""
-    places = [
+    return places or [  # a header of the standard library
         place
-        for place, line in lines_below(root, DESIGN, (".cpp", ".hpp"))
+        for place, line in lines_below(facts.root, DESIGN, (".cpp", ".hpp"))
         if (match := INCLUDE.match(line)) and match[1] == name
     ]
-    return places or None
 
 
 def _copied(model: Model, facts: Facts) -> Iterator[Finding]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.stack import DECLARED
+from traceability.reading.reach import reached_from
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place, StackProof
 
@@ -31,21 +32,9 @@ def _self_calls(facts: Facts) -> Iterator[Finding]:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
         own.update(call.target for call in body.calls if not call.virtual)
     for body in facts.syntax.bodies:
-        if body.id in _reached(body.id, calls[body.place.file]):
+        if body.id in reached_from(body.id, calls[body.place.file]):
             text = f"{body.id} calls itself, directly or through other functions of its file"
             yield Finding(body.place, "stack-recursion", text)
-
-
-def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
-    """Returns the functions that a function calls, directly or through other functions of the same
-    file."""
-    reached: set[str] = set()
-    work = [function]
-    while work:
-        following = calls.get(work.pop(), set()) - reached
-        reached |= following
-        work += following
-    return reached
 
 
 def _calls(proof: StackProof) -> Iterator[Finding]:
@@ -70,8 +59,7 @@ def _cycles(proof: StackProof, facts: Facts) -> Iterator[Finding]:
 def _bound(proof: StackProof) -> Iterator[Finding]:
     for function in proof.dynamic:
         text = f"the frame of {function} has no bound"
-        fix = "choose a fixed size for each array"
-        yield Finding(SCRIPT, "stack-bound", text, fix)
+        yield Finding(SCRIPT, "stack-bound", text, "choose a fixed size for each array")
     if proof.proven and proof.total > proof.limit:
         calls = [call for level in proof.levels for call in level.chain]
         largest = max(calls, key=lambda call: call.bytes)

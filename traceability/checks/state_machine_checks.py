@@ -8,15 +8,10 @@ import re
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
-from traceability.model.state_machines import (
-    Change,
-    MachineCode,
-    is_stay,
-    matching,
-    read_machine,
-)
+from traceability.model.state_machines import Change, MachineCode, is_stay, matching, read_machine
 from traceability.reading.ast_facts import BodyFact
 from traceability.reading.source_facts import Facts
+from traceability.reading.traces import nodes_of
 from traceability.schema import Finding, Place, Requirement, StateMachine, Transition
 
 _WITH_UNIT = re.compile(
@@ -32,7 +27,7 @@ _ALIKE = (
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
     yield from _machines_missing(model, facts)
     for machine in model.machines.values():
-        problems = _declared(machine, model, facts)
+        problems = list(_declared(machine, model, facts))
         yield from problems
         if problems:
             continue
@@ -47,23 +42,19 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _machines_missing(model: Model, facts: Facts) -> Iterator[Finding]:
     declared = {machine.application for machine in model.machines.values()}
-    for application in model.patterns.values():
-        if (
-            application.pattern == "State"
-            and application.id in facts.declared.applications
-            and application.id not in declared
-        ):
+    for name in facts.declared.applications.keys() - declared:
+        application = model.patterns.get(name)
+        if application and application.pattern == "State":
             text = f"the states of {application.id} have no state machine"
             yield Finding(application.place, "fsm-declared", text)
 
 
-def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
+def _declared(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds states, events, operations and requirements that a state machine names but that do not
     exist."""
 
-    def finding(text: str, fix: str, name: str, step: Transition | None = None) -> Finding:
-        place = facts.declared.entries.line_in(step.place if step else machine.place, name)
-        return Finding(place, "fsm-declared", text, fix)
+    def finding(text: str, fix: str, name: str, entry: Place = machine.place) -> Finding:
+        return Finding(facts.line_in(entry, name), "fsm-declared", text, fix)
 
     declared = facts.declared.applications.get(machine.application)
     if declared is None or declared.pattern != "State":
@@ -71,103 +62,70 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             f"{machine.id} names the application {machine.application}, which is not an "
             "application of the State pattern"
         )
-        return [finding(text, "correct the application", "application")]
-    findings: list[Finding] = []
+        yield finding(text, "correct the application", "application")
+        return
     states = set(declared.roles.get("Concrete State", []))
     for name in sorted(states ^ set(machine.states.values())):
-        text = (
-            f"{machine.id} has no state for {name}, which is a Concrete State of {declared.id}"
-            if name in states
-            else f"{machine.id} has the state {name}, which is not a Concrete State of "
-            f"{declared.id}"
-        )
-        findings.append(finding(text, "correct the states of the machine", f'"{name}"'))
+        has, kind = ("no state for", "a") if name in states else ("the state", "not a")
+        text = f"{machine.id} has {has} {name}, which is {kind} Concrete State of {declared.id}"
+        yield finding(text, "correct the states of the machine", f'"{name}"')
     base = declared.roles.get("State", [""])[0]
     for event, operation in machine.events.items():
         if facts.method(base, operation) is None:
             text = f"the event '{event}' calls {base}::{operation}, which does not exist"
-            findings.append(
-                finding(text, "name the operation of the state that the event calls", event)
-            )
+            yield finding(text, "name the operation of the state that the event calls", event)
     if machine.initial not in machine.states:
         text = f"the initial state {machine.initial} is not a state of {machine.id}"
-        findings.append(finding(text, "name one of its states", "initial"))
-    for step in machine.transitions:
-        names = [name for name in (step.source, step.target) if name not in machine.states]
-        findings += [
-            finding(f"there is no state {name}", "correct the name", name, step) for name in names
-        ]
-        if step.event not in machine.events:
-            text = f"the event '{step.event}' has no operation"
-            fix = "write the operation of the event in [events], or correct the name of the event"
-            findings.append(finding(text, fix, step.event, step))
-        if not step.requirements:
-            text = f"{words(step)} serves no requirement"
-            findings.append(finding(text, "name its requirements", "requirements", step))
-        findings += [
-            finding(text, fix, word, step)
-            for text, fix, word in _asked_for(step, machine, model, facts)
-        ]
-    return (
-        findings
-        + [
-            finding(*_ALIKE, "from", step)
-            for number, step in enumerate(machine.transitions)
-            if _like_another(step, number, machine)
-        ]
-        + [
-            finding(f"no transition uses the event '{event}'", "remove it", event)
-            for event in machine.events
-            if event not in {step.event for step in machine.transitions}
-        ]
-    )
+        yield finding(text, "name one of its states", "initial")
+    for number, step in enumerate(machine.transitions):
+        problems = [*_wrong_names(step, machine), *_asked_for(step, machine, model, facts)]
+        for text, fix, word in problems:
+            yield finding(text, fix, word, step.place)
+        if _like_another(step, number, machine):
+            yield finding(*_ALIKE, "from", step.place)
+    for event in machine.events.keys() - {step.event for step in machine.transitions}:
+        yield finding(f"no transition uses the event '{event}'", "remove it", event)
+
+
+def _wrong_names(step: Transition, machine: StateMachine) -> Iterator[tuple[str, str, str]]:
+    """Yields the faults in the states and the event of a transition, and a missing requirement.
+    Each fault has a text, a fix, and the word to which the finding points."""
+    for name in (step.source, step.target):
+        if name not in machine.states:
+            yield f"there is no state {name}", "correct the name", name
+    if step.event not in machine.events:
+        fix = "write the operation of the event in [events], or correct the name of the event"
+        yield f"the event '{step.event}' has no operation", fix, step.event
+    if not step.requirements:
+        yield f"{words(step)} serves no requirement", "name its requirements", "requirements"
 
 
 def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
-) -> list[tuple[str, str, str]]:
-    """Returns the faults in the requirements of a transition. Each fault has a text, a fix, and the
+) -> Iterator[tuple[str, str, str]]:
+    """Yields the faults in the requirements of a transition. Each fault has a text, a fix, and the
     word to which the finding points."""
-    requirements = [
-        model.requirements[name] for name in step.requirements if name in model.requirements
-    ]
-    problems = [
-        (f"there is no requirement {name}", "correct the id", name)
-        for name in step.requirements
-        if name not in model.requirements
-    ]
+    requirements = []
+    for name in step.requirements:
+        if name in model.requirements:
+            requirements.append(model.requirements[name])
+        else:
+            yield f"there is no requirement {name}", "correct the id", name
     ends = {machine.states[name] for name in (step.source, step.target) if name in machine.states}
     family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
-    problems += [
-        (
-            f"the transition {words(step)} names {requirement.id}, but no method of "
-            f"{' or '.join(sorted(ends))} serves this requirement",
-            "name the requirement that demands the transition, or tag the method",
-            requirement.id,
-        )
-        for requirement in requirements
-        if not any(method.split("::")[0] in family for method in _serving(requirement))
-    ]
-    problems += [
-        (
-            f"the transition {words(step)} names {requirement.id}, but neither "
-            f"{machine.events[step.event]} nor the action serves this requirement",
-            "name the requirement that demands the transition, or tag the method",
-            requirement.id,
-        )
-        for requirement in requirements
-        if step.event in machine.events and not _serves_event(requirement, step, machine)
-    ]
-    fix = "write a number that the requirement states"
-    return problems + [
-        (
-            f"no requirement of {words(step)} states the number '{figure[0]}'",
-            fix,
-            figure[0],
-        )
-        for part in (step.event, step.guard, step.action)
-        for figure in _not_asked(part, requirements)
-    ]
+    fix = "name the requirement that demands the transition, or tag the method"
+    for requirement in requirements:
+        named = f"the transition {words(step)} names {requirement.id}, but"
+        if not any(method.split("::")[0] in family for method in _serving(requirement)):
+            methods = f"no method of {' or '.join(sorted(ends))}"
+            yield f"{named} {methods} serves this requirement", fix, requirement.id
+        if step.event in machine.events and not _serves_event(requirement, step, machine):
+            methods = f"neither {machine.events[step.event]} nor the action"
+            yield f"{named} {methods} serves this requirement", fix, requirement.id
+    for part in (step.event, step.guard, step.action):
+        for figure in _not_asked(part, requirements):
+            text = f"no requirement of {words(step)} states the number '{figure[0]}'"
+            yield text, "write a number that the requirement states", figure[0]
 
 
 def _serves_event(requirement: Requirement, step: Transition, machine: StateMachine) -> bool:
@@ -183,13 +141,9 @@ def _serves_event(requirement: Requirement, step: Transition, machine: StateMach
 def _serving(requirement: Requirement) -> list[str]:
     """Returns the methods with @satisfies for a requirement, and the methods in its invocation
     tree."""
-    methods = list(requirement.satisfied_by)
-    work = [requirement.tree] if requirement.tree else []
-    while work:
-        node = work.pop()
-        methods += [node.label, node.resolved or ""]
-        work += node.children
-    return methods
+    nodes = nodes_of(requirement.tree) if requirement.tree else []
+    called = [name for node in nodes for name in (node.label, node.resolved or "")]
+    return [*requirement.satisfied_by, *called]
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
@@ -211,12 +165,9 @@ def words(step: Transition) -> str:
 
 def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
     if not code.storage or not code.holders:
-        what = (
-            "class of the robot that contains all states of the machine"
-            if code.holders
-            else "Context"
-        )
-        text = f"the code has no {what}, so no check can compare the transitions of {machine.id}"
+        with_states = "class of the robot that contains all states of the machine"
+        part = with_states if code.holders else "Context"
+        text = f"the code has no {part}, so no check can compare the transitions of {machine.id}"
         yield Finding(machine.place, "fsm-code", text, "compose the states in one class")
         return
     yield from _initial(machine, code, facts)
@@ -231,7 +182,7 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
     given = ", ".join(sorted(code.initial)) or "no state"
     text = f"{code.storage} begins with {given}, but the machine begins with {machine.initial}"
     fix = "correct 'initial', or pass the initial state of the machine to the Context"
-    place = facts.declared.entries.line_in(machine.place, "initial")
+    place = facts.line_in(machine.place, "initial")
     yield Finding(place, "fsm-code", text, fix)
 
 
@@ -240,11 +191,7 @@ def _operation(
 ) -> Iterator[Finding]:
     """Compares the state changes in one operation of a state with the declared transitions. For
     each target state, the code must contain as many changes as the machine has transitions."""
-    rows = [
-        step
-        for step in machine.transitions
-        if step.source == state and machine.events[step.event] == operation
-    ]
+    rows = _rows(machine, state, operation)
     changes = code.of(state, operation)
     for target in {change.target for change in changes} | {row.target for row in rows}:
         here = [row for row in rows if row.target == target and not is_stay(row)]
@@ -455,9 +402,8 @@ def _not_made(row: Transition, state: str, operation: str) -> Finding:
 def _seen(machine: StateMachine) -> Iterator[Finding]:
     for step in machine.transitions:
         if not step.tests:
-            yield Finding(
-                step.place, "fsm-seen", f"no passing test makes the transition {words(step)}"
-            )
+            text = f"no passing test makes the transition {words(step)}"
+            yield Finding(step.place, "fsm-seen", text)
     for change, tests in machine.undeclared.items():
         source, operation, target = change.split(" ")
         text = (
@@ -474,7 +420,7 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Findin
         for name in step.requirements:
             if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests):
                 text = f"no passing test of {name} makes the transition {words(step)}"
-                yield Finding(facts.declared.entries.line_in(step.place, name), "fsm-seen", text)
+                yield Finding(facts.line_in(step.place, name), "fsm-seen", text)
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:

@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from traceability.model.design_model import Model
 from traceability.reading.comments import comment_blanked
 from traceability.reading.source_facts import Facts
-from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, files_below
+from traceability.reading.source_lines import place_at, texts_below
+from traceability.schema import Finding
+from traceability.sources import DESIGN
 
 FOLDERS = (*DESIGN, "ports")
 # Words that distinguish two parts of the same kind.
@@ -40,12 +41,11 @@ WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+")
 
 
 def check(_model: Model, facts: Facts) -> Iterator[Finding]:
-    for path in files_below(facts.root, FOLDERS, (".hpp", ".cpp")):
-        text = comment_blanked(path.read_text(encoding="utf-8"))
-        file = str(path.relative_to(facts.root))
-        for at, name, value in _swapped(text):
-            place = Place(file, text.count("\n", 0, at) + 1)
-            yield Finding(place, "module-swapped", f"{name} is initialised with {value}")
+    for file, text in texts_below(facts.root, FOLDERS, (".hpp", ".cpp")):
+        code = comment_blanked(text)
+        for at, name, value in _swapped(code):
+            said = f"{name} is initialised with {value}"
+            yield Finding(place_at(file, code, at), "module-swapped", said)
 
 
 def _swapped(code: str) -> Iterator[tuple[int, str, str]]:

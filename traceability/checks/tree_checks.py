@@ -42,22 +42,16 @@ def _nodes(requirement: Requirement) -> Iterator[Finding]:
 def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[Finding]:
     for child in node.children:
         if child.reachable is False and child.otherwise:
-            kind, mark = (
-                ("a post", "with 'post '")
-                if child.kind == "call"
-                else ("a call", "without 'post '")
-            )
+            direct = child.kind == "call"
+            kind, fix = ("a post", "with") if direct else ("a call", "without")
             text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
-            yield Finding(child.place, "tree-static", text, f"write it {mark}")
+            yield Finding(child.place, "tree-static", text, f"write it {fix} 'post '")
         elif child.reachable is False and node.resolved and child.resolved:
             verb = "posts" if child.kind == "post" else "calls"
-            tree = f"{child.place.file}:{child.place.line}"
-            yield Finding(
-                _body_place(node, facts),
-                "tree-static",
-                f"{node.label} never {verb} {child.label}, but the tree of {requirement.id} "
-                f"contains the call ({tree})",
-            )
+            call = f"{node.label} never {verb} {child.label}"
+            tree = f"the tree of {requirement.id} contains the call"
+            text = f"{call}, but {tree} ({child.place.file}:{child.place.line})"
+            yield Finding(_body_place(node, facts), "tree-static", text)
         elif child.reachable:
             yield from _order(node, child, requirement, facts)
         yield from _edges(child, requirement, facts)
@@ -70,18 +64,14 @@ def _order(
     the tree states. Also checks that the code makes the call after the previous call of the tree.
     """
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
-    texts = []
+    call, place = f"{node.label} calls {child.label}", _body_place(node, facts)
     if child.often_in_code is not None and child.often_in_code != child.often:
-        code, says = OFTEN[child.often_in_code], OFTEN[child.often]
-        mark = child.often_in_code or "no mark"
-        fix = f"restore the code, or write {mark} after the node"
-        texts.append((f"{node.label} calls {child.label} {code}, not {says} ({tree})", fix))
-    if child.too_early:
-        text = f"{node.label} calls {child.label} before {child.too_early} ({tree})"
-        texts.append((text, "restore the order of the calls, or change the order in the tree"))
-    place = _body_place(node, facts)
-    for text, fix in texts:
+        text = f"{call} {OFTEN[child.often_in_code]}, not {OFTEN[child.often]} ({tree})"
+        fix = f"restore the code, or write {child.often_in_code or 'no mark'} after the node"
         yield Finding(place, "tree-order", text, fix)
+    if child.too_early:
+        fix = "restore the order of the calls, or change the order in the tree"
+        yield Finding(place, "tree-order", f"{call} before {child.too_early} ({tree})", fix)
 
 
 def _body_place(node: TreeNode, facts: Facts) -> Place:
@@ -95,9 +85,8 @@ def _executed(requirement: Requirement, model: Model) -> Iterator[Finding]:
     assert requirement.tree is not None
     passed = [name for name in requirement.verified_by if model.tests[name].gave("passed")]
     nodes = nodes_of(requirement.tree)
-    if not passed or any(node.resolved is None or not node.reachable for node in nodes):
-        return
-    if requirement.runs:
+    possible = all(node.resolved is not None and node.reachable for node in nodes)
+    if not passed or not possible or requirement.runs:
         return
     # If there are no recorded calls of passed tests, it is unknown for each node whether a test
     # made the call. The finding then points to the root.

@@ -7,15 +7,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.model.requirement_numbers import WORDS, stated_numbers
 from traceability.reading.formulas import NAME
 from traceability.reading.plain_constants import plain_constants
 from traceability.reading.source_facts import Facts
-from traceability.reading.source_lines import place_of
+from traceability.reading.source_lines import lines_below, place_of
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, files_below
+from traceability.sources import DESIGN
 
 WRITTEN = re.compile(
     r"^\s*(?:\[\[maybe_unused\]\] )?(?:static |inline )*constexpr [\w:<>, ]+? (k\w+)\b[^/]*"
@@ -55,16 +56,14 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def written(facts: Facts) -> Iterator[Written]:
-    for path in files_below(facts.root, DESIGN, (".cpp", ".hpp")):
-        above: list[str] = []
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            match = WRITTEN.match(line)
-            if match:
-                text = " ".join((*above, match[1], match[2] or ""))
-                place = Place(str(path.relative_to(facts.root)), number)
-                yield Written(f"{path.stem}::{match[1]}", line.split("//")[0], text, place)
-            remark = REMARK.match(line)
-            above = [*above, remark[1]] if remark else []
+    above: list[str] = []
+    for place, line in lines_below(facts.root, DESIGN, (".cpp", ".hpp")):
+        if match := WRITTEN.match(line):
+            text = " ".join((*above, match[1], match[2] or ""))
+            name = f"{Path(place.file).stem}::{match[1]}"
+            yield Written(name, line.split("//")[0], text, place)
+        remark = REMARK.match(line)
+        above = [*above, remark[1]] if remark else []
 
 
 def _unknown(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
@@ -123,5 +122,5 @@ def _counted_in_cycles(model: Model, facts: Facts) -> Iterator[tuple[str, Place]
         if requirement and COUNTED.search(requirement.rationale):
             for number, name in entry.constants.items():
                 if any(found.kind in DEPENDENT for found in stated_numbers(number).values()):
-                    place = facts.declared.entries.line_in(entry.place, number)
+                    place = facts.line_in(entry.place, number)
                     yield from ((constant, place) for constant in NAME.findall(name))

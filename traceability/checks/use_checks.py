@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import product
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.reading.reach import reached_from
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.reading.syntax import includes_of
@@ -80,11 +82,8 @@ def _is_allowed(model: Model, use: Use) -> bool:
 def _forbidden(model: Model) -> Iterator[Finding]:
     for use in model.uses:
         if not _is_allowed(model, use):
-            for place in use.places:
-                text = (
-                    f"{use.source} uses {use.target}, but design/uses.toml does not allow this use"
-                )
-                yield Finding(place, "uses-allowed", text)
+            text = f"{use.source} uses {use.target}, but design/uses.toml does not allow this use"
+            yield from (Finding(place, "uses-allowed", text) for place in use.places)
 
 
 def _extensions(model: Model) -> Iterator[Finding]:
@@ -94,14 +93,10 @@ def _extensions(model: Model) -> Iterator[Finding]:
     # must never use an extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     for use in model.uses:
-        if (
-            is_extension(use.target)
-            and _extension(use.source) != _extension(use.target)
-            and (use.source, use.target) not in builds_on
-        ):
-            for place in use.places:
-                text = f"{use.source} uses the extension {use.target}"
-                yield Finding(place, "uses-extension", text)
+        of_other = is_extension(use.target) and _extension(use.source) != _extension(use.target)
+        if of_other and (use.source, use.target) not in builds_on:
+            text = f"{use.source} uses the extension {use.target}"
+            yield from (Finding(place, "uses-extension", text) for place in use.places)
 
 
 def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
@@ -137,10 +132,6 @@ def _unused(model: Model) -> Iterator[Finding]:
         if not any(_covers(allowed, use) for use in model.uses):
             text = f"{allowed.source} does not use {allowed.target}"
             yield Finding(allowed.place, "uses-unused", text)
-    yield from _allowed_twice(model)
-
-
-def _allowed_twice(model: Model) -> Iterator[Finding]:
     everybody = {use.target for use in model.allowed_uses if use.source == "*"}
     for allowed in model.allowed_uses:
         if allowed.source != "*" and allowed.target in everybody:
@@ -159,29 +150,27 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
         if top != other:
             graph = _graph(uses, depth=1)
-            if top in _reached(graph, other):
+            if top in reached_from(other, graph):
                 yield _finding(use, f"{top} and {other} use each other")
             continue
         graph = _graph(uses, depth=9)
-        loop = _reached(graph, use.target)
+        loop = reached_from(use.target, graph)
         if use.source in loop:
-            members = {m for m in loop if use.source in _reached(graph, m)}
+            members = {m for m in loop if use.source in reached_from(m, graph)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                yield _finding(
-                    use, f"the uses of {names} form a cycle that design/uses.toml does not declare"
-                )
+                text = f"the uses of {names} form a cycle that design/uses.toml does not declare"
+                yield _finding(use, text)
 
 
 def _apart(facts: Facts) -> Iterator[Finding]:
     """Finds modules that name each other although design/uses.toml demands that they are
     separate."""
     pairs = {
-        (user, other): rule
+        pair
         for rule in facts.declared.apart
-        for module in rule.modules
-        for other_module in rule.others
-        for user, other in ((module, other_module), (other_module, module))
+        for one, two in product(rule.modules, rule.others)
+        for pair in ((one, two), (two, one))
     }
     named = [
         (user, fact.target.split("::", maxsplit=1)[0], fact.place)
@@ -193,35 +182,33 @@ def _apart(facts: Facts) -> Iterator[Finding]:
         for user, includes in facts.includes_of.items()
         for include in includes
     ]
-    findings = {
-        (place.file, place.line, user, target): Finding(
-            place,
-            "uses-apart",
+    first: dict[tuple[str, int, str, str], Place] = {}
+    for user, target, place in named:
+        if (user, target) in pairs:
+            first[place.file, place.line, user, target] = place
+    for (_, _, user, target), place in first.items():
+        text = (
             f"{user} names {target}, but design/uses.toml demands that these modules do not name "
-            "each other",
+            "each other"
         )
-        for user, target, place in named
-        if (user, target) in pairs
-    }
+        yield Finding(place, "uses-apart", text)
     for rule in facts.declared.apart:
         for name in (*rule.modules, *rule.others):
             if name not in facts.classes:
                 text = f"there is no module {name}"
                 yield Finding(rule.place, "uses-apart", text, "correct the name")
-    yield from findings.values()
 
 
 def _idle_cycles(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds declared cycles that do not exist in the code."""
     graph = _graph(model.uses, depth=9)
     for cycle in facts.declared.cycles:
-        for module in cycle.modules:
-            if module not in _reached(graph, cycle.modules[0]) or cycle.modules[0] not in _reached(
-                graph, module
-            ):
-                text = f"{module} is in no cycle with {cycle.modules[0]}"
+        for module in cycle.modules[1:]:
+            first = cycle.modules[0]
+            both = module in reached_from(first, graph) and first in reached_from(module, graph)
+            if not both:
+                text = f"{module} is in no cycle with {first}"
                 yield Finding(cycle.place, "uses-unused", text)
-    for cycle in facts.declared.cycles:
         for module in cycle.modules:
             if module.split("/")[0] != cycle.within:
                 text = f"{module} is not within {cycle.within}"
@@ -240,15 +227,3 @@ def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
         if source != target:
             graph.setdefault(source, set()).add(target)
     return graph
-
-
-def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
-    """Returns the module `start` and all modules that `start` uses, directly or through other
-    modules."""
-    reached, work = {start}, [start]
-    while work:
-        for target in graph.get(work.pop(), set()):
-            if target not in reached:
-                reached.add(target)
-                work.append(target)
-    return reached

@@ -4,7 +4,6 @@ verifies."""
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
 
 from traceability.model.design_model import Model
 from traceability.model.report import Report
@@ -19,9 +18,9 @@ def junit_text(model: Model, _report: Report) -> str:
     top = ET.Element("testsuites", name="weeding_robot")
     for target in model.results_hashes:
         suite = ET.SubElement(top, "testsuite", name=target)
-        ran = [test for test in model.tests.values() if target in test.results]
-        for test in ran:
-            _add_case(suite, test, test.results)
+        for test in model.tests.values():
+            if target in test.results:
+                _add_case(suite, test, test.results[target])
     for suite in [*top, top]:
         counts = {"tests": "testcase", "failures": "failure", "skipped": "skipped"}
         for name, tag in counts.items():
@@ -30,11 +29,9 @@ def junit_text(model: Model, _report: Report) -> str:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(top, encoding="unicode")}\n'
 
 
-def _add_case(suite: ET.Element, test: Test, results: Mapping[str, BindingResult]) -> None:
-    run = results[suite.get("name", "")]
-    case = ET.SubElement(
-        suite, "testcase", classname=test.suite, name=test.name, file=test.place.file
-    )
+def _add_case(suite: ET.Element, test: Test, run: BindingResult) -> None:
+    names = {"classname": test.suite, "name": test.name, "file": test.place.file}
+    case = ET.SubElement(suite, "testcase", names)
     case.set("time", f"{(run.milliseconds or 0) / 1000:.3f}")
     if test.verifies:
         properties = ET.SubElement(case, "properties")

@@ -65,11 +65,7 @@ def _verdict(record: object, report: Report) -> dict[str, Any]:
 
 
 def schema_text() -> str:
-    return json.dumps(model_schema(), indent=1)
-
-
-def model_schema() -> dict[str, Any]:
-    return schema_of(Model, "Model of the weeding robot's software")
+    return json.dumps(schema_of(Model, "Model of the weeding robot's software"), indent=1)
 
 
 def schema_of(kind: type, title: str) -> dict[str, Any]:

@@ -98,18 +98,23 @@ def reqif_text(model: Model, report: Report) -> str:
     items = trace_items(model, report)
     top = ET.Element("REQ-IF", xmlns=NAMESPACE)
     header = _child(_child(top, "THE-HEADER"), "REQ-IF-HEADER", IDENTIFIER="header")
-    for tag, text in (
-        *(("CREATION-TIME", EPOCH), ("REPOSITORY-ID", model.sources_hash)),
-        *(("REQ-IF-TOOL-ID", PROJECT), ("REQ-IF-VERSION", "1.0"), ("SOURCE-TOOL-ID", PROJECT)),
-        ("TITLE", f"{PROJECT} {model.version}"),
-    ):
+    for tag, text in {
+        "CREATION-TIME": EPOCH,
+        "REPOSITORY-ID": model.sources_hash,
+        "REQ-IF-TOOL-ID": PROJECT,
+        "REQ-IF-VERSION": "1.0",
+        "SOURCE-TOOL-ID": PROJECT,
+        "TITLE": f"{PROJECT} {model.version}",
+    }.items():
         _child(header, tag).text = text
     content = _child(_child(top, "CORE-CONTENT"), "REQ-IF-CONTENT")
     _add_types(content)
     objects = _child(content, "SPEC-OBJECTS")
     for item in items:
-        _add_object(objects, item)
-    _add_chapters(objects, items)
+        values = {"ReqIF.ForeignID": item.id, "ReqIF.Text": item.text, "state": item.state}
+        _add_object(objects, item.kind, item.id, {**values, "place": item.place, **item.values})
+    for section, _ in _sections(items):
+        _add_object(objects, "chapter", section, {"ReqIF.ChapterName": section.partition(" ")[2]})
     relations = _child(content, "SPEC-RELATIONS")
     ids = {item.id for item in items}
     for item in items:
@@ -166,18 +171,7 @@ def _attribute(kind: str, name: str) -> str:
     return f"attribute-{kind}-{name}"
 
 
-def _add_object(objects: ET.Element, item: TraceItem) -> None:
-    values = {
-        "ReqIF.ForeignID": item.id,
-        "ReqIF.Text": item.text,
-        "state": item.state,
-        "place": item.place,
-        **item.values,
-    }
-    _add_values(objects, item.kind, item.id, values)
-
-
-def _add_values(objects: ET.Element, kind: str, name: str, values: dict[str, str]) -> None:
+def _add_object(objects: ET.Element, kind: str, name: str, values: dict[str, str]) -> None:
     made = _named(objects, "SPEC-OBJECT", _id(kind, name), LONG_NAME=name)
     _child(_child(made, "TYPE"), "SPEC-OBJECT-TYPE-REF").text = f"type-{kind}"
     attributes = _child(made, "VALUES")
@@ -195,11 +189,6 @@ def _sections(items: list[TraceItem]) -> Iterable[tuple[str, list[TraceItem]]]:
         groupby(requirements, lambda item: item.values["section"]), 1
     ):
         yield f"{number} {section}", list(group)
-
-
-def _add_chapters(objects: ET.Element, items: list[TraceItem]) -> None:
-    for section, _ in _sections(items):
-        _add_values(objects, "chapter", section, {"ReqIF.ChapterName": section.partition(" ")[2]})
 
 
 def _add_relation(relations: ET.Element, item: TraceItem, link: str) -> None:

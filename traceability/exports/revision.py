@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import difflib
 import json
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -43,9 +44,8 @@ class Revision:
     commit: str
     requirements: Mapping[str, RequirementState]
     modules: Mapping[str, str]  # name of the module -> path of the header
-    findings: Mapping[str, int] | None = (
-        None  # check -> number of findings; None if there was no report
-    )
+    # check -> number of findings; None if there was no report
+    findings: Mapping[str, int] | None = None
     # product -> bytes of flash, RAM and stack
     sizes: Mapping[str, dict[str, int]] = field(default_factory=dict)
     metrics: Mapping[str, float | None] = field(default_factory=dict)
@@ -59,14 +59,11 @@ def revision_of(
 ) -> Revision:
     """Returns the summary of a model. Without a report, verdicts and findings are left out, because
     they need results of a run."""
-    counts: dict[str, int] = {}
-    for finding in report.findings if report else []:
-        counts[finding.check] = counts.get(finding.check, 0) + 1
     return Revision(
         commit,
         {name: _requirement(model, name, report) for name in model.requirements},
         {name: module.header for name, module in model.modules.items()},
-        counts if report else None,
+        dict(Counter(finding.check for finding in report.findings)) if report else None,
         {
             name: {"flash": image.flash, "RAM": image.ram, "stack": image.stack}
             for name, image in (model.products or {}).items()
@@ -154,9 +151,8 @@ def changed_words(old: str, new: str) -> str:
     {+added+}, with the unchanged words around them. Many unchanged words are shortened."""
     before, after = old.split(), new.split()
     parts: list[str] = []
-    for tag, i, j, k, m in difflib.SequenceMatcher(
-        None, before, after, autojunk=False
-    ).get_opcodes():
+    matcher = difflib.SequenceMatcher(None, before, after, autojunk=False)
+    for tag, i, j, k, m in matcher.get_opcodes():
         same = before[i:j]
         if tag == "equal":
             long = len(same) > 2 * WORDS
@@ -194,7 +190,6 @@ def _numbers(
     for name in sorted(first.keys() | second.keys()):
         before, after = first.get(name, missing), second.get(name, missing)
         if before is not None and after is not None and before != after:
-            changed.append(
-                Difference(section, name, f"{before:g} -> {after:g} ({after - before:+g})")
-            )
+            text = f"{before:g} -> {after:g} ({after - before:+g})"
+            changed.append(Difference(section, name, text))
     return changed

@@ -29,20 +29,12 @@ def write_svd(root: Path, path: Path) -> None:
 
 def svd_of(blocks: list[RegisterBlock]) -> str:
     device = ET.Element("device", schemaVersion=VERSION)
-    for tag, text in (
-        ("name", "MK64FN1M0VLL12"),
-        ("version", "1.0"),
-        ("description", "The registers that the firmware of the weeding robot uses"),
-    ):
-        ET.SubElement(device, tag).text = text
+    description = "The registers that the firmware of the weeding robot uses"
+    _texts(device, name="MK64FN1M0VLL12", version="1.0", description=description)
     cpu = ET.SubElement(device, "cpu")
-    for tag, text in (
-        *(("name", "CM4"), ("revision", "r0p1"), ("endian", "little"), ("mpuPresent", "false")),
-        *(("fpuPresent", "true"), ("nvicPrioBits", "4"), ("vendorSystickConfig", "false")),
-    ):
-        ET.SubElement(cpu, tag).text = text
-    ET.SubElement(device, "addressUnitBits").text = "8"
-    ET.SubElement(device, "width").text = "32"
+    _texts(cpu, name="CM4", revision="r0p1", endian="little", mpuPresent="false")
+    _texts(cpu, fpuPresent="true", nvicPrioBits="4", vendorSystickConfig="false")
+    _texts(device, addressUnitBits="8", width="32")
     peripherals = ET.SubElement(device, "peripherals")
     for block in blocks:
         _add(peripherals, block)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from traceability.model.design_model import Model
 from traceability.model.report import Report, words_of
+from traceability.schema import Place
 
 REQUIREMENT, TEST, METHOD = "requirement", "test", "method"
 
@@ -33,7 +34,7 @@ class TraceItem:
         return f"{self.file}:{self.line}" if self.file else ""
 
 
-# The names of the additional attributes. Only requirements have them.
+# The fields of a requirement that are additional attributes. Tests and methods have none.
 VALUES = ("section", "rationale", "source", "priority", "level", "method", "products", "goals")
 
 
@@ -53,19 +54,14 @@ def _requirements(model: Model, report: Report) -> list[TraceItem]:
             words_of(report.requirements[item.id].state),
             item.place.file,
             item.place.line,
-            {
-                "section": item.section,
-                "rationale": item.rationale,
-                "source": item.source,
-                "priority": item.priority,
-                "level": item.level,
-                "method": item.method,
-                "products": ", ".join(item.products),
-                "goals": ", ".join(item.goals),
-            },
+            {name: _text(getattr(item, name)) for name in VALUES},
         )
         for item in model.requirements.values()
     ]
+
+
+def _text(value: str | Sequence[str]) -> str:
+    return value if isinstance(value, str) else ", ".join(value)
 
 
 def _tests(model: Model) -> list[TraceItem]:
@@ -93,16 +89,8 @@ def _methods(model: Model) -> list[TraceItem]:
     places = {
         method.id: method.place for module in model.modules.values() for method in module.methods
     }
-    return [
-        TraceItem(
-            name,
-            METHOD,
-            name,
-            "",
-            "",
-            places[name].file if name in places else "",
-            places[name].line if name in places else 0,
-            links=links,
-        )
-        for name, links in sorted(satisfied.items())
-    ]
+    items = []
+    for name, links in sorted(satisfied.items()):
+        place = places.get(name, Place("", 0))
+        items.append(TraceItem(name, METHOD, name, "", "", place.file, place.line, links=links))
+    return items

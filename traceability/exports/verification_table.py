@@ -157,12 +157,10 @@ def junit(model: Model, report: Report) -> ET.Element:
     top = ET.Element("testsuites", name="requirements")
     sections: dict[str, ET.Element] = {}
     for requirement in model.requirements.values():
-        if requirement.section not in sections:
-            sections[requirement.section] = ET.SubElement(
-                top, "testsuite", name=requirement.section
-            )
-        suite = sections[requirement.section]
-        case = ET.SubElement(suite, "testcase", classname=requirement.section, name=requirement.id)
+        section = requirement.section
+        if section not in sections:
+            sections[section] = ET.SubElement(top, "testsuite", name=section)
+        case = ET.SubElement(sections[section], "testcase", classname=section, name=requirement.id)
         verdict = report.requirements[requirement.id]
         if verdict.state != "verified":
             texts = [*verdict.reasons, *filter(None, [requirement.partly])]

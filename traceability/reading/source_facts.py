@@ -127,6 +127,10 @@ class Facts:
     def lines_of(self, file: str) -> list[str]:
         return (self.root / file).read_text(encoding="utf-8").splitlines()
 
+    def line_in(self, entry: Place, words: str) -> Place:
+        """Returns the place of a text in an entry of ``design/``, see ``Entries.line_in``."""
+        return self.declared.entries.line_in(entry, words)
+
     def targets(self, method: str, virtual: bool) -> list[str]:
         """Returns the methods that a call can execute: the called method, and for a virtual call
         also each overriding method."""

@@ -84,6 +84,5 @@ def findings(
     model: Any = SimpleNamespace(
         modules=MODULES, architecture=elements, connections=connections, groups=groups
     )
-    entries = SimpleNamespace(line_in=lambda place, _name: place)
-    facts: Any = SimpleNamespace(declared=SimpleNamespace(entries=entries))
+    facts: Any = SimpleNamespace(line_in=lambda place, _name: place)
     return [finding.text for finding in check(model, facts)]

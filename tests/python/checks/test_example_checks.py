@@ -1,4 +1,4 @@
-"""The check finds names in the Python examples of the pages that the client does not have."""
+"""mypy finds errors in the Python examples of the pages."""
 
 from pathlib import Path
 
@@ -8,59 +8,66 @@ MODULE = """\
 from enum import Enum
 class Unit(Enum):
     VOLT = 1
-class Base(Unknown):
-    pass
 class Link:
     def __init__(self, path, clock=None):
         self.path = path
     def send(self, order, *, again=False):
         pass
-def connect(link, **more):
+def connect(link, **more) -> Link:
     return link
 """
 EXAMPLE = """\
 .. code-block:: python
 
    import math
-   from weeding_robot_client.link import Base, Link, Unit, connect, disconnect
+   import not_installed
+   from weeding_robot_client.link import Link, Unit, connect, disconnect
    from weeding_robot_client.lines import Line
    from weeding_robot_client import link as module
 
-   with Link("path", clock=math.pi) as link:
-       link.send(Unit.VOLT, again=True)
-       link.send(Unit.OHM, once=True)
-       print(link.path, link.speed, Base.anything, module.Link)
+   link = Link("path", clock=math.pi + not_installed.clock)
+   link.send(Unit.VOLT, again=True)
+   link.send(Unit.OHM, once=True)
+   print(link.path, link.speed, module.Link)
    other = Link(file="path")
-   connect(other, any=other.close(), thing=Unit.VOLT.name)
+   connect(other, any=connect(other).close(), thing=Unit.VOLT.name)
 
 Text with link.unknown.
-
+"""
+WRONG = """\
 .. code-block:: python
 
    from weeding_robot_client import frames, link as
 """
 
 
-def test_names_that_the_client_does_not_have_are_found(tmp_path: Path) -> None:
-    client = tmp_path / "client" / "weeding_robot_client"
-    client.mkdir(parents=True)
+def write(root: Path, page: str, text: str) -> list[tuple[int, str]]:
+    """Writes a page, and returns the lines and texts of the findings in it."""
+    client = root / "client" / "weeding_robot_client"
+    client.mkdir(parents=True, exist_ok=True)
     (client / "link.py").write_text(MODULE)
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs" / "page.rst").write_text(EXAMPLE)
-    found = sorted((one.place.line, one.text) for one in wrong_examples(tmp_path))
-    assert found == [
-        (4, "weeding_robot_client.link has no disconnect"),
-        (5, "weeding_robot_client.lines has no Line"),
-        (10, "Unit has no attribute OHM"),
-        (10, "link.send has no parameter once"),
-        (11, "link has no attribute speed"),
-        (12, "Link has no parameter file"),
-        (13, "other has no attribute close"),
-        (19, "the example is not valid Python: invalid syntax"),
-    ]
+    (root / page).parent.mkdir(exist_ok=True)
+    (root / page).write_text(text)
+    return sorted((one.place.line, one.text) for one in wrong_examples(root))
 
 
-def test_an_example_in_a_readme_is_read(tmp_path: Path) -> None:
-    (tmp_path / "README.md").write_text("```python\nimport weeding\nx = (\n```\ntext )\n")
-    (found,) = wrong_examples(tmp_path)
-    assert (found.place.line, found.check) == (3, "doc-name")
+def test_names_that_the_client_does_not_have_are_found(tmp_path: Path) -> None:
+    found = write(tmp_path, "docs/page.rst", EXAMPLE)
+    named = (
+        *((5, "disconnect"), (6, "weeding_robot_client.lines"), (11, "OHM"), (11, "once")),
+        *((12, "speed"), (13, "file"), (14, "close")),
+    )
+    assert [line for line, _ in found] == [line for line, _ in named]
+    for line, name in named:
+        assert any(at == line and name in text for at, text in found)
+
+
+def test_a_wrong_type_in_a_readme_is_found(tmp_path: Path) -> None:
+    example = "```python\nimport weeding\nx: int = ''\n```\ntext )\n"
+    ((line, text),) = write(tmp_path, "README.md", example)
+    assert line == 3 and text.startswith("Incompatible types")
+
+
+def test_code_that_is_not_python_is_found(tmp_path: Path) -> None:
+    ((line, _),) = write(tmp_path, "docs/page.rst", WRONG)
+    assert line == 3

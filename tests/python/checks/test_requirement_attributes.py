@@ -11,12 +11,13 @@ from typing import Any
 import pytest
 
 from tests.python.model.small_case import make_model, write_case
-from traceability.checks.requirement_checks import _attributes, _sources, headings
+from traceability.checks.requirement_checks import _attributes, _sources
 from traceability.model.design_model import Model
 from traceability.model.evidence import read_evidence
 from traceability.reading.comments import Comments
 from traceability.reading.declared_safety import read_sources
 from traceability.reading.products import PRODUCTS
+from traceability.reading.source_lines import headings
 from traceability.schema import PaperPlace, Place
 
 WHERE = Place("design/paper.toml", 1)
@@ -47,8 +48,7 @@ def test_an_attribute_has_a_known_value(
     tmp_path: Path, name: str, value: object, says: str
 ) -> None:
     model = changed(tmp_path, **{name: value})
-    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
-    assert [one.text for one in _attributes(model, facts)] == [says] * bool(says)
+    assert [one.text for one in _attributes(model)] == [says] * bool(says)
 
 
 @pytest.mark.parametrize(
@@ -88,8 +88,7 @@ def test_the_products_agree_with_the_modules_that_satisfy_a_requirement(
     tmp_path: Path, methods: list[str], products: list[str], says: list[str]
 ) -> None:
     model = changed(tmp_path, satisfied_by=methods, products=products)
-    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
-    assert [one.text for one in _attributes(model, facts)] == [f"FR-1 has {text}" for text in says]
+    assert [one.text for one in _attributes(model)] == [f"FR-1 has {text}" for text in says]
 
 
 @pytest.mark.parametrize(
@@ -109,8 +108,7 @@ def test_the_method_has_something_that_shows_it(
 ) -> None:
     measured = [read_evidence("checks.uses-board exactly 0", WHERE)] * evidence
     model = changed(tmp_path, method=method, verified_by=[], evidence=measured)
-    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
-    assert len(list(_attributes(model, facts))) == found
+    assert len(list(_attributes(model))) == found
 
 
 @pytest.mark.parametrize(
@@ -143,5 +141,5 @@ def facts_of(root: Path) -> Any:
     page = root / "docs" / "protocol.rst"
     page.parent.mkdir(exist_ok=True)
     page.write_text("PC protocol\n===========\n\nFrames\n------\n\nA text.\n\n---\n")
-    assert headings(page) == ["PC protocol", "Frames"]
+    assert list(headings(page)) == ["PC protocol", "Frames"]
     return SimpleNamespace(root=root, comments=Comments(root))

@@ -25,7 +25,8 @@ FOLDER = 'auto k = "sim/scenario/safety";\nTEST_P(Safety, FR1_Stops) {\n  play(G
 
 def check(root: Path, model: Model) -> list[Finding]:
     declared = Declared(entries=Entries(root), safety=model.safety)
-    facts: Any = SimpleNamespace(root=root, declared=declared)
+    line_in = declared.entries.line_in
+    facts: Any = SimpleNamespace(root=root, declared=declared, line_in=line_in)
     return list(safety_checks.check(replace(model, safety=safety_of(model, facts)), facts))
 
 

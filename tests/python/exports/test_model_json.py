@@ -15,13 +15,13 @@ import pytest
 from portal.diagrams import diagram_files
 from portal.portal import Portal
 from tests.python.portal.fixture import REPORT, make_model, make_project
-from traceability.exports.model_json import model_schema, model_text
+from traceability.exports.model_json import model_text, schema_text
 
 
 @pytest.mark.parametrize("change", ["without a key", "another key", "another type"])
 def test_what_does_not_fit_is_refused(change: str) -> None:
     data = json.loads(model_text(make_model(), REPORT))
-    jsonschema.Draft202012Validator(model_schema()).validate(data)
+    jsonschema.Draft202012Validator(json.loads(schema_text())).validate(data)
     module = data["modules"]["RC"]
     if change == "without a key":
         del module["secret"]
@@ -30,11 +30,11 @@ def test_what_does_not_fit_is_refused(change: str) -> None:
     else:
         module["secret"] = 1
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.Draft202012Validator(model_schema()).validate(data)
+        jsonschema.Draft202012Validator(json.loads(schema_text())).validate(data)
 
 
 def test_classes_are_described_in_words() -> None:
-    definitions = model_schema()["$defs"]
+    definitions = json.loads(schema_text())["$defs"]
     assert definitions["Place"]["description"].startswith("A source line of a file")
     assert definitions["TreeNode"]["properties"]["children"]["items"] == {
         "$ref": "#/$defs/TreeNode"
