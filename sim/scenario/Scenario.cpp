@@ -17,7 +17,7 @@ constexpr Time kCycle{100};
 constexpr Time kToFirstOrder{
     200};  // time from Hello to the first order: Welcome and Confirm take two cycles
 // Sufficient number of orders: the robot reads only the later ones, and needs several of them to be
-// armed. One order more is sent.
+// armed.
 constexpr int kNeutralOrders = 13;
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {
