@@ -355,8 +355,16 @@ def checks_of_tools(root: Path) -> list[Task]:
             partial(seed_faults, root),
             SEEDED,
             (str(FAULTS),),
+            state=partial(fresh_results, root),
         ),
     ]
+
+
+def fresh_results(root: Path) -> str:
+    """Returns which results of the tests are fresh. Some seeded faults can be tried only with fresh
+    results."""
+    names = (task_record.TESTS_TRACE, task_record.TESTS_BOARD)
+    return json.dumps({name: is_fresh(root, name) for name in names})
 
 
 def seed_faults(root: Path, log: TextIO) -> Outcome:

@@ -16,9 +16,10 @@ from tools.tasks import (
     PYTHON_TESTS,
     RESULT_TASKS,
     TESTS_SANITIZE,
+    fresh_results,
 )
 from traceability.reading.results import TIMES, read_json
-from traceability.reading.task_record import RECORD, SEEDED_FAULTS
+from traceability.reading.task_record import RECORD, SEEDED_FAULTS, TESTS_BOARD
 from traceability.reading.tool_tests import python_task
 
 
@@ -60,6 +61,14 @@ def test_long_tests_and_seeded_faults_run_only_on_request(
     run_tests.test_all(root, long=long, ci=False)
     shown = capsys.readouterr().out
     assert (LONG_TESTS in shown, SEEDED_FAULTS in shown) == (long, long)
+
+
+def test_fresh_results_of_the_tests_are_a_reason_to_try_the_seeded_faults_again(
+    tmp_path: Path,
+) -> None:
+    before = fresh_results(tmp_path)
+    Graph(tmp_path, [Task(TESTS_BOARD, lambda _log: None)]).run([TESTS_BOARD])
+    assert fresh_results(tmp_path) != before
 
 
 def measured(root: Path) -> set[str]:
