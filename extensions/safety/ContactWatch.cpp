@@ -24,7 +24,9 @@ void ContactWatch::sample() {
   }
 }
 
-// If a tick comes between two of these statements, an opening is reported twice, but none is lost.
+// A tick can come between two of these statements. After the first statement, an opening is then
+// reported twice. After the second, a closing that no other tick finds is lost: the openings before
+// and after this closing count as one.
 bool ContactWatch::opened() {
   const bool before = latched_.exchange(false, std::memory_order_relaxed);
   const bool open = contact_.level();

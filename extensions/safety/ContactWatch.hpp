@@ -25,15 +25,14 @@ class ContactWatch final {
   ContactWatch& operator=(const ContactWatch&) = delete;
 
   /// @brief Reads the contact. Records an opening if the contact was open at three successive
-  /// ticks, and if it was closed at a tick or at a call of opened() before. The handler of each
+  /// ticks. An opening that the last call of opened() found is not recorded. The handler of each
   /// tick calls this function.
   /// @satisfies FR-271
   /// @isr{yes}
   void sample();
 
   /// @brief Checks whether the contact is open now, or whether an opening was recorded since the
-  /// last call of this method. An opening that the last call found is not recorded again. If the
-  /// contact closes and opens again between two ticks, this counts as one opening.
+  /// last call of this method. Two openings with less than 2 ms between them can count as one.
   /// @return true if the contact is open now, or if an opening was recorded.
   /// @satisfies FR-271
   /// @satisfies FR-291
