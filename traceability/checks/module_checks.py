@@ -12,9 +12,9 @@ from traceability.model.design_model import Model
 from traceability.model.dictionary import unit_text
 from traceability.reading.ast_facts import BodyFact
 from traceability.reading.comments import Comment
+from traceability.reading.graphs import descendants
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.products import listed
-from traceability.reading.reach import reached_from
 from traceability.reading.source_facts import Facts, is_constructor
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC, text_of
@@ -74,7 +74,7 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
         user = facts.user(name.by, name.place)
         owner = user if user in model.modules else ""
         named.setdefault(owner, set()).add(name.target.split("::")[0])
-    used = reached_from("", named)
+    used = descendants("", named)
     for module in model.modules.values():
         if not module.datatype and module.name not in used and named.get(""):
             text = (

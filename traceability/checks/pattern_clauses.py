@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from traceability.reading.ast_facts import ANY_CLASS, BodyFact, CallFact, FieldFact, MethodFact
-from traceability.reading.reach import reached_from
+from traceability.reading.graphs import descendants
 from traceability.reading.source_facts import Facts
 from traceability.schema import PatternApplication, Place
 
@@ -131,7 +131,7 @@ class Shape:
         """Returns all methods that a method calls, directly or through other functions of the same
         class."""
         own = {body.id: {call.target for call in body.calls} for body in self.bodies(module)}
-        return reached_from(method, own)
+        return descendants(method, own)
 
 
 def owner_of(method: str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.stack import DECLARED
-from traceability.reading.reach import reached_from
+from traceability.reading.graphs import descendants
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place, StackProof
 
@@ -32,7 +32,7 @@ def _self_calls(facts: Facts) -> Iterator[Finding]:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
         own.update(call.target for call in body.calls if not call.virtual)
     for body in facts.syntax.bodies:
-        if body.id in reached_from(body.id, calls[body.place.file]):
+        if body.id in descendants(body.id, calls[body.place.file]):
             text = f"{body.id} calls itself, directly or through other functions of its file"
             yield Finding(body.place, "stack-recursion", text)
 

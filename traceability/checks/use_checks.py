@@ -9,7 +9,7 @@ from itertools import product
 from pathlib import Path
 
 from traceability.model.design_model import Model
-from traceability.reading.reach import reached_from
+from traceability.reading.graphs import descendants
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.reading.syntax import includes_of
@@ -150,13 +150,13 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
         if top != other:
             graph = _graph(uses, depth=1)
-            if top in reached_from(other, graph):
+            if top in descendants(other, graph):
                 yield _finding(use, f"{top} and {other} use each other")
             continue
         graph = _graph(uses, depth=9)
-        loop = reached_from(use.target, graph)
+        loop = descendants(use.target, graph)
         if use.source in loop:
-            members = {m for m in loop if use.source in reached_from(m, graph)}
+            members = {m for m in loop if use.source in descendants(m, graph)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
                 text = f"the uses of {names} form a cycle that design/uses.toml does not declare"
@@ -205,7 +205,7 @@ def _idle_cycles(model: Model, facts: Facts) -> Iterator[Finding]:
     for cycle in facts.declared.cycles:
         for module in cycle.modules[1:]:
             first = cycle.modules[0]
-            both = module in reached_from(first, graph) and first in reached_from(module, graph)
+            both = module in descendants(first, graph) and first in descendants(module, graph)
             if not both:
                 text = f"{module} is in no cycle with {first}"
                 yield Finding(cycle.place, "uses-unused", text)

@@ -26,6 +26,7 @@ from traceability.reading.call_graph import (
     symbol_value,
     uses_floats,
 )
+from traceability.reading.graphs import reached_from
 from traceability.reading.source_facts import Facts, References
 from traceability.schema import Place, StackCall, StackContext, StackProof
 
@@ -45,8 +46,7 @@ class Declared:
     # Class -> number of its objects in a chain, with the objects of its subclasses. In a chain,
     # each object wraps the next object.
     entries: dict[str, int] = field(default_factory=dict)
-    # Class of an object in a chain with a fixed order -> the classes of all later objects in the
-    # chain.
+    # Class of an object in a chain -> the classes of all later objects in the chain.
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 
@@ -55,17 +55,14 @@ def read_declared(root: Path, facts: Facts) -> Declared:
     if not file.exists():
         return Declared()
     data = tomllib.loads(file.read_text(encoding="utf-8"))
-    chains = data.get("chain", [])
+    inner: dict[str, frozenset[str]] = {}
+    for chain in data.get("chain", []):
+        inner |= later_classes(facts.robot, chain["first"], chain["last"])
     return Declared(
         faults=data.get("faults", []),
         calls={entry["from"]: entry["to"] for entry in data.get("call", [])},
-        entries=objects_in_chains({name for entry in chains for name in entry["classes"]}, facts),
-        inner={
-            name: later
-            for entry in chains
-            if entry.get("ordered")
-            for name, later in inner_classes(facts.robot, entry["classes"]).items()
-        },
+        entries=objects_in_chains(set(inner), facts),
+        inner=inner,
     )
 
 
@@ -81,16 +78,14 @@ def objects_in_chains(classes: set[str], facts: Facts) -> dict[str, int]:
     return objects
 
 
-def inner_classes(robot: References, classes: Sequence[str]) -> dict[str, frozenset[str]]:
-    """Returns the classes of all later objects in the chain, for each class of a chain. In a chain,
-    the constructor of each object gets the next object. Leaves out a class whose object can get
-    itself in this way."""
-    inner = {name: robot.arguments(name).intersection(classes) for name in classes}
-    for _ in classes:
-        inner = {
-            name: later.union(*(inner[each] for each in later)) for name, later in inner.items()
-        }
-    return {name: frozenset(later) for name, later in inner.items() if name not in later}
+def later_classes(robot: References, first: str, last: str) -> dict[str, frozenset[str]]:
+    """Returns the classes of all later objects in a chain, for each class of the chain. In a chain,
+    the constructor of each object gets the next object. Returns no class if ``first`` does not
+    lead to ``last``."""
+    classes = reached_from([first], robot.arguments)
+    later = {name: reached_from(robot.arguments(name), robot.arguments) for name in classes}
+    chain = {name for name in classes if name == last or last in later[name]}
+    return {name: frozenset(chain.intersection(later[name])) for name in chain if last in classes}
 
 
 def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> StackProof | None:

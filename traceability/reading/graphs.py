@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import TypeVar
 
 Node = TypeVar("Node")
@@ -19,3 +19,9 @@ def reached_from(starts: Iterable[Node], next_of: Callable[[Node], Iterable[Node
                 reached[node] = None
                 waiting.append(node)
     return list(reached)
+
+
+def descendants(start: Node, graph: Mapping[Node, Collection[Node]]) -> set[Node]:
+    """Returns all nodes to which one or more edges of ``graph`` lead. ``start`` is one of them only
+    if it is in a cycle."""
+    return set(reached_from(graph.get(start, ()), lambda node: graph.get(node, ())))

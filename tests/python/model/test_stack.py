@@ -10,7 +10,7 @@ from typing import cast
 import pytest
 
 from traceability.model.design_model import Model
-from traceability.model.stack import Declared, Prover, inner_classes, objects_in_chains
+from traceability.model.stack import Declared, Prover, later_classes, objects_in_chains
 from traceability.reading.ast_facts import BodyFact, CallFact, Syntax
 from traceability.reading.call_graph import Function, _read_listing, _read_unit
 from traceability.reading.source_facts import Facts, References
@@ -97,19 +97,21 @@ def test_an_object_of_an_ordered_chain_calls_no_object_before_it() -> None:
     ]
 
 
-def test_the_constructors_show_the_order_of_a_chain() -> None:
-    passed = {
+def test_the_constructors_show_the_classes_of_a_chain_and_their_order() -> None:
+    passed: dict[str, set[str]] = {
         "Outer": {"Middle", "Memory"},
         "Middle": {"Inner"},
-        "Inner": set[str](),
-        "Loop": {"Loop"},
+        "Inner": {"Port"},
+        "Memory": set(),
+        "Port": set(),
     }
     robot = cast(References, SimpleNamespace(arguments=passed.__getitem__))
-    assert inner_classes(robot, ["Inner", "Outer", "Middle", "Loop"]) == {
+    assert later_classes(robot, "Outer", "Inner") == {
         "Inner": frozenset(),
         "Outer": {"Inner", "Middle"},
         "Middle": {"Inner"},
     }
+    assert not later_classes(robot, "Memory", "Inner")
 
 
 def test_a_chain_has_an_object_of_a_base_class_for_each_of_its_subclasses() -> None:
