@@ -759,6 +759,15 @@ _FIXED = [
         "restore the code, or correct the order or the mark in the tree.",
     ),
     Check(
+        "tree-chain",
+        "Each chain of recorded calls is possible",
+        "In a chain of design/recordings.toml, one of the enclosing steps can call each inner step, "
+        "directly or indirectly.",
+        "The check does not detect a wrong order of steps that have the same enclosing step. The "
+        "next recording detects it.",
+        "correct the order of the steps in the chain.",
+    ),
+    Check(
         "tree-dynamic",
         "Each tree was executed",
         "A test that verifies the requirement passed, and its recorded calls contain all calls of "

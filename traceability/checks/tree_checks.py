@@ -1,4 +1,5 @@
-"""tree-*: the code can make each call of an invocation tree, and a passed test made the calls."""
+"""tree-*: the code can make each call of an invocation tree, and a passed test made the calls. The
+code can also make the calls of the chains in design/recordings.toml."""
 
 from __future__ import annotations
 
@@ -6,6 +7,8 @@ from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.trees import accepted
+from traceability.reading.chains import WITHIN, declared_chains
+from traceability.reading.graphs import reached_from
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import nodes_of
 from traceability.schema import Finding, Place, Requirement, TreeNode
@@ -29,6 +32,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         yield from _edges(requirement.tree, requirement, facts)
         if not model.results_stale:
             yield from _executed(requirement, model)
+    yield from _chains(facts)
 
 
 def _nodes(requirement: Requirement) -> Iterator[Finding]:
@@ -96,3 +100,23 @@ def _executed(requirement: Requirement, model: Model) -> Iterator[Finding]:
         "tree"
     )
     yield Finding(failed.place, "tree-dynamic", text)
+
+
+def _chains(facts: Facts) -> Iterator[Finding]:
+    """Finds steps of a chain that none of the enclosing steps can call, directly or indirectly."""
+
+    def called(method: str) -> list[str]:
+        owner = method.rpartition("::")[0]
+        calls = [call for body in facts.robot.own_bodies(method) for call in body.calls]
+        return [target for call in calls for target in facts.robot.wired_targets(call, owner)]
+
+    for chain in declared_chains(facts.root):
+        outer: list[str] = []
+        for step in chain.steps:
+            name = step.removeprefix(WITHIN)
+            if name == step:
+                outer = []
+            elif not any(name in reached_from([method], called) for method in outer):
+                text = f"{', '.join(outer)} cannot call {name} (chain {chain.name})"
+                yield Finding(chain.place, "tree-chain", text)
+            outer.append(name)
