@@ -761,7 +761,7 @@ _FIXED = [
     Check(
         "tree-chain",
         "Each chain of recorded calls is possible",
-        "In a chain of design/recordings.toml, one of the enclosing steps can call each inner step, "
+        "In a chain of design/recordings.toml, an enclosing step can call each inner step, "
         "directly or indirectly.",
         "The check does not detect a wrong order of steps that have the same enclosing step. The "
         "next recording detects it.",
