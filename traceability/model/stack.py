@@ -57,7 +57,7 @@ def read_declared(root: Path, facts: Facts) -> Declared:
     data = tomllib.loads(file.read_text(encoding="utf-8"))
     inner: dict[str, frozenset[str]] = {}
     for chain in data.get("chain", []):
-        inner |= later_classes(facts.robot, chain["first"], chain["last"])
+        inner |= later_classes(facts.robot, chain["name"], chain["last"])
     return Declared(
         faults=data.get("faults", []),
         calls={entry["from"]: entry["to"] for entry in data.get("call", [])},
