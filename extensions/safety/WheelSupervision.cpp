@@ -44,8 +44,9 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-// In the third cycle without a measured value, the value has been missing for more than 0.2 s.
-constexpr std::uint8_t kMissingCycles = 3;
+// A value is still valid in the first cycle without a new value (FR-127). Therefore it is missing for
+// the second time in the third cycle without a new value.
+constexpr std::uint8_t kMissingCycles = 2;
 
 // It is a fault if the measured current (in mA) does not change in this number of successive
 // cycles, while the voltage exceeds kDriving.

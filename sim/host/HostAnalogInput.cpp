@@ -7,7 +7,7 @@
 namespace wr::host {
 
 std::optional<std::uint16_t> HostAnalogInput::sample() {
-  return std::exchange(result_, level_);
+  return converts_ ? std::exchange(result_, level_) : std::nullopt;
 }
 
 void HostAnalogInput::drive(double share) {

@@ -19,7 +19,11 @@ class HostAnalogInput final : public AnalogInput {
   /// 1
   void drive(double share);
 
+  /// @brief Stops the converter: no further conversion ends.
+  void stop() { converts_ = false; }
+
  private:
+  bool converts_ = true;
   std::uint16_t level_ = kFullScale / 2 + 1;
   std::optional<std::uint16_t> result_;
 };

@@ -228,6 +228,21 @@ TEST_F(SafeRobot, FR278_ABrokenCurrentSensorStopsTheRobot) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
+/// @brief When the converter of a current stops, the protective stop begins in the third cycle
+/// without a new value.
+/// @verifies FR-278
+TEST_F(SafeRobot, FR278_AConverterThatStopsStopsTheRobot) {
+  armByPc();
+  order(20, 1500);
+  line.world.robot.pins().wheels.at(2).current.stop();
+  order(2, 1500);
+  EXPECT_EQ(protection().inhibit, Inhibit::None);
+  order(1, 1500);
+  EXPECT_EQ(protection().inhibit, Inhibit::ProtectiveStop);
+  EXPECT_EQ(protection().cause, StopCause::MissingMeasurement);
+  EXPECT_EQ(protection().wheel, 2);
+}
+
 /// @brief While the PC drives, the enable switch stops the robot within two cycles. The stop lasts
 /// while the PC continues to send orders.
 /// @verifies FR-285
