@@ -44,8 +44,8 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-// A value is still valid in the first cycle without a new value (FR-127). Therefore it is missing for
-// the second time in the third cycle without a new value.
+// A value is still valid in the first cycle without a new value (FR-127). Therefore it is missing
+// for the second time in the third cycle without a new value.
 constexpr std::uint8_t kMissingCycles = 2;
 
 // It is a fault if the measured current (in mA) does not change in this number of successive

@@ -104,8 +104,8 @@ class SystemConstants {
   [[nodiscard]] constexpr std::int32_t winding() const { return 1500; }
 
   /// @brief Returns the velocity below which a wheel counts as slow. At this velocity the motor
-  /// induces 2.1 V. In a short-circuited motor this voltage causes a current of 1.4 A. A wheel with
-  /// a short-circuited motor stays slow on slopes of up to 10 %.
+  /// induces 2.1 V. In a short-circuited motor this voltage causes a current of 1.4 A. Without a
+  /// load on the robot, a wheel with a short-circuited motor stays slow on slopes of up to 10 %.
   /// @return velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-87
   /// @satisfies FR-89
