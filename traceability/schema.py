@@ -900,7 +900,7 @@ class StateMachine:
 
     ``events`` maps an event to the operation of the State that the Context calls at this event.
     ``guards`` maps a guard or an event to the conditions that the code checks. ``actions`` maps an
-    action to the methods that the code calls.
+    action to the methods that the code calls. ``note`` explains the events and the guards.
     """
 
     id: str
@@ -913,6 +913,7 @@ class StateMachine:
     events: Mapping[str, str] = field(default_factory=dict)
     guards: Mapping[str, Sequence[str]] = field(default_factory=dict)
     actions: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    note: str = ""
     # state change that the machine does not declare, as "from operation to" -> the tests that made
     # this change
     undeclared: Mapping[str, list[str]] = field(default_factory=dict)

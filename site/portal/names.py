@@ -115,6 +115,10 @@ class Names:
             self.mod(name), link
         )
 
+    def event(self, event: str, operation: str) -> Markup:
+        """Returns the name of an event, with a link to the operation of the state that it calls."""
+        return anchor(self.links.method(operation), event)
+
     def types(self, code: str, own: str = "") -> Markup:
         """Returns a type or a signature as HTML. The names of modules and value types are links."""
         modules = self.model.modules

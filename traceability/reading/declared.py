@@ -261,10 +261,10 @@ def _machine(place: Place, path: Path, entries: Entries) -> schema.StateMachine 
     if place.file in entries.unreadable:
         return None
     needs = {"id": str, "title": str, "application": str, "initial": str, "states": dict}
-    may = ("events", "guards", "actions")
-    data = {name: entries.value(path, name, None) for name in needs}
-    data |= {name: entries.value(path, name, {}) for name in may}
-    if not entries.fits(data, place, needs, dict.fromkeys(may, dict)):
+    may = {"events": dict, "guards": dict, "actions": dict, "note": str}
+    found = {name: entries.value(path, name, None) for name in (*needs, *may)}
+    data = {name: value for name, value in found.items() if value is not None}
+    if not entries.fits(data, place, needs, may):
         return None
     return schema.StateMachine(transitions=transitions, place=place, **data)
 

@@ -129,6 +129,8 @@ def make_model() -> Model:
                     Transition("RC", "noMessage", "", "RC", "", asked, ["FR-16"]),
                 ],
                 Place("design/fsm/a.toml", 1),
+                events={"newMessage": "read", "noMessage": "read"},
+                note="A guard uses old values.",
             )
         },
         uses=[Use("main_control", MODES, [place])],

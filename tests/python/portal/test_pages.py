@@ -540,6 +540,14 @@ def test_a_cell_of_the_matrix_of_uses_leads_to_the_row_with_its_reason(
     assert pages["uses"].rows[-1][2] == "it reads"
 
 
+def test_the_event_of_a_transition_leads_to_the_operation_of_the_state(
+    pages: dict[str, Shown],
+) -> None:
+    shown = pages["machines"]
+    assert shown.links["@/modules/RC.html#m-read"] == "noMessage"
+    assert "The state machine begins in RC. A guard uses old values." in shown.text
+
+
 def test_the_index_of_the_trees_leads_to_each_tree(portal: Portal, pages: dict[str, Shown]) -> None:
     declared = [one for one in portal.model.requirements.values() if one.tree]
     assert declared
