@@ -19,6 +19,7 @@ from portal.bytes_page import follow_bytes
 from portal.cycle_page import cycle
 from portal.diagrams import DIAGRAMS, role_family
 from portal.dossier import dossier, dossier_page
+from portal.layers import ANY, layers
 from portal.links import logic_anchor
 from portal.live_view import run
 from portal.measured_pages import (
@@ -60,7 +61,6 @@ from traceability.schema import (
 )
 
 HIGH_LEVEL = "High-level diagram"
-ANY = "*"  # name in design/uses.toml that means every logic module
 # Order of the families of roles in the list of roles on the page of a pattern application.
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")
 EXAMPLE = "FR-15"  # requirement that the first page shows as an example
@@ -323,6 +323,7 @@ def uses(portal: Portal) -> dict[str, Any]:
             [name for name in portal.model.logic_modules if name in named], portal
         ),
         "cells": {(row.source, row.target): row for row in rows},
+        "layers": layers(portal.model.allowed_uses),
         "wide": True,
     }
 
