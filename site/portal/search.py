@@ -129,7 +129,8 @@ def entries(portal: Portal) -> list[Entry]:
             "Data types" if module.datatype else "Modules", kind(module), module.name, text, address
         )
     for logic in model.logic_modules.values():
-        add("Logic modules", "", logic.name, logic.brief, links.logic(logic.id))
+        text = f"{logic.brief.rstrip('.')}. {logic.function}"
+        add("Logic modules", "", logic.name, text, links.logic(logic.id))
     for application in model.patterns.values():
         text = f"{application.pattern}. {application.title}"
         add("Pattern applications", "P", application.id, text, links.pattern(application.id))
