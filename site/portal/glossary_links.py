@@ -18,10 +18,17 @@ GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 OTHER_SENSES = {"function", "target", "verdict"}
 # Words that contain a term but have another meaning. They are compared with the HTML text.
 OTHER_WORDS = (
-    *("stop bit", "stop at a breakpoint", "stop the processor", "stop the monitor", "end stop"),
-    *("hold a key", "only <em>hold</em>"),
-    *("product of voltage", "order in which", "reason in the order", "in this order"),
+    *("stop bit", "end stop", "product of voltage", ">product in ", "rows of plants"),
+    *("hold a key", "hold the reset", "only <em>hold</em>", ">holds</span>"),
+    *("brakes hold", "cannot hold", "parking brake", "mechanical brake", "steering brakes"),
+    *("message of the failure", "comments and messages"),
+    *("order in which", "reason in the order", "in this order", "define this order"),
+    *("same order", "random order", "other order", "wrong order", "their order from"),
+    *("in the order of", "order of the modes", "order of the decorators", "order and the number"),
 )
+# A term that is also a verb. It is linked only after an article, or before "order".
+ALSO_VERB = "stop"
+NOUN = re.compile(r"\b(?:a|the|this|no|any|each|every|new|later|earlier|stored|its) $")
 # HTML elements in which no term is linked, such as links, headings, code, pictures and controls.
 APART = (
     "a button code h1 h2 h3 h4 input kbd label option pre script select style summary svg th title"
@@ -30,7 +37,8 @@ ELEMENTS = re.compile(
     rf"<({APART.replace(' ', '|')})\b[^>]*(?<!/)>.*?</\1\s*>|<!--.*?-->", re.DOTALL
 )
 NO_START = re.compile(r"[\w.:/@-]")
-END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
+NAME = re.compile(r"(?:&amp;|&gt;|</span>) $")  # before the name of a parameter
+END = re.compile(r"s?(?![\w(-]|::)", re.IGNORECASE)
 
 
 class GlossaryLinks:
@@ -72,7 +80,11 @@ class GlossaryLinks:
 
     def _stands_alone(self, text: str, at: int, words: str) -> bool:
         """Returns true if ``words`` begins with a new word and is not a part of a longer term."""
-        if at and NO_START.match(text, at - 1):
+        before = text[max(0, at - 12) : at]
+        if NO_START.search(before[-1:]) or NAME.search(before):
+            return False
+        noun = NOUN.search(before) or text.startswith(" order", at + len(words))
+        if words == ALSO_VERB and not noun:
             return False
         return not any(text.startswith(term, at - offset) for term, offset in self.longer[words])
 

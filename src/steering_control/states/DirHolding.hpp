@@ -11,11 +11,11 @@ namespace wr {
 class DirHolding final : public DirState {
  public:
   /// @param turning state that follows when a turn begins; it need not be constructed before the
-  /// first tick
+  /// first tick()
   /// @param off state that follows when orders no longer arrive; it need not be constructed before
-  /// the first tick
+  /// the first tick()
   /// @param fault state that follows when a fault occurs; it need not be constructed before the
-  /// first tick
+  /// first tick()
   DirHolding(DirState& turning, DirState& off, DirState& fault);
 
   /// @brief Begins a turn when the algorithm demands a turn. Leaves the state when orders no longer

@@ -11,7 +11,7 @@ namespace wr {
 class DirOff final : public DirState {
  public:
   /// @param holding next state when an order to follow a set-point arrives; it need not be
-  /// constructed before the first tick
+  /// constructed before the first tick()
   explicit DirOff(DirState& holding);
 
   /// @brief Switches the motor on when an order to follow a set-point is in force.

@@ -12,11 +12,11 @@ namespace wr {
 class DirTurning final : public DirState {
  public:
   /// @param holding state that follows when the turn ends; it need not be constructed before the
-  /// first tick
+  /// first tick()
   /// @param off state that follows when orders no longer arrive; it need not be constructed before
-  /// the first tick
+  /// the first tick()
   /// @param fault state that follows when a fault occurs; it need not be constructed before the
-  /// first tick
+  /// first tick()
   DirTurning(DirState& holding, DirState& off, DirState& fault);
 
   /// @brief Sets the speed of the motor. Leaves the state when the steering is at rest, when orders

@@ -68,6 +68,10 @@ def test_a_term_in_words_with_another_meaning_is_not_linked(glossary: GlossaryLi
         "<p>Modules in the order in which they are built; the first reason in the order 2, 1.</p>",
         "<p>The trace contains these calls, nested and in this order.</p>",
         "<p>The receiver offers only <em>hold</em> or <em>preset</em>.</p>",
+        '<p><span class="v ok">holds</span> No heap.</p>',
+        "<p>The run stops with a finding, and some causes stop the wheel.</p>",
+        "<p>Two runs with the same records in the same order do not differ.</p>",
+        "<div>Product in <b>construction</b></div>",
     ],
 )
 def test_words_of_everyday_language_are_no_terms(glossary: GlossaryLinks, html: str) -> None:
@@ -91,7 +95,8 @@ def test_the_link_shows_the_first_sentence(glossary: GlossaryLinks) -> None:
         "<h2>Control cycle</h2>",
         "<pre>cycle</pre><code>cycle</code>",
         "<svg><text>cycle</text></svg>",
-        "<p>MainController::cycle, cycle-time, bicycle, cycle_</p>",
+        "<p>MainController::cycle, cycle-time, bicycle, cycle_, cycle(), cycle::kMost</p>",
+        "<p>read(<span>Reader&amp;</span> cycle, Stop&amp; stop)</p>",
         '<p title="cycle"></p>',
     ],
 )
