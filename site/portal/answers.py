@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
+
+from markupsafe import Markup, escape
 
 from portal.links import ROOT
 from traceability.sources import text_of
@@ -59,6 +61,15 @@ class Question:
 def questions_of(root: Path) -> list[Question]:
     entries = tomllib.loads(text_of(root / QUESTIONS)).get("question", [])
     return [Question(**entry) for entry in entries]
+
+
+def with_links(answer: Markup, questions: Iterable[Question]) -> Markup:
+    """Returns an answer in HTML. Each question that it names in quotation marks is a link."""
+    for question in questions:
+        title = escape(question.ask)
+        link = Markup('“<a href="{}">{}</a>”').format(question.address, title)
+        answer = answer.replace(Markup("“{}”").format(title), link)
+    return answer
 
 
 def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:

@@ -14,7 +14,7 @@ from jinja2 import Environment, FileSystemBytecodeCache
 from markupsafe import Markup
 
 from portal import diagrams, names
-from portal.answers import questions_of, with_metrics
+from portal.answers import questions_of, with_links, with_metrics
 from portal.calls import CallGraph
 from portal.constant_texts import constant_links
 from portal.glossary_links import GlossaryLinks
@@ -138,6 +138,7 @@ class Portal:
         templates = environment()
         templates.bytecode_cache = FileSystemBytecodeCache(str(compiled))
         templates.filters["text"] = self.names.text
+        templates.filters["with_links"] = lambda text: with_links(text, self.questions)
         templates.filters["gist"] = names.gist
         templates.filters["changed_words"] = names.changed_words
         templates.filters["file_name"] = names.file_name

@@ -12,7 +12,7 @@ namespace wr {
 class DirFault final : public DirState {
  public:
   /// @param off state that follows when the fault ends; it need not be constructed before the first
-  /// tick
+  /// tick()
   explicit DirFault(DirState& off);
 
   /// @brief Ends the fault if a release was ordered after the fault began.

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from markupsafe import Markup
 
-from portal.answers import QUESTIONS, Question, with_metrics
+from portal.answers import QUESTIONS, Question, with_links, with_metrics
 from portal.pages import all_pages
 from portal.portal import Portal
 from tests.python.portal.fixture import REPORT, make_project
@@ -52,6 +53,12 @@ def test_an_answer_shows_a_value_of_the_last_record_of_a_command() -> None:
 def test_the_items_of_a_list_are_one_line_in_the_table_of_the_questions() -> None:
     question = Question("How?", "Two steps:\n- Build.\n- Flash.", "x", [])
     assert question.line == "Two steps: Build. Flash."
+
+
+def test_a_question_in_quotation_marks_is_a_link() -> None:
+    question = Question("Is it so?", "Yes.", "Verify", ["tests.html"])
+    shown = with_links(Markup("See “Is it so?” and “Tests”."), [question])
+    assert shown == 'See “<a href="@/answers/is-it-so.html">Is it so?</a>” and “Tests”.'
 
 
 def test_an_answer_links_to_further_evidence(tmp_path: Path) -> None:
