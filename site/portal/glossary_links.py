@@ -19,7 +19,7 @@ OTHER_SENSES = {"function", "target", "verdict"}
 # Words that contain a term but have another meaning. They are compared with the HTML text.
 OTHER_WORDS = (
     *("stop bit", "end stop", "product of voltage", ">product in ", "rows of plants"),
-    *("hold a key", "hold the reset", "only <em>hold</em>", ">holds</span>"),
+    *("hold a key", "hold the reset button", "only <em>hold</em>", ">holds</span>"),
     *("brakes hold", "cannot hold", "parking brake", "mechanical brake", "steering brakes"),
     *("message of the failure", "comments and messages"),
     *("order in which", "reason in the order", "in this order", "define this order"),
