@@ -794,7 +794,7 @@ _FIXED = [
         "the requirement. If it contains none of these modules, it is not named. The requirement "
         "has one @method of verification: test, analysis, measurement or inspection. If the method "
         "is test, the @verifies of a test names the requirement. If the method is measurement or "
-        "analysis, the requirement has @evidence, or the @verifies of a test names it.",
+        "analysis, the requirement has @evidence.",
         "The check cannot judge whether the method suits the requirement. It does not find parts "
         "that are not verified although the requirement has no @partly.",
         "write the attribute, or correct its value.",

@@ -84,7 +84,8 @@ def _attributes(model: Model) -> Iterator[Finding]:
         if requirement.method not in METHODS:
             wrong.append(f"no valid @method ({', '.join(METHODS)})")
         elif not _has_way(requirement):
-            wrong.append(f"the @method {requirement.method} but no test and no evidence")
+            way = "test" if requirement.method == "test" else "@evidence"
+            wrong.append(f"the @method {requirement.method}, but no {way}")
         if not requirement.products:
             wrong.append("no @product (all, or names of products)")
         unknown = set(requirement.products) - {"all", *PRODUCTS}
@@ -117,11 +118,8 @@ def _wrong_products(requirement: Requirement) -> list[str]:
 
 
 def _has_way(requirement: Requirement) -> bool:
-    if requirement.method == "test":
-        return bool(requirement.verified_by)
-    return requirement.method == "inspection" or bool(
-        requirement.evidence or requirement.verified_by
-    )
+    ways = {"test": requirement.verified_by, "inspection": ["a person"]}
+    return bool(ways.get(requirement.method, requirement.evidence))
 
 
 def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
