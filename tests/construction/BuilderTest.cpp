@@ -153,8 +153,8 @@ TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }
 
-/// @brief After hold() was called for a cycle, the pool of the started robot has completed this
-/// cycle.
+/// @brief After hold() was called for a cycle, the control systems of the started robot have
+/// completed this cycle.
 /// @verifies FR-78
 TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   startRobot();
@@ -163,9 +163,9 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The second timer ticks from the start on. At each tick, it executes the commands of the
-/// wheels and the steering. The command of a wheel and the command of the steering each
-/// request a sample.
+/// @brief The second timer ticks from the start of the robot on. At each tick, it executes the
+/// commands of the wheels and the steering. The command of a wheel and the command of the steering
+/// each request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();

@@ -58,12 +58,12 @@ class LinkOracle {
 
   /// @brief Returns the payload of the order that can be read at a clock pulse.
   /// @param pulse the clock pulse [us]
-  /// @return 21 bytes, or nothing
+  /// @return the 21 bytes of the payload, or nothing if no order can be read
   [[nodiscard]] std::optional<std::vector<std::uint8_t>> order(Time pulse) const;
 
   [[nodiscard]] bool connected() const { return state_ == State::Connected; }
-  /// @brief Returns whether a stop is in force in this cycle. A stop is also in force in the cycle
-  /// that receives it and its release.
+  /// @brief Returns true if a stop is in force in this cycle. A stop is also in force in the cycle
+  /// that receives both the stop and its release.
   [[nodiscard]] bool stop() const { return stop_ || stopOfCycle_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
 

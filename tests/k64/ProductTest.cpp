@@ -25,7 +25,7 @@ constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
 // The firmware image of one product, on its own board. A finding of the board ends the test. The
-// calls of this image are not recorded, because call recordings are only made of the main image
+// calls of this image are not recorded, because calls are recorded only for the firmware image
 // under test.
 class ProductRobot : public SteppedRobot {
  public:

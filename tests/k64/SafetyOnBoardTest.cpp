@@ -57,8 +57,8 @@ Played played(const scenario::Scenario& scenario) {
   return result;
 }
 
-// Returns whether a scenario is played twice: one in four of all scenarios, because a drive on the
-// virtual board takes long.
+// Returns true if a scenario is played twice. Only one in four scenarios is played twice, because a
+// drive on the virtual board takes long.
 bool isRepeated(const std::filesystem::path& file) {
   const std::vector<std::filesystem::path> files = allScenarios();
   return (std::ranges::find(files, file) - files.begin()) % 4 == 0;

@@ -120,7 +120,7 @@ TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
 }
 
 /// @brief The report contains the reason, the cause and the wheel that a safety function returns.
-/// It shows that the robot is held.
+/// The report also shows that the robot is held.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_TheReasonOfASafetyFunctionIsReported) {

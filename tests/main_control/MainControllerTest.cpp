@@ -157,10 +157,10 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report contains two counts of processor cycles. The first count contains the cycles
-/// in which the processor was awake from the clock pulse of the previous control cycle to the clock
-/// pulse of this control cycle. The second count is for the time from the clock pulse to the start
-/// of the control cycle.
+/// @brief The report contains two counts of processor cycles. The first count begins at the clock
+/// pulse of the previous control cycle and ends at the clock pulse of this control cycle. It does
+/// not include the time in which the processor slept. The second count begins at the clock pulse of
+/// this control cycle and ends when this control cycle starts.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
@@ -176,8 +176,8 @@ TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   EXPECT_EQ(report.reportCycles, 0U);
 }
 
-/// @brief If a clock pulse is lost, the count of the cycles in which the processor was awake begins
-/// at the clock pulse of the previous control cycle.
+/// @brief If a clock pulse is lost, the count of the processor cycles without sleep still begins at
+/// the clock pulse of the previous control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ALostPulseDoesNotShortenTheCount) {
   connect();
@@ -392,7 +392,8 @@ TEST_F(MainControllerTest, FR74_CompletedCycleRefreshesTheWatchdogOnce) {
   EXPECT_FALSE(watchdog.missed());
 }
 
-/// @brief Neither the steps of a cycle nor a clock pulse alone refresh the watchdog.
+/// @brief Before the start of the controller, neither a clock pulse nor the steps of a cycle
+/// refresh the watchdog.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_NoStepAloneRefreshesTheWatchdog) {
   controller.clockPulse();

@@ -20,7 +20,7 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 // ---- link to the PC ----------------------------------------------------------------------------
 
 /// @brief A Hello is answered with a Welcome. The Welcome contains the session, the cycle period,
-/// the constant N of the operation states, and the cause of the reset.
+/// the number N of failed reads before the last waiting state, and the cause of the reset.
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();
@@ -200,8 +200,8 @@ TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   EXPECT_EQ(this->robot.report().source, kRc);
 }
 
-/// @brief A stop order and an order that releases the stop come before the same cycle. The robot is
-/// held in this cycle, and no longer in the next cycle.
+/// @brief A stop order and an order that releases the stop arrive before the same cycle. The robot
+/// is held in this cycle, and is not held in the next cycle.
 TYPED_TEST(Behaviour, StopHoldsInTheCycleThatReceivesIt) {
   this->robot.commandByPc();
   this->robot.order({.id = 9, .stop = true});

@@ -115,8 +115,8 @@ TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   EXPECT_NEAR(plant.present().count(), 1500, 15);
 }
 
-/// @brief After 1 s, while the wheel accelerates, the error of the current is at most 5 % of the
-/// order.
+/// @brief From 1 s after the order on, while the wheel accelerates, the error of the current is at
+/// most 5 % of the order.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   plant.load = kRolling;
@@ -202,8 +202,9 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   EXPECT_NEAR(plant.present().count(), 3000, 30);
 }
 
-/// @brief The supply is not sufficient for the first current order. The second current is reached
-/// within 5 % after 1 s, with an overshoot of less than 10 %.
+/// @brief The supply is not sufficient for the first current order. The second current order is
+/// lower. From 1 s after this order on, the error of the current is at most 5 %. The overshoot is
+/// less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   plant.load = 1.455;  // this load needs 3 A
@@ -373,9 +374,9 @@ TEST(VelocityLoop, FR223_StepsWithHallSensors) {
   }
 }
 
-/// @brief Steps between velocities, and reversals, settle within 5 s. A reversal may need 2 s more
-/// than a step from rest, because the wheel must first become slow. A step to 5 rpm settles within
-/// 8 s.
+/// @brief A step from one velocity to another settles within 5 s, also when it reverses the wheel.
+/// This limit is 2 s longer than for a step from rest, because a wheel must become slow before it
+/// reverses. A step to 5 rpm settles within 8 s.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {

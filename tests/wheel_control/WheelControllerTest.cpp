@@ -587,7 +587,8 @@ TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief After an overcurrent trip, no voltage is applied. Control then begins without memory.
+/// @brief In the cycle of an overcurrent trip, no voltage is applied. The next control step begins
+/// without memory.
 /// @verifies FR-89
 TEST_F(WheelControllerTest, FR89_DriverOffAppliesNothing) {
   for (int cycle = 0; cycle < 5; ++cycle) {

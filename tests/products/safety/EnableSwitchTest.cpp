@@ -253,8 +253,8 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
 }
 
 /// @brief Two successive pulses out of the range stop the robot, but they are not the position
-/// "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive pulses in
-/// the position "stop" between two cycles are this position.
+/// "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive stop
+/// pulses between two cycles count as the position "stop" if their width is in the range.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
   for (const bool stopped : {false, true}) {

@@ -8,8 +8,8 @@ namespace {
 constexpr std::uint8_t kTension = 1;
 constexpr std::uint8_t kCurrent = 2;
 
-/// @brief If the stick is deflected at power-on, no wheel turns in 5 s, and then no wheel has a
-/// voltage.
+/// @brief If the stick is deflected at power-on, no wheel turns in the first 5 s. At the end of
+/// these 5 s, no wheel has a voltage.
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
@@ -76,8 +76,8 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
   EXPECT_GT(fastest, 290);
 }
 
-/// @brief With orders of 24 V and of 10 A, wheel 0 reaches the speed limit of 290 rpm within 6 rpm,
-/// in both directions. No wheel is ever faster than 305 rpm.
+/// @brief With orders of 24 V and of 10 A, wheel 0 reaches a velocity within 6 rpm of the speed
+/// limit of 290 rpm, in both directions. No wheel is ever faster than 305 rpm.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();

@@ -344,9 +344,9 @@ TEST_F(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   EXPECT_FALSE(watch.opened());
 }
 
-/// @brief The watch reports an opening between two cycles once, and each further opening again: an
-/// opening that the last cycle did not find, and a second opening after a cycle that found the
-/// first opening.
+/// @brief The next cycle reports an opening between two cycles. Later cycles do not report this
+/// opening again, but each of them reports a new opening. If a cycle finds the contact open, the
+/// next cycle reports a second opening that began and ended between these two cycles.
 /// @verifies FR-271
 TEST_F(ContactWatchTest, FR271_EachOpeningBetweenTwoCyclesIsReported) {
   ticks(true, 3);
@@ -395,8 +395,9 @@ TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
-/// @brief A short opening of the contact has caused no protective stop yet. An acknowledgement that
-/// is read in the next cycle causes this stop. The next acknowledgement releases it.
+/// @brief A short opening of the contact occurs before a cycle that reads an acknowledgement. The
+/// cycle still latches the protective stop of this opening. The next acknowledgement releases this
+/// stop.
 /// @verifies FR-271
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR271_AnOpeningThatCausedNoStopIsNotAcknowledged) {
@@ -946,8 +947,8 @@ TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   }
 }
 
-/// @brief A wheel that is too fast backwards lowers the set-points. The set-points of voltage are
-/// lowered as those of current.
+/// @brief A wheel that is too fast backwards lowers the set-points. Set-points of voltage are
+/// lowered in the same way as set-points of current.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersSetPointsBackwardsAndOfVoltage) {
   for (const int velocity : {-1000, -3101}) {

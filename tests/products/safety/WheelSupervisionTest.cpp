@@ -423,8 +423,8 @@ TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, -1.001)), StopCause::Tracking);
 }
 
-/// @brief A measurement may be missing in two cycles. If it is also missing in the third cycle, a
-/// protective stop follows. A halted wheel without measurements does not cause a stop.
+/// @brief A measurement may be missing in two successive cycles. If it is also missing in the third
+/// cycle, the wheel causes a stop. A halted wheel without measurements does not cause a stop.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   WheelMeasurements missing;
@@ -485,7 +485,7 @@ TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
 }
 
-/// @brief Half an edge is subtracted in each cycle, also in the cycle of an edge. Therefore nine
+/// @brief Half an edge is subtracted in each cycle, also in a cycle with edges. Therefore nine
 /// edges in two cycles cause no stop, but ten edges in two cycles do.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_NineEdgesInTwoCyclesAreNoCause) {
