@@ -113,7 +113,8 @@ TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   EXPECT_FALSE(timer.pending());
 }
 
-/// @brief The remote control's order sets one velocity for all wheels.
+/// @brief An order of the remote control sets one velocity for all wheels, and the angle of the
+/// steering.
 /// @verifies FR-51
 TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   director.construct();
@@ -180,8 +181,8 @@ TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   EXPECT_TRUE(pins.steering.angle.sample().has_value());
 }
 
-/// @brief The pulses on both pins of the remote control become signals. The reader of the remote
-/// control reads these signals.
+/// @brief The pulses on the two pins of the remote control become the velocity signal and the
+/// direction signal.
 /// @verifies FR-52
 TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   director.construct();

@@ -24,7 +24,7 @@ struct Share {
 };
 
 /// @brief The output is high for the fraction of the period that was set, rounded to cycles of the
-/// bus clock. All channels can be fully off and fully on. A value above the limit counts as the
+/// bus clock. All channels can be fully off and fully on. A value beyond a limit counts as this
 /// limit.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {

@@ -338,9 +338,9 @@ TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief The sensor keeps its value from any moment of a turn on. The steering is in fault before
-/// the edge of a wheel has moved 5 cm further. At a radius of 0.27 m these are 10.6 degrees. At
-/// full rate the fault is detected within 320 ms.
+/// @brief The sensor becomes stuck at any moment of a turn. The steering is in fault before the
+/// edge of a wheel has moved 5 cm further. At a radius of 0.27 m, 5 cm are 10.6 degrees. At full
+/// rate the fault is detected within 320 ms.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_AStuckSensorIsFoundBeforeFiveCentimetres) {
   constexpr int kFullRate = 1200;  // time from the order until the motor turns at full rate, ms

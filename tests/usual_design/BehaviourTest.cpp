@@ -20,7 +20,7 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 // ---- link to the PC ----------------------------------------------------------------------------
 
 /// @brief A Hello is answered with a Welcome. The Welcome contains the session, the cycle period,
-/// the number N of failed reads before the last waiting state, and the cause of the reset.
+/// the number N of failed reads that lead to the last waiting state, and the cause of the reset.
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();

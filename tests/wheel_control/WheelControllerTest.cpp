@@ -22,8 +22,8 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief In the cycle that reads an order, the output already has the ordered voltage. The error
-/// is at most the greater of 0.5 % and 6 mV.
+/// @brief In the cycle that reads an order of up to 12 V, the output already has the ordered
+/// voltage. The error is at most the greater of 0.5 % and 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   for (const std::int16_t tension :

@@ -122,8 +122,8 @@ TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
 }
 
 /// @brief The firmware answers a Hello with one Welcome. The Welcome contains the session, the
-/// protocol version, the build id, the cycle period, the number N of failed reads before
-/// Reconnecting, and the data of the start.
+/// firmware version, the build id, the cycle period, the number N of failed reads that lead to the
+/// last waiting state, the data of the start, the accepted protocol versions and the schema hash.
 /// @verifies FR-30
 /// @verifies FR-76
 /// @verifies FR-246

@@ -442,7 +442,7 @@ class EnableBufferTest : public testing::Test {
   EnableBuffer buffer{widths, function, pipe, stop};
 };
 
-/// @brief The width of each pulse is stored with its time.
+/// @brief The width of each pulse is stored with the time at which the pulse ended.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TheWidthOfAPulseIsStored) {
   pulse(1500);

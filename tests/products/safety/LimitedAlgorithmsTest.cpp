@@ -27,9 +27,10 @@ WheelFeedback measured(int rpm, int milliamperes, std::optional<Tension> applied
   return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes), .applied = applied};
 }
 
-/// @brief At 12 A, the voltage of a wheel does not rise. At 10 A, it rises by at most 2 V, because
-/// the winding has more than 1 ohm. The other direction has the same limits. A demand below the
-/// limit is not changed. While the voltage of the wheel is unknown, no demand is changed.
+/// @brief The voltage of a wheel rises by at most 1 V for each ampere below 12 A, because the
+/// winding has more than 1 ohm. At 12 A, the voltage does not rise. At 14 A, it falls by 2 V. The
+/// other direction has the same limits. A demand below the limit is not changed. While the voltage
+/// of the wheel is unknown, no demand is changed.
 /// @verifies FR-296
 TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   DirectAlgorithm direct;

@@ -304,8 +304,9 @@ TEST_F(SafeRobot, FR271_AShortPressStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief The PC acknowledges, and then sends no order. An emergency stop that is pressed between
-/// the next two cycles stops the robot, although the acknowledgement is still the last order.
+/// @brief A cycle reads an acknowledgement of the PC. Then the PC sends no order. An emergency stop
+/// that is pressed and released before the next cycle stops the robot, although the acknowledgement
+/// is still the last order.
 /// @verifies FR-271
 /// @verifies FR-299
 TEST_F(SafeRobot, FR271_AShortPressAfterAnAcknowledgementStops) {
@@ -350,9 +351,9 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief The PC drives the robot. The robot stops when the enable switch is in "stop" for 40 ms,
-/// at each of four times of the cycle. The robot stays at rest until the PC has sent neutral
-/// orders.
+/// @brief The PC drives the robot. The robot stops when the enable switch is in "stop" for 40 ms.
+/// It stays at rest until the PC has sent neutral orders. This is tested at four times of the
+/// cycle.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   armByPc();
@@ -370,9 +371,9 @@ TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   }
 }
 
-/// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. At each
-/// time of the cycle, and also if the switch was in "stop" for only 40 ms, this sequence releases a
-/// protective stop.
+/// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. This
+/// sequence releases a protective stop, also if the switch was in "stop" for only 40 ms. This is
+/// tested at 15 times of the cycle.
 /// @verifies FR-288
 TEST_F(SafeRobot, FR288_AQuickSequenceOfTheSwitchAcknowledges) {
   armByRc();

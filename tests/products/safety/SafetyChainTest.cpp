@@ -344,9 +344,9 @@ TEST_F(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   EXPECT_FALSE(watch.opened());
 }
 
-/// @brief The next cycle reports an opening between two cycles. Later cycles do not report this
-/// opening again, but each of them reports a new opening. If a cycle finds the contact open, the
-/// next cycle reports a second opening that began and ended between these two cycles.
+/// @brief An opening between two cycles is reported in the second of these cycles, and not in later
+/// cycles. A later cycle reports a new opening. If a cycle finds the contact open, the next cycle
+/// also reports a second opening that began and ended between these two cycles.
 /// @verifies FR-271
 TEST_F(ContactWatchTest, FR271_EachOpeningBetweenTwoCyclesIsReported) {
   ticks(true, 3);
@@ -744,8 +744,8 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
 }
 
 /// @brief While no wheel is too fast, set-points of current are not changed. The ramp of a later
-/// set-point of velocity begins at the lower of two velocities: the measured velocity, and the
-/// velocity of an unloaded wheel at the present voltage. If these velocities have opposite
+/// set-point of velocity begins at the smaller magnitude of two velocities: the measured velocity,
+/// and the velocity of an unloaded wheel at the present voltage. If these velocities have opposite
 /// directions, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
@@ -808,7 +808,7 @@ TEST_F(SetPointRampTest, FR295_EachWheelHasItsVoltage) {
 }
 
 /// @brief After orders of voltage, the ramp begins at the present voltage and the present velocity,
-/// not at the values of the previous cycle. After a hold, it begins at 0.
+/// not at the values of the previous cycle. After a hold, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   const auto present = [&](int velocity, int tension) {

@@ -175,7 +175,7 @@ TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
 }
 
 /// @brief In a curve of more than 11 degrees, the set-points may make the wheels work against each
-/// other. In this curve, a current of more than 11.0 A may last for 5 s, but not longer.
+/// other. In such a curve, a current of more than 11.0 A may last for less than 5 s.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   for (const int angle : {1101, -1101}) {

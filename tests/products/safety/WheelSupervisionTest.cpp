@@ -410,8 +410,8 @@ TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
 }
 
 /// @brief A wheel at rest without voltage has no current. A current of more than 1.0 A in two
-/// cycles causes a stop. A current of 1.0 A does not cause a stop. A current of 1.1 A while the
-/// wheel turns does not cause a stop either.
+/// successive cycles causes a stop. A current of 1.0 A does not cause a stop. A current of 1.1 A
+/// while the wheel turns does not cause a stop either.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);
@@ -473,7 +473,7 @@ class RejectedEdges : public SupervisedWheel {
   int milliamperes_ = 0;
 };
 
-/// @brief A count of nine implausible edges causes a stop, while the wheel has voltage. In each
+/// @brief While the wheel has voltage, a count of nine implausible edges causes a stop. In each
 /// cycle, at most five edges are added to the count, and half an edge is subtracted. Edges before
 /// the first cycle are not counted.
 /// @verifies FR-279

@@ -274,8 +274,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief If one sensor has no more edges while the wheel turns, the last velocity is more than 150
-/// ms old from the second cycle on.
+/// @brief If one sensor has no more edges while the wheel turns at 100 rpm or more, the last
+/// velocity is more than 150 ms old from the second cycle on.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {
@@ -447,8 +447,8 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesOfEarlierCyclesDoNotCount) {
   }
 }
 
-/// @brief The count of implausible edges does not stop at 65535. Therefore the edges of a cycle can
-/// be computed at any time.
+/// @brief The count of implausible edges does not stop at 65535. Therefore the number of
+/// implausible edges in a cycle can be computed at any time.
 /// @verifies FR-123
 TEST_F(VelSensorTest, FR123_TheCountDoesNotStop) {
   for (int i = 0; i < 70000; ++i) {
@@ -481,8 +481,8 @@ class RecordedFunction final : public Function {
   mutable ArgumentValues values;
 };
 
-/// @brief The function gets the number of edges, their duration and the scale of one edge. Without
-/// edges, the velocity is 0 rpm.
+/// @brief The function gets the number of edges, their duration, the scale of one edge, the divisor
+/// 1 and the offset 0.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_ArgumentsOfTheFunction) {
   RecordedFunction function;
