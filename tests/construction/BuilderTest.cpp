@@ -98,8 +98,8 @@ TEST_F(BuilderTest, FR17_ModesSucceedEachOther) {
   EXPECT_EQ(controller.getMode().id(), ModeId::RC);
 }
 
-/// @brief The constructed robot runs no cycle before its start. After its start, it runs a cycle
-/// for each pulse of its timer.
+/// @brief The constructed robot runs no cycle before its start. After its start, the robot runs a
+/// cycle for each pulse of its timer.
 /// @verifies FR-1
 TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   director.construct();
@@ -164,9 +164,9 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The second timer ticks from the start of the robot on. At each tick, it executes the
-/// commands of the wheels and the steering. The command of a wheel and the command of the steering
-/// each request a sample.
+/// @brief The second timer ticks from the start of the robot on. At each tick, the second timer
+/// executes the commands of the wheels and the steering. The command of a wheel and the command of
+/// the steering each request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();

@@ -11,8 +11,8 @@ namespace wr::fuzz {
 /// @brief The behaviour of the PC link as docs/protocol.rst states it. The class uses no code of
 /// the firmware.
 ///
-/// The oracle receives the same bytes at the same times as the link. It returns the state that the
-/// link must have.
+/// The oracle receives the same bytes at the same times as the link. The oracle returns the state
+/// that the link must have.
 class LinkOracle {
  public:
   /// @brief Time since start [us].

@@ -113,7 +113,7 @@ TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
   EXPECT_FALSE(drivers.board.isOutput('C', 1)) << "the timer must control the pin";
 }
 
-/// @brief A reset ends the pulses. They do not start again without an order.
+/// @brief A reset ends the pulses. The pulses do not start again without an order.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   DriverBoard drivers({.elf = {}, .resetsAreFindings = false});

@@ -328,9 +328,9 @@ TEST(StartOfTheSafeRobot, FR291_PowerOnWithALowButtonPinReleasesTheStops) {
 }
 
 /// @brief If the external clock starts slowly at power-on, the first start fails, and the watchdog
-/// repeats it. The memory of the stops then has no valid value. Therefore a stop of the PC is in
-/// force, and a protective stop is latched. Another power-on with a slow clock does not release
-/// them.
+/// repeats the start. The memory of the stops then has no valid value. Therefore a stop of the PC
+/// is in force, and a protective stop is latched. Another power-on with a slow clock does not
+/// release these stops.
 /// @verifies FR-290
 /// @verifies FR-291
 TEST(StartOfTheSafeRobot, FR291_EachPowerOnWithASlowClockLatchesAProtectiveStop) {
@@ -349,8 +349,8 @@ TEST(StartOfTheSafeRobot, FR291_EachPowerOnWithASlowClockLatchesAProtectiveStop)
   }
 }
 
-/// @brief The thread of a wheel runs once in a control cycle. It runs twice in the cycle that
-/// detects the cause of a protective stop. First it applies the set-point, and then it halts the
+/// @brief The thread of a wheel runs once in a control cycle. The thread runs twice in the cycle
+/// that detects the cause of a protective stop: it applies the set-point first, and then halts the
 /// wheel. The proven bound of the cycle includes both activations.
 /// @verifies FR-270
 TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {

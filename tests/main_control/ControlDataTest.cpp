@@ -143,7 +143,7 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
 }
 
 /// @brief The report contains three counts of processor cycles. Each count is the difference
-/// between two values of the cycle counter. The counter may overflow between them.
+/// between two values of the cycle counter. The counter may overflow between these two values.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303

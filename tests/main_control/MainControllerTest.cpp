@@ -81,7 +81,8 @@ TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief As soon as set-points are stored, applyControl() passes them to the control systems.
+/// @brief As soon as set-points are stored, applyControl() passes these set-points to the control
+/// systems.
 /// @verifies FR-14
 TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   data.saveSetPoints({.orderId = 77});
@@ -106,8 +107,8 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last. It
-/// holds the control systems.
+/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last. A
+/// waiting cycle after such an order holds the control systems.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_AWaitingCycleDoesNotAcknowledge) {
   data.saveSetPoints({.acknowledge = true});
@@ -231,7 +232,7 @@ TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
 }
 
 /// @brief If the control systems are first held and then follow set-points in the same cycle, the
-/// report shows that they are not held.
+/// report shows that the systems are not held.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ControlAfterAHoldIsNoHold) {
   data.saveSetPoints({});

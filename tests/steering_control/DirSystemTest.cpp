@@ -93,8 +93,8 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief A cycle collects the values that were present when it sent its order to the steering. A
-/// later tick does not change these values.
+/// @brief A cycle collects the values that were present when the cycle sent its order to the
+/// steering. A later tick does not change these values.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

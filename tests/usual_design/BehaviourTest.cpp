@@ -77,8 +77,8 @@ TYPED_TEST(Behaviour, CountsBadFrames) {
   EXPECT_FALSE(report.orderRead());
 }
 
-/// @brief A PC that is silent for a second is disconnected. It gets no report until it confirms
-/// again.
+/// @brief A PC that is silent for a second is disconnected. Then the PC gets no report until it is
+/// connected again.
 TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   this->robot.commandByPc();
   for (int i = 1; i < 9; ++i) {
@@ -119,7 +119,8 @@ TYPED_TEST(Behaviour, BeginsHeldInTheModeRc) {
 }
 
 /// @brief Failed reads lead through the waiting states to Reconnecting. In the waiting states, the
-/// robot follows the last set-points. In Reconnecting, it is held. An order leads back to Working.
+/// robot follows the last set-points. In Reconnecting, the robot is held. An order leads back to
+/// Working.
 TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   const auto order = this->robot.velocity(300);
   this->robot.commandByPc(order);
@@ -254,7 +255,7 @@ TYPED_TEST(Behaviour, ReachesACurrent) {
   EXPECT_NEAR(this->robot.report().current[0], 6000, 300);
 }
 
-/// @brief A wheel changes its orientation only when it is slow.
+/// @brief The orientation of a wheel changes only while the wheel is slow.
 TYPED_TEST(Behaviour, SlowsDownBeforeItReverses) {
   const auto forwards = this->robot.velocity(800);
   const auto backwards = this->robot.velocity(-800);
@@ -287,7 +288,7 @@ TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A wheel is stopped if it has voltage and its Hall sensors have no edges. A hold does not
+/// @brief A wheel is stopped if it has voltage, but its Hall sensors have no edges. A hold does not
 /// end this stop.
 TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);

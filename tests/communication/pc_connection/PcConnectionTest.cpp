@@ -387,8 +387,8 @@ TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
 }
 
 /// @brief The silence of the PC lasts from the last byte of the last accepted frame to the last
-/// byte of the next frame. It does not depend on the cycles that read these frames. After 1 s of
-/// silence, the connection has ended, and the next frame is unexpected.
+/// byte of the next frame. The silence does not depend on the cycles that read these frames. After
+/// 1 s of silence, the connection has ended, and the next frame is unexpected.
 /// @verifies FR-33
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
@@ -404,8 +404,8 @@ TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief At a clock pulse, the silence is measured from the last byte of the last accepted frame.
-/// It is not measured from the cycle that read the frame.
+/// @brief At a clock pulse, the silence is measured from the last byte of the last accepted frame,
+/// not from the cycle that read this frame.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheSilenceBeginsWithTheLastByte) {
   handshake();

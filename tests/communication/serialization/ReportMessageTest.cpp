@@ -363,7 +363,7 @@ TEST(ReportMessage, FR66_EachEndStopHasItsBit) {
   EXPECT_EQ(written(data)[97], 2);
 }
 
-/// @brief Each wheel has a bit that shows that its overcurrent trip has acted.
+/// @brief Each wheel has a bit that is set when the overcurrent trip of this wheel has acted.
 /// @verifies FR-67
 TEST(ReportMessage, FR67_EachWheelThatIsCutOffHasItsBit) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -374,7 +374,7 @@ TEST(ReportMessage, FR67_EachWheelThatIsCutOffHasItsBit) {
   }
 }
 
-/// @brief Each wheel has a bit that shows that it has no motion feedback.
+/// @brief Each wheel has a bit that is set when this wheel has no motion feedback.
 /// @verifies FR-68
 TEST(ReportMessage, FR68_EachBlindWheelHasItsBit) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

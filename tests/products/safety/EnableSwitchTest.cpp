@@ -92,8 +92,8 @@ TEST_F(EnableSwitchTest, FR285_SilenceStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief If the wrapped mode reports a stop, the switch reports it too. When the switch is served,
-/// it also serves the wrapped mode.
+/// @brief If the wrapped mode reports a stop, the enable switch also reports this stop. When the
+/// switch is served, it also serves the wrapped mode.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   signals(kDrivePulse);
@@ -177,8 +177,8 @@ TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief In the position "PC", the remote control has no order. In the other positions, it has an
-/// order if the wrapped mode has a message.
+/// @brief In the position "PC", the remote control has no order. In the other positions, the remote
+/// control has an order if the wrapped mode has a message.
 /// @verifies FR-287
 TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
   signals(kDrivePulse);

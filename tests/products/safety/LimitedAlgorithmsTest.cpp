@@ -87,9 +87,9 @@ TEST(CurrentLimitedTest, FR296_AKnownVoltageIsNotForgotten) {
   EXPECT_EQ(control(velocityOf(3000), Current(10000)), ofTension + Tension(2000));
 }
 
-/// @brief At the limit of 290 rpm, the voltage of a wheel does not rise. Above this limit, it
-/// falls. A wheel that accelerates towards the limit gets less voltage than a wheel with a constant
-/// velocity. An order against the motion is not changed.
+/// @brief At the limit of 290 rpm, the voltage of a wheel does not rise. Above this limit, the
+/// voltage falls. A wheel that accelerates towards the limit gets less voltage than a wheel with a
+/// constant velocity. An order against the motion is not changed.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   for (const int sign : {1, -1}) {

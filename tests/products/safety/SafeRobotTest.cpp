@@ -92,7 +92,7 @@ TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   EXPECT_LE(fastest, 305);
 }
 
-/// @brief At an order of 6 V, the wheels do not reach the speed limit. They get the ordered
+/// @brief At an order of 6 V, the wheels do not reach the speed limit. The wheels get the ordered
 /// voltage.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersBelowTheSpeedLimitAreNotChanged) {
@@ -158,8 +158,8 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief After a fault of the steering, the robot brakes to rest. After the end of the fault, it
-/// stays at rest.
+/// @brief After a fault of the steering, the robot brakes to rest. After the end of the fault, the
+/// robot stays at rest.
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   armByPc();

@@ -201,8 +201,8 @@ TEST_F(ProtectiveStopTest, FR271_TheEmergencyStopIsACause) {
   expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
 }
 
-/// @brief After a reset, the protective stop is latched again with its cause and its wheel. It
-/// lasts until it is acknowledged.
+/// @brief After a reset, the protective stop is latched again with its cause and its wheel. The
+/// stop lasts until an acknowledgement releases it.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AProtectiveStopOutlivesAReset) {
   memory.save({.cause = StopCause::Overspeed, .wheel = 2});
@@ -332,7 +332,7 @@ class ContactWatchTest : public testing::Test {
 };
 
 /// @brief The watch of the emergency stop reports an opening in each cycle that finds the contact
-/// open. It does not report this opening again after the contact has closed.
+/// open. The watch does not report this opening again after the contact has closed.
 /// @verifies FR-271
 TEST_F(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   for (int cycle = 0; cycle < 3; ++cycle) {
@@ -377,7 +377,7 @@ TEST_F(ContactWatchTest, FR271_ACycleThatFindsTheContactClosedEndsAnOpening) {
 }
 
 /// @brief When the contact of the emergency stop is closed again, an acknowledgement releases the
-/// protective stop that its opening caused. This opening causes no second stop.
+/// protective stop that the opening of this contact caused. This opening causes no second stop.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   contact.set(true);
@@ -689,8 +689,8 @@ class SetPointRampTest : public SafetyChain {
   int first() const { return spy.applied.wheels[0].value; }
 };
 
-/// @brief The set-point needs at least 1.7 s to rise from 0 rpm to 300 rpm (0.85 m/s). Then it is
-/// equal to the ordered set-point. The decrease takes the same time.
+/// @brief The set-point needs at least 1.7 s to rise from 0 rpm to 300 rpm (0.85 m/s). Then the
+/// set-point is equal to the ordered set-point. The decrease takes the same time.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -730,8 +730,7 @@ TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   }
 }
 
-/// @brief If the changes of the set-points are limited, they are reduced by the same factor for all
-/// wheels.
+/// @brief If the changes of the set-points are limited, all changes are reduced by the same factor.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   SetPoints curve = alike(1000);
@@ -858,9 +857,9 @@ TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   EXPECT_EQ(first(), 1000);
 }
 
-/// @brief Up to a steering angle of 1 degree, the permitted velocity is 300 rpm. At 5 degrees, it
-/// is 260 rpm, and at 32 degrees, it is 240 rpm. The greater of the ordered and the measured angle
-/// determines the permitted velocity. All set-points are reduced by the same factor.
+/// @brief Up to a steering angle of 1 degree, the permitted velocity is 300 rpm. At 5 degrees, this
+/// velocity is 260 rpm. At 32 degrees, it is 240 rpm. The greater of the ordered and the measured
+/// angle determines the permitted velocity. All set-points are reduced by the same factor.
 /// @verifies FR-294
 TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   struct Case {

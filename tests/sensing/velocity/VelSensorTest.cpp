@@ -43,7 +43,7 @@ TEST_P(VelocityAccuracy, FR120_EvenEdges) {
 }
 
 /// @brief One sensor is displaced by 5 % of the distance between two edges. From 60 rpm on, the
-/// error of each measurement is at most 1 %. At any velocity, it is at most 6 %.
+/// error of each measurement is at most 1 %. At any velocity, this error is at most 6 %.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_MisplacedSensor) {
   const double rpm = GetParam();

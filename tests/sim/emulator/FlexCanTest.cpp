@@ -135,7 +135,7 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
 }
 
 /// @brief A read of the control word locks the buffer. A frame that arrives then waits until the
-/// timer is read, and its flag is set when it is moved into the buffer.
+/// timer is read. The flag of the frame is set when the frame is moved into the buffer.
 TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});

@@ -272,7 +272,8 @@ TEST_F(RobotTest, EdgesAreEven) {
   }
 }
 
-/// @brief The same seed always causes the same noise. Other seeds cause other noise.
+/// @brief The same seed always causes the same noise, even if a sensor is read more often. Other
+/// seeds cause other noise.
 TEST_F(RobotTest, NoiseBelongsToTheSeed) {
   const auto signature = [](std::uint32_t seed, bool asksMore) {
     Robot robot(seed);
@@ -690,7 +691,7 @@ TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
 }
 
 /// @brief The emergency stop removes all torque, independent of the firmware, and opens its
-/// contact. If it also short-circuits the motors, the robot stops sooner.
+/// contact. If the emergency stop also short-circuits the motors, the robot stops sooner.
 TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
   const auto wayAfter = [](plant::EmergencyStop state) {
     Robot driven(1);

@@ -1,6 +1,6 @@
-// A likely change: a new algorithm for the velocity of a wheel. It begins with the present velocity
-// of the wheel. In each cycle, its internal set-point approaches the ordered set-point by at most
-// 20 rpm.
+// A likely change: a new algorithm for the velocity of a wheel. Its internal set-point begins at
+// the present velocity of the wheel. In each cycle, its internal set-point approaches the ordered
+// set-point by at most 20 rpm.
 
 #include "usual_design/host/OneWheelRobot.hpp"
 
