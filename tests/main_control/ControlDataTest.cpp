@@ -14,7 +14,8 @@ class ControlDataTest : public testing::Test {
   ControlData data;
 };
 
-/// @brief Before the first cycle, all values are zero, and there is no source.
+/// @brief Before the first cycle, there are no set-points, no measured values and no source. The
+/// report shows that the robot is held.
 /// @verifies FR-19
 /// @verifies FR-174
 TEST_F(ControlDataTest, BeginsEmpty) {
@@ -65,7 +66,7 @@ TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
 }
 
 /// @brief The next cycle keeps the set-points, their source and the count of overruns, and clears
-/// all other values.
+/// all other saved values.
 /// @verifies FR-14
 /// @verifies FR-62
 TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {

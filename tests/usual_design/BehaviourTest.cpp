@@ -225,7 +225,8 @@ TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
 
 // ---- the wheel ---------------------------------------------------------------------------------
 
-/// @brief After 2.5 s, the mean velocity over 2 s is within 2 percent of the order.
+/// @brief From 2.5 s after the order on, the mean velocity over 2 s is within 2 percent of the
+/// order.
 TYPED_TEST(Behaviour, ReachesAVelocity) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
@@ -247,7 +248,7 @@ TYPED_TEST(Behaviour, AppliesATension) {
   EXPECT_TRUE(this->robot.line.pins.wheels[0].enable.isOn());
 }
 
-/// @brief After 1 s, the current is within 5 percent of the order.
+/// @brief 1 s after the order, the current is within 5 percent of the order.
 TYPED_TEST(Behaviour, ReachesACurrent) {
   const scenario::PcOrder order{.id = 4, .wheels = {{{2, 6000}}}};
   this->robot.commandByPc(order);
@@ -397,8 +398,8 @@ scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
           .stop = between(1, 8) == 1};
 }
 
-/// @brief After the PC has begun to send orders, both robots get the same bytes. They send the same
-/// answers, for any order and any movement of the wheel.
+/// @brief After the PC has begun to send orders, both robots get the same bytes. Both robots then
+/// send the same bytes, for any order and any movement of the wheel.
 TEST(BothDesigns, SendTheSameBytes) {
   std::mt19937 random(seed());
   SideBySide both;

@@ -128,7 +128,8 @@ TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   }
 }
 
-/// @brief A new current order is also reached within 1 s when the current brakes the wheel.
+/// @brief If a new current order brakes the wheel, the error of the current is at most 0.1 A after
+/// 1 s.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   run(currentOf(3000), 14);
@@ -137,7 +138,8 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
-/// @brief While a current brakes a wheel, its error is at most 0.2 A.
+/// @brief 1 s after an order of a current that brakes the wheel, the error of the current is at
+/// most 0.2 A.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentOfADeceleratingWheel) {
   for (const std::int16_t order : {std::int16_t{-500}, std::int16_t{-1000}}) {
@@ -157,10 +159,10 @@ TEST_F(ClosedLoopTest, FR85_CurrentOfADeceleratingWheel) {
   }
 }
 
-/// @brief After 1 s, the error of the current is at most the greater of two values: 5 % of the
-/// order, and 0.1 A. This is tested over the whole range of currents, in both directions, for any
-/// supply, winding and motor constant. Friction consumes 97 % of the torque. The wheel therefore
-/// stays slow, and the supply is sufficient.
+/// @brief From 1 s after the order on, the error of the current is at most the greater of two
+/// values: 5 % of the order, and 0.1 A. This is tested over the whole range of currents, in both
+/// directions, for the extreme values of supply, winding and motor constant. Friction consumes 97 %
+/// of the torque. The wheel therefore stays slow, and the supply is sufficient.
 /// @verifies FR-85
 TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   for (const double supply : {21.0, 24.0, 29.0}) {
@@ -318,9 +320,10 @@ WheelPlant plantOf(const Variant& variant) {
   return plant;
 }
 
-/// @brief A wheel settles in 3 s with less than 30 % overshoot. The error of its mean velocity is
-/// at most the greater of 1 % and 0.5 rpm. This is tested over the whole range of velocities, in
-/// both directions, with any supply, inertia, winding and motor constant.
+/// @brief After a step from rest, a wheel settles in 3 s with less than 30 % overshoot. The error
+/// of its mean velocity is at most the greater of 1 % and 0.5 rpm. This is tested over the whole
+/// range of velocities, in both directions, with the extreme values of supply, inertia, winding,
+/// motor constant and rolling resistance.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   for (const Variant& variant : variants()) {
@@ -339,8 +342,8 @@ TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   }
 }
 
-/// @brief With simulated Hall sensors, a wheel settles in 3 s with less than 30 % overshoot from 50
-/// rpm on. At 5 and 20 rpm it settles in 5 s with less than 9 rpm overshoot.
+/// @brief With simulated Hall sensors, a step from rest to 50 rpm or more settles in 3 s with less
+/// than 30 % overshoot. A step to 5 rpm or 20 rpm settles in 5 s with less than 9 rpm overshoot.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsWithHallSensors) {
   for (const Variant& variant : variants()) {

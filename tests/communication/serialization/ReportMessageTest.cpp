@@ -207,7 +207,7 @@ TEST(CycleCosts, DifferInEachCount) {
   test::expectDifference(&CycleCosts::report, 1U, &CycleCosts::awake, 1U, &CycleCosts::start, 1U);
 }
 
-/// @brief All values of a report without content are marked as missing.
+/// @brief In a report without content, all measured and applied values are marked as missing.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
   const scenario::ReportPayload empty{.source = 255, .stopWheel = 255};

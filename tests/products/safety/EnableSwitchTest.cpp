@@ -310,8 +310,8 @@ TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Orders acknowledge for 1 s after the sequence of the switch, also if the switch was in the
-/// position "PC" in this time. Later orders do not acknowledge.
+/// @brief Orders acknowledge for 1 s after the sequence "stop", "PC", "drive" of the switch, also
+/// if the switch was in the position "PC" during this second. Later orders do not acknowledge.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheAcknowledgementExpires) {
   for (const int cycles : {10, 11, 20}) {

@@ -407,8 +407,8 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   EXPECT_NE(wheel.pipe.read()->at, wheel.time.now());
 }
 
-/// @brief While a wheel turns, unclear edges and reversals count together. Two unclear edges and two
-/// reversals in a cycle make the velocity invalid.
+/// @brief While a wheel turns, simultaneous changes of both levels and reversals count together.
+/// Two such changes and two reversals in a cycle make the velocity invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesAndReversalsCountTogether) {
   for (const bool unclear : {false, true}) {

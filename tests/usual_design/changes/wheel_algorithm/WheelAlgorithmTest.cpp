@@ -29,7 +29,8 @@ TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   EXPECT_LT(this->robot.report().tension[0], unloaded(600));
 }
 
-/// @brief After 3 s, the mean velocity over 2 s is within 5 percent of the set-point.
+/// @brief From 3 s after the order on, the mean velocity over 2 s is within 5 percent of the
+/// set-point.
 TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
