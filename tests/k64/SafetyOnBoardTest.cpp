@@ -220,9 +220,9 @@ const auto kSituations = std::to_array<Situation>({
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
 /// @brief When the enable switch is set to "stop", all wheels brake within 200 ms. This is tested
-/// at six times of the cycle, and in five situations: the PC drives, the PC has missed one cycle,
-/// the PC has missed N cycles, and the remote control drives with and without a connected PC.
-/// Orders of the PC do not end the stop.
+/// at six times of the cycle and in five situations. In three situations, the PC drives, has missed
+/// one cycle, or has missed N cycles. In the other two situations, the remote control drives with
+/// or without a connected PC. Orders of the PC do not end the stop.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();
@@ -280,8 +280,8 @@ void PrintTo(const HeldInterrupt& held, std::ostream* output) {
 
 class InterruptsOfTheSafeRobot : public testing::TestWithParam<HeldInterrupt> {};
 
-/// @brief If the tick of a driving robot is not served for 25 ms, or the edges of its Hall sensors
-/// are not served for 40 ms, the robot resets. The wheels then have no voltage until an operator
+/// @brief A driving robot resets if its tick is not served for 25 ms. It also resets if the edges
+/// of its Hall sensors are not served for 40 ms. The wheels then have no voltage until an operator
 /// arms the robot again.
 /// @verifies FR-308
 TEST_P(InterruptsOfTheSafeRobot, FR308_AnInterruptThatIsNotServedResetsTheRobot) {

@@ -286,8 +286,8 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief If a cycle is late by one period, the bytes of a serial line without a pause do not fit
-/// into the buffer of the port. The loss is counted, and the connection continues.
+/// @brief A serial line without a pause fills the buffer of the port if a cycle is late by one
+/// period. The bytes that are lost are counted, and the connection continues.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();

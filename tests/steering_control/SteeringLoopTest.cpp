@@ -248,7 +248,7 @@ TEST_F(SteeringLoopTest, FR110_ABrokenCableIsAFault) {
 }
 
 /// @brief If the steering is blocked at full rate, at half rate or just before its angle, it is in
-/// fault within 0.5 s, and its motor is off.
+/// fault within 0.5 s. Its motor is then off.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_ABlockedTurnIsFoundWithin500Milliseconds) {
   for (const int blockedAfter : {900, 300, 150, 1300}) {

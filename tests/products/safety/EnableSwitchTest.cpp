@@ -102,9 +102,9 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief If two stop pulses confirm a stop between two cycles, the robot stops in the next cycle,
-/// even when the newest pulse already shows the position "drive". The stop ends when the stick is
-/// in the middle.
+/// @brief Two stop pulses between two cycles confirm a stop. The robot then stops in the next
+/// cycle, even when the newest pulse already shows the position "drive". The stop ends when the
+/// stick is in the middle.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {

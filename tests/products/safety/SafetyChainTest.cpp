@@ -830,8 +830,8 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   EXPECT_EQ(first(), 0);
 }
 
-/// @brief In each cycle, the magnitude of a set-point of voltage is at most 1.0 V higher and at
-/// most 2.4 V lower than the magnitude of the voltage at the wheel.
+/// @brief In each cycle, the magnitude of a set-point of voltage exceeds the magnitude of the
+/// voltage at the wheel by at most 1.0 V. It is at most 2.4 V below this magnitude.
 /// @verifies FR-295
 TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   const auto next = [&](int applied, int ordered) {

@@ -68,7 +68,7 @@ TEST_F(VelSensorTest, FR122_StandsAtStart) {
 }
 
 /// @brief The velocity of the first edges after a standstill is computed over the time since the
-/// previous measurement, not since the last edge of an earlier movement.
+/// previous measurement. The time since the last edge of an earlier movement has no effect.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   cycles(100, 3);
@@ -152,8 +152,8 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   }
 }
 
-/// @brief The velocity of a wheel that slows down is the same when its last edge is directly before
-/// the measurement and when it is directly after the measurement.
+/// @brief The last edge of a wheel that slows down is directly before or directly after a
+/// measurement. The measured velocity is the same in both cases.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
   for (const int direction : {1, -1}) {
@@ -274,8 +274,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief If one sensor has no more edges while the wheel turns at 100 rpm or more, the last
-/// velocity is more than 150 ms old from the second cycle on.
+/// @brief A wheel turns at 100 rpm or more, and one of its sensors has no more edges. From the
+/// second cycle on, the last velocity is more than 150 ms old.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {

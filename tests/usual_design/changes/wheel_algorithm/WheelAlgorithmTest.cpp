@@ -16,8 +16,8 @@ constexpr int unloaded(int tenthRpm) {
   return 5236 * tenthRpm / 1000;
 }
 
-/// @brief In the first cycles after a step of the set-point, the voltage is the voltage of an
-/// internal set-point that rises by 20 rpm per cycle.
+/// @brief In the first cycles after a step of the set-point, an internal set-point rises by 20 rpm
+/// per cycle. The wheel gets the voltage of this internal set-point.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // the measured velocity stays 0
