@@ -250,8 +250,8 @@ TEST(Scaling, FR120_LargeDivisor) {
   EXPECT_EQ(quotient(-5 * kDivisor, kDivisor), -5);
 }
 
-/// @brief If the range in which the value is 0 has the width 0, even the smallest deflection of a
-/// stick gives a value other than 0.
+/// @brief The range in which the value is 0 may have the width 0. Then even the smallest deflection
+/// of a stick gives a value other than 0.
 /// @verifies FR-52
 TEST(Scaling, FR52_LeastDeflection) {
   for (const std::int32_t side : {-1, 0, 1}) {

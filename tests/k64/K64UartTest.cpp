@@ -196,9 +196,9 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   EXPECT_EQ(robot.report().overruns, 1);
 }
 
-/// @brief The robot does not store a zero byte that follows another zero byte. Therefore, while the
-/// main controller is busy, the robot can receive more zero bytes than its buffer has space for,
-/// and still stores the next frame.
+/// @brief The robot does not store a zero byte that follows another zero byte. While the main
+/// controller is busy, more zero bytes arrive than the buffer has space for. The robot still stores
+/// the next frame.
 /// @verifies FR-171
 TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
   BlockedRobot robot;

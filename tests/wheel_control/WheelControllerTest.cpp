@@ -22,8 +22,8 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief In the cycle that reads an order, the output already has the ordered voltage. The error
-/// is at most the greater of 0.5 % and 6 mV.
+/// @brief In the cycle that reads an order of up to 12 V, the output already has the ordered
+/// voltage. The error is at most the greater of 0.5 % and 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   for (const std::int16_t tension :
@@ -220,8 +220,8 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
 
 /// @brief If the load keeps a wheel at rest, its motor draws the full current of its voltage. If
 /// the current is more than half of the full current, only a sixteenth of a voltage up to 14 V is
-/// counted, and only an eighth of a higher voltage. An order of up to 3.2 V is always counted
-/// fully.
+/// counted. Of a higher voltage, only an eighth is counted. An order of up to 3.2 V is always
+/// counted fully.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   struct Case {
@@ -587,7 +587,8 @@ TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief After an overcurrent trip, no voltage is applied. Control then begins without memory.
+/// @brief In the cycle of an overcurrent trip, no voltage is applied. The next control step begins
+/// without memory.
 /// @verifies FR-89
 TEST_F(WheelControllerTest, FR89_DriverOffAppliesNothing) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -614,8 +615,8 @@ TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief Two calls that are more than 50 ms apart belong to two cycles: the second call ends the
-/// time in which the current decays, and the motor brakes. After 50 ms or less the driver stays
+/// @brief Two calls that are more than 50 ms apart belong to two cycles. The second call then ends
+/// the time in which the current decays, and the motor brakes. After 50 ms or less the driver stays
 /// off.
 /// @verifies FR-221
 TEST_F(WheelControllerTest, FR221_CallsOfTwoCycles) {

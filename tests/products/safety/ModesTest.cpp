@@ -118,7 +118,7 @@ class PersistentStopTest : public ControllerFixture {
   SourceMode source;
 };
 
-/// @brief The stop of the source is stored. When the source releases it, the stored stop is
+/// @brief The stop of the source is stored. When the source releases this stop, the stored stop is
 /// cleared.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_TheStopIsStored) {

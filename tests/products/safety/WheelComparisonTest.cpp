@@ -115,8 +115,9 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
 }
 
-/// @brief Two wheels move too little. A different one of them moves least in each comparison. Each
-/// of them moves too little in two successive comparisons, and therefore one of them is reported.
+/// @brief Wheels 0 and 1 move too little in two successive comparisons. Wheel 1 moves least in the
+/// first comparison, and wheel 0 moves least in the second comparison. One of these two wheels is
+/// reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_ASlowWheelNeedNotBeTheSlowest) {
   EXPECT_EQ(move({2, 1, 80, 80}), std::nullopt);
@@ -174,7 +175,7 @@ TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
 }
 
 /// @brief In a curve of more than 11 degrees, the set-points may make the wheels work against each
-/// other. In this curve, a current of more than 11.0 A may last for 5 s, but not longer.
+/// other. In such a curve, a current of more than 11.0 A may last for less than 5 s.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   for (const int angle : {1101, -1101}) {

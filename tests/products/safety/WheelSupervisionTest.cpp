@@ -10,8 +10,8 @@ namespace wr::test {
 namespace {
 
 /// A wheel whose measurements a test sets. By default, voltage, velocity and current match. The
-/// motor has 52.36 mV per rpm and 1.5 Ohm. At 150 rpm, it needs 7.854 V, and 1.5 V more for a
-/// current of 1 A.
+/// motor has 52.36 mV per rpm and 1.5 Ohm. At 150 rpm, the motor needs 7.854 V, and 1.5 V more for
+/// a current of 1 A.
 class SupervisedWheel : public testing::Test {
  protected:
   static WheelMeasurements measured(double rpm, double amperes) {
@@ -211,8 +211,8 @@ TEST_F(SupervisedWheel, FR276_TheLastTenSetPointsCount) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
-/// @brief A wheel that is too fast, but loses more than 1 rpm in a cycle, is being braked. It does
-/// not cause a stop. A wheel that loses only 1 rpm causes a stop.
+/// @brief A wheel that is too fast, but loses more than 1 rpm in a cycle, is being braked. Such a
+/// wheel does not cause a stop. A wheel that loses only 1 rpm causes a stop.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(firstCause(10, measured(20, 1), 2.5, 20), 0);
@@ -230,8 +230,8 @@ TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(cycle(measured(98, 0), 5.2, 20), StopCause::Overspeed);
 }
 
-/// @brief A wheel may follow a falling set-point with a delay of up to 0.4 s. It does not cause a
-/// stop.
+/// @brief A wheel may follow a falling set-point with a delay of up to 0.4 s. Such a delay does not
+/// cause a stop.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   std::vector<double> setPoints;
@@ -410,8 +410,8 @@ TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
 }
 
 /// @brief A wheel at rest without voltage has no current. A current of more than 1.0 A in two
-/// cycles causes a stop. A current of 1.0 A does not cause a stop. A current of 1.1 A while the
-/// wheel turns does not cause a stop either.
+/// successive cycles causes a stop. A current of 1.0 A does not cause a stop. A current of 1.1 A
+/// while the wheel turns does not cause a stop either.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);
@@ -473,7 +473,7 @@ class RejectedEdges : public SupervisedWheel {
   int milliamperes_ = 0;
 };
 
-/// @brief A count of nine implausible edges causes a stop, while the wheel has voltage. In each
+/// @brief While the wheel has voltage, a count of nine implausible edges causes a stop. In each
 /// cycle, at most five edges are added to the count, and half an edge is subtracted. Edges before
 /// the first cycle are not counted.
 /// @verifies FR-279
@@ -485,7 +485,7 @@ TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
 }
 
-/// @brief Half an edge is subtracted in each cycle, also in the cycle of an edge. Therefore nine
+/// @brief Half an edge is subtracted in each cycle, also in a cycle with edges. Therefore nine
 /// edges in two cycles cause no stop, but ten edges in two cycles do.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_NineEdgesInTwoCyclesAreNoCause) {

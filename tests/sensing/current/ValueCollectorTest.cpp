@@ -186,9 +186,9 @@ TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_EQ(after.value, before.value);
 }
 
-/// @brief The mean reduces the noise of the sensor. If the noise is 50 mA rms, 6 mA rms remain in
-/// the zero point of the sensor, and 5 mA rms remain in the mean of a cycle. The test permits an
-/// error of 50 mA.
+/// @brief The mean reduces the noise of the sensor. Of a noise of 50 mA rms, 6 mA rms remain in the
+/// zero point of the sensor. In the mean of a cycle, 5 mA rms remain. The test permits an error of
+/// 50 mA.
 /// @verifies FR-125
 /// @verifies FR-126
 TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
@@ -206,8 +206,8 @@ TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
   EXPECT_NEAR(measured()->value.count(), 4000, 50);
 }
 
-/// @brief The mean of the first 64 samples becomes the zero point of the sensor, if its distance
-/// from the middle is at most 5 % of the range.
+/// @brief The mean of the first 64 samples becomes the zero point of the sensor. The distance of
+/// this mean from the middle may be at most 5 % of the range.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   for (const int zero : {2048 - 204, 2000, 2048 + 204}) {
@@ -249,8 +249,8 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
 }
 
 /// @brief Five successive samples beyond 15 A switch the driver off, in both directions. The
-/// command that switches the driver off is executed in the interrupt of the fifth sample, and in
-/// the interrupt of each following sample that is too high.
+/// command that switches the driver off is executed in the interrupt of the fifth sample. This
+/// command is executed again in the interrupt of each following sample that is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);
@@ -316,8 +316,8 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief If the zero point is less than 15 A from an end of the range, only the last value at this
-/// end of the range counts as too high.
+/// @brief The zero point may be less than 15 A from an end of the range. Then only the last value
+/// at this end of the range counts as too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {

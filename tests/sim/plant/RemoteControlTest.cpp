@@ -168,7 +168,7 @@ TEST_F(RemoteControlTest, PulsesCanBeginTogether) {
   EXPECT_EQ(pulses[0].begin, pulses[2].begin);
 }
 
-/// @brief A trembling hand changes only the pulses of the velocity, by the given amount.
+/// @brief A trembling hand changes only the pulses of the velocity, by up to the given amount.
 TEST_F(RemoteControlTest, HandTrembles) {
   remote.set(plant::Sticks{});
   remote.setTremor(20);

@@ -272,7 +272,8 @@ TEST_F(RobotTest, EdgesAreEven) {
   }
 }
 
-/// @brief The same seed always causes the same noise. Other seeds cause other noise.
+/// @brief The same seed always causes the same noise, even if a sensor is read more often. Other
+/// seeds cause other noise.
 TEST_F(RobotTest, NoiseBelongsToTheSeed) {
   const auto signature = [](std::uint32_t seed, bool asksMore) {
     Robot robot(seed);
@@ -495,9 +496,9 @@ class CurveTest : public RobotTest {
   std::array<double, plant::kWheels> integrals_{};
 };
 
-// For each wheel, its distance from the centre of the curve at a steering angle of 32 degrees,
-// divided by the distance of the middle of the rear axle from this centre. The distance of the
-// middle of the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
+// The distance of each wheel from the centre of the curve, divided by the distance of the middle of
+// the rear axle from this centre. At a steering angle of 32 degrees, the distance of the middle of
+// the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
 /// @brief With set-points that match the geometry of the curve, the robot drives the geometric
@@ -690,7 +691,7 @@ TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
 }
 
 /// @brief The emergency stop removes all torque, independent of the firmware, and opens its
-/// contact. If it also short-circuits the motors, the robot stops sooner.
+/// contact. If the emergency stop also short-circuits the motors, the robot stops sooner.
 TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
   const auto wayAfter = [](plant::EmergencyStop state) {
     Robot driven(1);

@@ -25,7 +25,7 @@ TEST_F(PaceOfTheRobot, WaitsForTheClock) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(6));
 }
 
-/// @brief If the computer is late by 20 ms, the time of the robot catches up.
+/// @brief If the computer is late by up to 20 ms, the time of the robot catches up.
 TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   clock += milliseconds(25);
   pace.waitFor(milliseconds(5));

@@ -66,7 +66,8 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
   algorithm.applied(Tension(12000));
-  // From rest, the mean velocity of the model in this cycle is 58.2 rpm. It is stored as 582.0.
+  // From rest, the mean velocity of the model in this cycle is 58.2 rpm. In units of 0.1 rpm, this
+  // is 582.0.
   const Tension explained = calculate(3000, 400, 6600);
   EXPECT_EQ(explained, Tension(15708 + 4650 * 182 / 1000));
   algorithm.applied(explained);
