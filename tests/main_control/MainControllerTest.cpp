@@ -396,7 +396,7 @@ TEST_F(MainControllerTest, FR74_CompletedCycleRefreshesTheWatchdogOnce) {
 /// @brief Before the start of the controller, neither a clock pulse nor the steps of a cycle
 /// refresh the watchdog.
 /// @verifies FR-74
-TEST_F(MainControllerTest, FR74_NoStepAloneRefreshesTheWatchdog) {
+TEST_F(MainControllerTest, FR74_NoRefreshBeforeTheStart) {
   controller.clockPulse();
   controller.read();
   controller.control();
