@@ -23,7 +23,8 @@ constexpr std::size_t kStepsOfSum =
 // Size of a step, in groups of four words.
 constexpr std::size_t kWordsOfStep = (kMaxWords + kStepsOfSum - 1) / kStepsOfSum;
 
-// Not inlined: in a separate function, all values of the loop are in registers of the core.
+// This function is not inlined. In a separate function, all values of the loop are in registers of
+// the core.
 [[gnu::noinline]] std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {
   std::uint32_t sum = 0;
   for (const ProgramCheck::Words& four : words) {

@@ -60,8 +60,9 @@ std::int32_t unloadedVelocity(Tension tension) {
   return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }
 
-// Returns the voltage for this cycle: the ordered voltage, limited to the permitted change of the
-// present voltage. A voltage on the other side of 0 is limited as if the present voltage were 0.
+// Returns the ordered voltage, limited to the permitted change in this cycle. A change away from 0
+// is at most kMaxRisePerCycle. A change towards 0 is at most kMaxFallPerCycle, even if it continues
+// beyond 0. Beyond 0 the voltage is at most kMaxRisePerCycle.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
       std::min(applied + kMaxFallPerCycle, std::max(applied, Tension()) + kMaxRisePerCycle);
@@ -133,8 +134,8 @@ void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements
   }
 }
 
-// Lowers the factor of all set-points while a wheel is too fast or will be too fast in two cycles.
-// Otherwise raises the factor again.
+// Lowers the factor of all set-points while a wheel is too fast, or would be too fast in two cycles
+// at its present acceleration. Otherwise raises the factor again.
 void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t most) {
   bool fast = false;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

@@ -199,7 +199,8 @@ bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
   rejected_ = measured.rejectedEdges;
   const bool driven = tension_.value_or(Tension()) != Tension();
   const bool turns = magnitude(measured.velocity.value_or(velocity_)) >= kTurning;
-  // The number of edges can overflow. The difference cannot overflow, because it is small.
+  // The count of implausible edges can overflow. The difference of two successive counts is correct
+  // even then, because the difference is small.
   const std::uint32_t added =
       std::min<std::uint32_t>(measured.rejectedEdges - before, kRejectedOfCycle / kHalves);
   const std::int32_t edges = kHalves * static_cast<std::int32_t>(added);

@@ -59,8 +59,8 @@ class K64Adc final : public AnalogInput {
 
     void beginCalibration();
     void endCalibration();
-    // These methods are always inlined: they run several times in a millisecond, and a call would
-    // take as long as the method.
+    // These methods are always inlined. They run several times in a millisecond, and the call of a
+    // method would take as long as the method itself.
     [[gnu::always_inline]] inline void ask(K64Adc& input);
     [[gnu::always_inline]] inline void begin() const;
     [[gnu::always_inline]] inline void finish();

@@ -115,7 +115,8 @@ class MainController {
 
   /// @brief Orders the control systems to follow the set-points that were read last. If these
   /// set-points belong to an order to acknowledge, the control systems are held. They then release
-  /// latched faults only if this order is neutral and no stop is in force.
+  /// latched faults if three conditions are met: this order was read in this cycle, this order is
+  /// neutral, and no stop is in force.
   /// @post The control systems are held if there are no set-points or if a stop is in force.
   /// @satisfies FR-14
   /// @satisfies FR-21

@@ -43,7 +43,7 @@ enum class SteeringState : std::uint8_t {
   Off = 0,      ///< the motor of the steering is switched off
   Holding = 1,  ///< the steering keeps its position
   Turning = 2,  ///< the steering turns towards the target
-  Fault = 3     ///< the steering does not obey, or its position is unknown; its motor is off
+  Fault = 3     ///< the steering cannot be controlled; its motor is off
 };
 
 /// @brief Reason why the robot does not follow its set-points.

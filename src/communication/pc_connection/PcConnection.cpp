@@ -67,8 +67,8 @@ void PcConnection::service() {
     }
     left -= received;
     receive(received);
-    // If the storage is smaller than before, the bytes neither ended a frame nor filled the
-    // storage. Then the port has no more bytes.
+    // If the storage is now smaller than before, the bytes neither ended a frame nor filled the
+    // storage. The read stopped for another reason: the port has no more bytes.
     more = decoder_.storage().size() >= storage.size();
   }
   counts_.lostBytes = port_.lostBytes();

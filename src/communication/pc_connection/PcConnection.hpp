@@ -36,8 +36,9 @@ class PcConnection final {
   PcConnection(const PcConnection&) = delete;
   PcConnection& operator=(const PcConnection&) = delete;
 
-  /// @brief Sets the clock pulse of the cycle. The age of an order and the silence of the PC are
-  /// measured up to this time.
+  /// @brief Sets the time of the clock pulse of the cycle. The age of an order is measured up to
+  /// this time. After the last frame of the cycle, the silence of the PC is measured up to this
+  /// time too.
   /// @param clockPulse clock pulse of the cycle
   /// @isr{no}
   /// @satisfies FR-20

@@ -12,7 +12,8 @@ namespace wr {
 
 /// @brief Reader of the newest order of the PC.
 /// @function Stores the newest order of the PC until the order is read, replaced, dropped or too
-/// old. Latches a stop until a later order releases the stop, at least for the present cycle.
+/// old. Latches a stop until a later order releases the stop. The stop lasts at least until the
+/// present cycle ends.
 /// @secret The storage of the newest order: raw bytes, which are decoded when the order is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {

@@ -75,7 +75,7 @@ class ArgumentValues {
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
-/// @why All functions need the same few arguments, and each function needs additional arguments.
+/// @why All functions need the same few arguments. Each function also needs additional arguments.
 /// Each group of additional arguments is a Decorator around the basic arguments. Thus each function
 /// receives only the arguments that it needs.
 /// @changes A function may need a new argument, or no longer need an argument. The other functions
