@@ -47,8 +47,8 @@ constexpr std::uint8_t kDeviatingCycles = 2;
 // In the third cycle without a measured value, the value has been missing for more than 0.2 s.
 constexpr std::uint8_t kMissingCycles = 3;
 
-// It is a fault if the measured current (in mA) does not change in this number of successive
-// cycles, while the voltage exceeds kDriving.
+// The current of a wheel whose voltage exceeds kDriving must change. If the measured current [mA]
+// stays the same in this number of successive cycles, this is a fault.
 constexpr std::uint8_t kEqualCycles = 7;
 
 // Limits for the fault: too many Hall edges are implausible. The next two constants count half

@@ -41,7 +41,7 @@ class MainController {
     ControlData& data;             ///< data of the cycle
     ControlSystemPool& systems;    ///< the control systems
     PcConnection& connection;      ///< link to the PC
-    Watchdog& watchdog;            ///< is refreshed after each cycle that completed
+    Watchdog& watchdog;            ///< timer that each completed cycle refreshes
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< all reading modes; in every cycle, the controller serves

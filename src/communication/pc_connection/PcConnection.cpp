@@ -14,7 +14,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kMaxBytesPerService = 1216;  // more than arrive in one control cycle
+constexpr std::size_t kMaxBytesPerService = 1216;  // more bytes than arrive in one cycle
 constexpr std::uint8_t kMaxSequenceStep = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload,

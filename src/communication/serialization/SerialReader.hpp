@@ -71,8 +71,8 @@ class SerialReader final : public Reader {
   [[nodiscard]] bool available() const override;
 
   /// @brief Checks whether a stop of the PC is in force.
-  /// @return true until an order of the PC releases the stop; also true in the whole cycle that
-  /// received the stop
+  /// @return true from the stop order until an order of the PC releases the stop, and at least
+  /// until the end of the cycle that received the stop order
   /// @isr{no}
   /// @satisfies FR-21
   /// @satisfies FR-240

@@ -15,7 +15,7 @@ enum class ArgumentId : std::uint8_t {
   Scale,    ///< number by which the raw value is multiplied
   Divisor,  ///< number by which the product is divided
   Offset,   ///< value of Raw for which the result is 0
-  Lowest,   ///< least accepted value of Raw or of the result; the function defines which
+  Lowest,   ///< least accepted value of Raw or of the result, as the function defines it
   Highest   ///< greatest accepted value of Raw or of the result
 };
 
