@@ -20,9 +20,9 @@ namespace wr {
 /// are sufficient for a stop, even if the switch is in another position at the next cycle. In the
 /// position "PC" the orders of the remote control are not read. After an operator has moved the
 /// switch from stop through PC to drive, the next three orders without a stop acknowledge latched
-/// faults. Orders that are read more than 1 s after this movement acknowledge nothing. If neither
-/// the deflections nor the pulse of the switch change for more than 2 s while the remote control
-/// moves the robot, a stop is latched.
+/// faults. Orders that are read more than 1 s after this movement acknowledge nothing. Latches a
+/// stop when the remote control has moved the robot for more than 2 s, and neither the deflections
+/// nor the pulse of the switch have changed in this time.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.

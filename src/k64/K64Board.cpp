@@ -141,8 +141,8 @@ void connect(const Pin& pin, Mux to) {
 }
 
 // Switches on the digital filters of the port of the Hall sensors. The length of the filters is 31
-// bus clocks. At the full clock they suppress pulses shorter than 0.5 us. No other port has digital
-// filters.
+// bus clocks. At the full clock the filters suppress pulses shorter than 0.5 us. No other port has
+// digital filters.
 void filterHallSensors() {
   constexpr std::uint32_t kWidth = 31;
   constexpr auto kPort = static_cast<std::uint32_t>(Port::D) * port::kPortDistance;

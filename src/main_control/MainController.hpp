@@ -63,8 +63,8 @@ class MainController {
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
   /// @errors Before start() the pulse has no effect. A pulse that occurs before the previous cycle
-  /// has ended counts as an overrun. When this previous cycle has ended, only one more cycle runs,
-  /// even if several pulses occurred before its end.
+  /// has ended counts as an overrun. After the previous cycle has ended, only one more cycle runs,
+  /// even if several pulses occurred before this end.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}

@@ -47,7 +47,8 @@ class PcConnection final {
 
   /// @brief Serves the link: reads at most 1216 received bytes, and lets the state of the
   /// connection handle each frame. Then checks the time limits, measured up to the clock pulse, and
-  /// sends a Welcome if a Hello requested it. The caller calls this function once in each cycle.
+  /// sends a Welcome if a Hello requested a Welcome. The caller calls this function once in each
+  /// cycle.
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37

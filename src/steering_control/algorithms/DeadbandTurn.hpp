@@ -8,8 +8,8 @@ namespace wr {
 /// time.
 ///
 /// @function Starts to turn at the full rate when the position differs from the target by more than
-/// the dead band. Brakes early, because the steering must be slow when it arrives. Stops just
-/// before the target. The noise of the position alone does not start a turn.
+/// the dead band. Brakes early, because the steering must be slow when it reaches the target. Stops
+/// just before the target. The noise of the position alone does not start a turn.
 ///
 /// @secret The widths of the dead band, and the curve along which the steering brakes.
 /// @hides{DeadbandTurn::kDeadband}
