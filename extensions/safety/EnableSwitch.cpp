@@ -113,7 +113,7 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed_.has_value();
 }
 
-// Records how far the switch has moved through the positions stop, PC and drive. Only an operator
+// Records the progress of the switch through the positions stop, PC and drive. Only an operator
 // moves the switch through the position PC: when the radio link returns, the output of the receiver
 // changes directly from stop to drive. A gap of the pulses and pulses out of the range end the
 // sequence, because they do not show that the switch is in the position stop.

@@ -95,7 +95,7 @@ class EnableSwitch final : public ModeDecorator {
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
   void takePosition(Instant now);
   [[nodiscard]] bool stopConfirmed();
-  /// @brief Records how far the switch has moved through the positions stop, PC and drive.
+  /// @brief Records the progress of the switch through the positions stop, PC and drive.
   /// @param now present time
   /// @satisfies FR-288
   void advanceSequence(Instant now);

@@ -23,7 +23,7 @@ constexpr Tension kMaxFallPerCycle(2400);  // [mV] towards 0
 constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest permitted set-point
 constexpr std::int32_t kFullScale = 1000;
 constexpr std::int32_t kMinScale = 100;       // [0.001] smallest factor
-constexpr std::int32_t kPredictedCycles = 2;  // number of predicted cycles
+constexpr std::int32_t kPredictedCycles = 2;  // cycles for which a velocity is predicted
 constexpr std::int32_t kScaleFall = 60;       // [0.001] decrease of the factor in a cycle
 constexpr std::int32_t kScaleRise = 10;       // [0.001] increase of the factor in a cycle
 

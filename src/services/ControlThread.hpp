@@ -59,8 +59,8 @@ class ControlThread {
   virtual void pend() = 0;
 
   std::atomic<Command*> body_{nullptr};
-  std::atomic<std::uint32_t> accepted_{0};  // requested activations; only post() increments it
-  std::atomic<std::uint32_t> ended_{0};     // ended activations; only run() increments it
+  std::atomic<std::uint32_t> accepted_{0};  // number of accepted posts; only post() increments it
+  std::atomic<std::uint32_t> ended_{0};     // number of ended activations; only run() increments it
   std::atomic<std::uint32_t> overruns_{0};
 
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free,
