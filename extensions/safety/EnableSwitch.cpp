@@ -21,8 +21,8 @@ constexpr Microseconds kLifetime = milliseconds(200);  // greatest age of a vali
 // PC and drive.
 constexpr std::uint8_t kAcknowledgements = 3;
 
-// Time in which orders acknowledge faults after the switch has moved through these positions. A
-// later acknowledgement needs a new movement through the three positions.
+// Time in which orders acknowledge faults after the switch has moved through the positions stop, PC
+// and drive. A later acknowledgement needs a new movement through these positions.
 constexpr Microseconds kAcknowledgeTime = milliseconds(1000);
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick

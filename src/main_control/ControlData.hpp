@@ -89,7 +89,7 @@ class ControlData {
   [[nodiscard]] const std::optional<SetPoints>& setPoints() const;
 
   /// @brief Returns whether a stop is in force in this cycle.
-  /// @return true if any source ordered a stop.
+  /// @return true if any source orders a stop in this cycle.
   /// @isr{no}
   /// @satisfies FR-21
   [[nodiscard]] bool stopped() const;

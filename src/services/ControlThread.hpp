@@ -47,9 +47,9 @@ class ControlThread {
   ControlThread() = default;
   ~ControlThread() = default;
 
-  /// @brief If no activation is waiting, does nothing. Otherwise runs one activation, and calls
-  /// pend() again if another activation is waiting then. The platform calls this function at the
-  /// priority of the thread, after a call of pend().
+  /// @brief Runs one activation if an activation is waiting. If another activation is waiting after
+  /// that, calls pend() again. The platform calls this function at the priority of the thread,
+  /// after a call of pend().
   void run();
 
  private:

@@ -164,8 +164,8 @@ class PcConnection final {
   /// @satisfies FR-243
   void noteAccepted(const Frame& frame);
 
-  /// @brief Checks whether a sequence number is 1 to 127 greater, modulo 256, than the newest
-  /// accepted number.
+  /// @brief Checks whether a sequence number is newer than the newest accepted number, that is,
+  /// greater by 1 to 127, modulo 256.
   /// @satisfies FR-243
   [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
 

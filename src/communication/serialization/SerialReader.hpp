@@ -90,8 +90,8 @@ class SerialReader final : public Reader {
   bool finish() override;
 
  private:
-  /// @brief The bytes of an order, the time at which its last byte was received, and whether the
-  /// order is still unread.
+  /// @brief The bytes of an order, the time at which its last byte was received, and a flag that is
+  /// true while the order is unread.
   struct Kept {
     std::array<std::uint8_t, kOrderLength> bytes{};
     Instant at{};
