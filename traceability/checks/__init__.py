@@ -30,6 +30,7 @@ from traceability.checks import (
     stack_checks,
     state_machine_checks,
     swap_checks,
+    test_checks,
     time_checks,
     tree_checks,
     tuned_checks,
@@ -51,7 +52,7 @@ FAMILIES = (
     *(board_checks.check, paper_checks.check, architecture_checks.check, execution_checks.check),
     *(stack_checks.check, time_checks.check, state_machine_checks.check, proof_checks.check),
     *(tree_checks.check, requirement_checks.check, id_checks.check, number_checks.check),
-    *(protocol_checks.check, safety_checks.check, scenario_checks.check),
+    *(protocol_checks.check, safety_checks.check, scenario_checks.check, test_checks.check),
 )
 
 

@@ -66,6 +66,8 @@ WHY = {
     "the longest cycle.",
     "req": "A requirement counts as fulfilled only if the code, the tests and the test results "
     "show that it is fulfilled.",
+    "test": "People read the brief of a test instead of its code. The brief must describe the test "
+    "that was executed.",
     "suspect": "A verdict is valid only for the texts that were judged. The checks compare the "
     "present texts with the baseline, and find the texts that have changed.",
     "hazard": "The safety case leads from each hazard to tests that ran. If a link in this chain "
@@ -825,6 +827,16 @@ _FIXED = [
         "linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
         "design/requirement_numbers.toml.",
+    ),
+    Check(
+        "test-number",
+        "Numbers in the brief of a test are in its code",
+        "Each number with a physical unit in the brief of a C++ test is a number in the test, in "
+        "the other code of its file, in its fixtures or in a scenario that it plays. It can also "
+        "be the value of a constant that one of them names.",
+        "The check cannot judge whether the number belongs to the sentence. It does not compare "
+        "counts, such as cycles or edges.",
+        "correct the brief or the test.",
     ),
     Check(
         "req-source",
