@@ -56,7 +56,7 @@ class RemoteControl {
   static constexpr std::int64_t kJitter = 2;  ///< [us]
 
   /// @brief Sets the positions of the sticks and switches the transmitter on. Without positions,
-  /// switches it off. The change takes effect with the next pulses.
+  /// switches the transmitter off. The change takes effect with the next pulses.
   /// @param sticks positions of the sticks; nothing: the transmitter is off
   void set(const std::optional<Sticks>& sticks);
 

@@ -32,7 +32,7 @@ namespace wr::scenario {
 ///     at 61000 end
 ///
 /// The actions of the PC are: 'connect' (sends Hello, and Confirm as soon as the Welcome is
-/// received); 'arm' (connects, then sends one neutral order in each of 13 cycles, which arm the
+/// received); 'arm' (connects, and then sends 13 neutral orders, one in each cycle, to arm the
 /// robot); 'hello'; 'confirm'; 'keepalive'; 'order' with any of 'steering N', 'velocity N',
 /// 'tension N', 'current N' (one number for all wheels, or four numbers, one for each wheel),
 /// 'stop' and 'acknowledge'; 'replay' (sends the bytes of the last order again); 'bytes' with pairs
