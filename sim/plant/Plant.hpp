@@ -37,7 +37,7 @@ struct CurrentSensorParameters {
 };
 
 /// @brief Properties of the parts of a robot. Some properties differ between robots, loads and
-/// batteries. Plant.cpp contains their ranges.
+/// batteries. Plant.cpp contains the ranges of these properties.
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
   std::array<CurrentSensorParameters, kWheels> currentSensors{};
