@@ -15,8 +15,8 @@ class ApplyAboveThreshold final : public WheelOrder {
   /// @param apply extended wheel order, which follows the set-point
   explicit ApplyAboveThreshold(WheelOrder& apply) : apply_(apply) {}
 
-  /// @brief If the set-point is a voltage of less than 0.5 V, sets the set-point to 0. Then executes
-  /// the extended wheel order.
+  /// @brief If the set-point is a voltage of less than 0.5 V, sets the set-point to 0. Then
+  /// executes the extended wheel order.
   /// @param work contains the set-point; receives the values that the extended wheel order writes
   /// @isr{no}
   void execute(WheelWork& work) override {
