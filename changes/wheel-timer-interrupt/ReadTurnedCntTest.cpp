@@ -19,7 +19,8 @@ class NoTrip final : public Command {
   void execute() override {}
 };
 
-// Returns the sum of 16 equal samples, which follow the 64 samples for the calibration of the zero.
+// Returns the sum of 16 equal samples. Before these samples, the collector receives 64 samples,
+// from which it computes the zero of the sensor.
 std::int32_t collected(std::uint16_t sample) {
   FakeTimebase clock;
   NoTrip trip;

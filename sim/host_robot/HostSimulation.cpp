@@ -19,8 +19,8 @@ constexpr Microseconds kStartUp(5364);
 // On the K64, each control cycle begins just after a tick. kToWheels is the time from this tick to
 // the start of the first wheel thread. kOfWheel is the time from the start of one wheel thread to
 // the start of the next wheel thread. Both times were measured with the firmware image on the
-// virtual K64. On the host, all other code takes no time. Therefore the simulation delays the clock
-// pulse by kToWheels, to the time at which the first wheel thread starts on the K64.
+// virtual K64. On the host, code takes no time. Therefore the simulation delays the clock pulse by
+// kToWheels after the tick, and delays each wheel thread by kOfWheel.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 
