@@ -216,7 +216,7 @@ class FakeRobot:
             self._send(0x82, self._cycle, self._report(read, values))
 
     def _steer(self, target: int) -> None:
-        """Turns the steering. Latches a fault if it does not follow."""
+        """Turns the steering. If the steering is reversed or stuck, latches a fault."""
         away = target - self.angle
         if abs(away) <= DEAD_BAND:
             return

@@ -1,4 +1,4 @@
-"""The reader of the options finds the same commands and options as the parser of ./wr has."""
+"""The reader of the options finds exactly the commands and options of the parser of ./wr."""
 
 from pathlib import Path
 
