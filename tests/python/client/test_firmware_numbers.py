@@ -1,5 +1,5 @@
-"""The client, and the oracle of the fuzzers, contain copies of numbers, because they do not read the
-firmware. The tests compare these copies with the firmware and with the table of frames."""
+"""The client and the oracle of the fuzzers do not read the firmware, but contain copies of its
+numbers. The tests compare these copies with the firmware and with the table of frames."""
 
 import re
 from pathlib import Path

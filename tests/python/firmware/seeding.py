@@ -1,4 +1,5 @@
-"""Makes a firmware image with mistakes in its drivers, and runs this image on the virtual K64."""
+"""Builds a firmware image with seeded faults in its drivers, and runs this image on the virtual
+K64."""
 
 from __future__ import annotations
 
