@@ -1,5 +1,5 @@
-"""The check finds constants that depend on the period of a cycle, and wrong names of such constants
-in design/tuned.toml."""
+"""The check finds constants that seem to depend on the period of a cycle. It also finds names and
+source lines in design/tuned.toml that do not exist."""
 
 from __future__ import annotations
 

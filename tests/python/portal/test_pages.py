@@ -1,4 +1,4 @@
-"""The data from which pages are made, and the contents of the pages of a small model."""
+"""The data of pages, and the contents of the pages of a small model."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from tests.python.site.browser import AXE, BROWSER, look
 from tests.python.site.content import SITE
 from traceability.whole_file import write_whole
 
-# One page of each kind.
+# At least one page of each kind.
 PAGES = [
     "index", "answers/index", "answers/is-rc-a-state-or-a-decorator",
     "answers/how-do-i-write-a-test-and-link-it-to-a-requirement", "architecture", "structure",
