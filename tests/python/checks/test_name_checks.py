@@ -1,5 +1,5 @@
-"""The check finds tests and base classes that a page names, and functions that a comment names, if
-they do not exist."""
+"""The check finds a test that a page names and that does not exist, a wrong base class on a page,
+and a function in a comment that neither the module nor its uses have."""
 
 from pathlib import Path
 

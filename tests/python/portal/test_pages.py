@@ -1,4 +1,4 @@
-"""The data from which pages are made, and the contents of the pages of a small model."""
+"""The data of pages, and the contents of the pages of a small model."""
 
 from __future__ import annotations
 
@@ -251,7 +251,7 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Por
         (
             "changes/reading-modes",
             [],
-            ["Derive from Mode", "Make it known in a composition.", "3 modules that are"],
+            ["Derive from Mode", "Construct it in a composition.", "3 modules that are"],
             ["requirements/FR-15.html"],
         ),
         ("requirements/FR-15", [], ["The system shall wait.", "Why."], ["modules/RC.html#m-read"]),
