@@ -112,6 +112,14 @@ _FIXED = [
         "correct the number, or write the unit of the constant in square brackets next to it.",
     ),
     Check(
+        "doc-lock",
+        "The lock files contain the demanded packages",
+        "For each package that setup/python.in or setup/strictdoc.in demands, the lock file "
+        "contains a permitted version.",
+        "The check does not examine whether the lock file contains packages that nobody demands.",
+        "make the lock file again, as the head of the file says.",
+    ),
+    Check(
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
