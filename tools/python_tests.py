@@ -105,7 +105,8 @@ def merge_results(
 def counted(
     root: Path, folder: str, log: TextIO, tests: Sequence[str | Path], marks: str = NOT_LONG
 ) -> Counts:
-    """Runs those of the given tests whose marks match the expression. Returns their counts."""
+    """Runs those of the given tests whose marks match the expression. Returns the numbers of
+    passed, failed and skipped tests."""
     results = root / results_of(folder)
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]

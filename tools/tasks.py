@@ -361,8 +361,8 @@ def checks_of_tools(root: Path) -> list[Task]:
 
 
 def fresh_results(root: Path) -> str:
-    """Returns which results of the tests are fresh. Some seeded faults can be tried only with fresh
-    results."""
+    """Returns a text in JSON that states whether the results of the tests are fresh. Some seeded
+    faults can be tried only with fresh results."""
     names = (task_record.TESTS_TRACE, task_record.TESTS_BOARD)
     return json.dumps({name: is_fresh(root, name) for name in names})
 

@@ -56,9 +56,9 @@ ANGLE_SPREAD_DEGREES = 1.0
 STICK_RPM = 3.0
 STICK_DEGREES = 2.0
 OBSERVE_S = 2.0
-FAIL_SAFE_S = 0.3  # longest time from the transmitter off to the stop
+FAIL_SAFE_S = 0.3  # longest time until the stop, after the transmitter is switched off
 CYCLE_S = 0.1  # longest time from a stop to its report
-STEERING_DEGREES = 5.0  # turn to each side
+STEERING_DEGREES = 5.0  # angle of the turn to each side
 MOST_DEGREES = 32.0  # greatest angle that the robot accepts in an order
 STEERING_ERROR_DEGREES = 0.5  # greatest difference between the ordered and the reached angle
 STEERING_S = 5.0  # a turn over the whole range lasts 3.3 s
@@ -348,8 +348,8 @@ class BringUp:
             raise FailError(f"not armed: {reason}")
 
     def _release_earlier_stop(self) -> None:
-        """Acknowledges a protective stop without arming the robot. A fault of the steering causes
-        such a stop when the remote control arms the robot and the steering has no motor."""
+        """Acknowledges a protective stop without arming the robot. Such a stop occurs if the remote
+        control arms the robot before the steering has a motor: the steering is then in fault."""
         if self.orders.report and latched(self.orders.report):
             self._keep_steering()
             self._observe(self.rest, OBSERVE_S)

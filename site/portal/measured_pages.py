@@ -207,8 +207,7 @@ def made_changes(portal: Portal) -> dict[str, Any]:
 
 
 def patches_of(root: Path) -> dict[str, dict[str, str]]:
-    """Returns for each change and each design the text of the patch that makes the change in this
-    design."""
+    """Returns the text of the patch for each change and each design."""
     return {
         change: {
             design: (root / baseline_record.patch_of(change, design)).read_text("utf-8")

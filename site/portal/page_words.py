@@ -32,7 +32,7 @@ class Part:
 
 def parts_of(page: str) -> Iterator[Part]:
     """Returns the sections of a page that have a heading. The page is a body without the layout, or
-    a finished page, of which only the element ``main`` is read."""
+    a finished page. Of a finished page, only the element ``main`` is read."""
     root = fromstring(page if "<main" in page else f"<main>{page}</main>")
     parts = [Part("")]
     for main in root.iter("main"):
