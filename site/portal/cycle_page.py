@@ -1,5 +1,5 @@
-"""The page that shows a control cycle as a timeline. The timeline has a lane for each interrupt
-priority, which shows the calls at this priority."""
+"""The page that shows a control cycle as a timeline. Each lane of the timeline shows the calls
+at one priority."""
 
 from __future__ import annotations
 
