@@ -61,8 +61,8 @@ CYCLE_S = 0.1  # longest time from a stop to its report
 STEERING_DEGREES = 5.0  # angle of the turn to each side
 MOST_DEGREES = 32.0  # greatest angle that the robot accepts in an order
 STEERING_ERROR_DEGREES = 0.5  # greatest difference between the ordered and the reached angle
-STEERING_S = 5.0  # a turn over the whole range lasts 3.3 s
-AGAINST_DEGREES = 0.3  # a smaller motion can be noise
+STEERING_S = 5.0  # longest time of a turn; a turn over the whole range lasts 3.3 s
+AGAINST_DEGREES = 0.3  # a smaller change of the angle can be noise
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
 COUNTS_LEAST = 3  # smallest number of Hall edges that shows a motion
@@ -638,8 +638,8 @@ class BringUp:
             return FailError(f"{text}: the steering turns against the order", STEERING_ADVICE)
         return FailError(
             f"{text}: the steering does not follow",
-            "Check the supply and the cables of the steering motor and its driver, and that the "
-            "steering turns freely.",
+            "Check the supply and the cables of the steering motor and of its driver. Check that "
+            "the steering turns freely.",
         )
 
     def _wheel(self, number: int) -> str:

@@ -10,7 +10,7 @@ from lxml.html import HtmlElement, fromstring
 HEADS = {"h1", "h2", "h3"}
 APART = {"nav", "svg", "script", "select", "summary"}  # HTML elements whose text is not read
 INLINE = {"a", "b", "code", "em", "strong", "sub", "wbr"}  # these elements do not separate words
-INLINE_SPANS = (None, "mm", "dc")  # classes of a number, of the name of a method, of its colons
+INLINE_SPANS = (None, "mm", "dc")  # CSS classes of numbers, of method names, of their colons
 
 
 @dataclass

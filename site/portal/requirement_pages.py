@@ -89,7 +89,7 @@ class Sheet:
     verdict: Verdict
     nodes: list[tuple[int, TreeNode]]
     outside_tree: list[str]  # methods that satisfy the requirement, but are not in the tree
-    scenarios: dict[str, list[FaultScenario]]  # targets -> fault scenarios played on them
+    scenarios: dict[str, list[FaultScenario]]  # targets -> scenarios with passed tests on them
     tests: list[Test]
     changes: list[str]  # texts that have changed since their baseline
 
@@ -134,8 +134,8 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def outside_tree(model: Model, requirement: Requirement) -> list[str]:
-    """Returns the methods that satisfy the requirement, although its tree contains neither them nor
-    a method that they override."""
+    """Returns the methods that satisfy the requirement and are not in its tree. A method counts as
+    in the tree if the tree contains the method or a method that it overrides."""
     if requirement.tree is None:
         return []
     inside: set[str] = set()
