@@ -135,8 +135,9 @@ SHOWN_RESULTS = (
     *("trace.cost.json", "plain.cost.json", "live.json", "diff.json", "lint.json"),
 )
 # Folders of tests/python whose tests start programs: programs of the build, or commands of ./wr.
-# Their inputs are the files in this table, all sources of the tools and, except for the commands,
-# the programs of the build. The tests of the client mostly wait, and are therefore started first.
+# Their inputs are the files in this table and all sources of the tools. The programs of the build
+# are also inputs, but not of the tests of the commands. The tests of the client mostly wait.
+# Therefore they are started first.
 PROGRAM_TESTS: dict[str, tuple[str, ...]] = {
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
@@ -361,8 +362,8 @@ def checks_of_tools(root: Path) -> list[Task]:
 
 
 def fresh_results(root: Path) -> str:
-    """Returns which results of the tests are fresh. Some seeded faults can be tried only with fresh
-    results."""
+    """Returns a text in JSON that states whether the results of the tests are fresh. Some seeded
+    faults can be tried only with fresh results."""
     names = (task_record.TESTS_TRACE, task_record.TESTS_BOARD)
     return json.dumps({name: is_fresh(root, name) for name in names})
 

@@ -35,7 +35,8 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 class GlossaryLinks:
     """The glossary terms in lower case. The plural of a term is also linked to the term. The link
-    shows the first sentence of the term. ``constants`` contains the numbers of this sentence."""
+    shows the first sentence of the explanation. ``constants`` contains the numbers in this
+    sentence."""
 
     def __init__(self, root: Path, constants: Mapping[str, str]) -> None:
         source = text_of(root / f"{GLOSSARY.id}.rst")

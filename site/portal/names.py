@@ -274,8 +274,8 @@ def file_name(path: str) -> str:
 
 
 def counted_states(states: Iterable[str]) -> dict[str, str]:
-    """Returns for each state of a requirement its name and the number of requirements that have
-    this state. The number can be 0."""
+    """Returns a text for each state of a requirement: the name of the state, and the number of
+    requirements that have this state. The number can be 0."""
     counts = Counter(states)
     return {state: f"{word}: {counts[state]}" for state, (_, word) in VERDICTS.items()}
 

@@ -204,8 +204,8 @@ class Portal:
         return self.flat(requirement.tree) if requirement.tree else []
 
     def element_targets(self) -> dict[str, str]:
-        """Returns for each element of the architecture the address of the first module that
-        implements it. The address is "" if the model does not contain such a module."""
+        """Returns an address for each element of the architecture: the page of the first module
+        that implements the element. The address is "" if the model contains no such module."""
         modules = self.model.modules
         return {
             element.id: next(
@@ -271,8 +271,8 @@ class Portal:
         ]
 
     def stack_of(self, module: Module) -> tuple[int, str] | None:
-        """Computes for each context the stack bytes that the methods of a module use in the deepest
-        chain of calls. Returns the greatest number, and the name of its context."""
+        """Computes the stack bytes that the methods of a module use in the deepest chain of calls
+        of each context. Returns the greatest number, and the name of its context."""
         begin = f"{module.name}::"
         stack = self.model.stack
         shares = [
@@ -320,7 +320,7 @@ class Portal:
 
     @functools.cached_property
     def marks(self) -> dict[str, dict[int, list[str]]]:
-        """Returns for each file and source line the methods and tests that begin there."""
+        """Returns the methods and tests that begin at each source line, by file and line."""
         marks: dict[str, dict[int, list[str]]] = {}
 
         def add(place: Place, name: str) -> None:
@@ -339,8 +339,8 @@ class Portal:
 
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
-        """Returns for each file and source line how often tests executed the line. For a line that
-        was measured on the virtual K64, the number is only 1 (executed) or 0."""
+        """Returns the number of times that tests executed each source line, by file and line. For a
+        line that was measured on the virtual K64, the number is only 1 (executed) or 0."""
         hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
             for path, lines in module.line_hits.items():
@@ -422,8 +422,8 @@ class Portal:
 
     def callers(self, method: Method) -> list[Markup]:
         """Returns links to the callers of a method. A caller can also be a nested class, the
-        initialiser of a constant, or a function outside classes. If no object of the call is known,
-        the link to the called abstract method follows."""
+        initialiser of a constant, or a function outside classes. If the object of the call is not
+        known, the link to the called abstract method follows."""
         callers = []
         for name, through in method.called_by.items():
             module, _, rest = name.partition("::")

@@ -17,7 +17,7 @@ TIMING = "no-wait-states"
 SAFE_MODULE = "SafeSystem"  # Only the products with safety functions contain this module.
 MEASURED = f"{bench_record.IMAGE.stem}; without the slow flash also {PAPER}"
 ON_HOST = "the code on the host, without the code for the K64"
-# Kind of evidence, page that shows it, and firmware image or code from which it is.
+# Kind of evidence, page that shows it, and firmware image or code to which it applies.
 EVIDENCE = (
     ("longest control cycle, calculated", "bench.html#bound", DEFAULT),
     ("control cycle, measured", "bench.html", MEASURED),
@@ -157,7 +157,7 @@ def sizes(portal: Portal) -> Iterator[Compared]:
 
 
 def cycles(portal: Portal) -> Iterator[Compared]:
-    """Yields for each scenario of the bench the longest time from the clock pulse to the report."""
+    """Yields the longest time from the clock pulse to the report in each scenario of the bench."""
     safe, paper = portal.model.bench, portal.model.bench_paper
     names = list(safe or {}) or ["any scenario of the bench"]
     for name in names:

@@ -40,8 +40,8 @@ def lines_of(methods: Iterable[MethodCoverage]) -> Share | None:
 
 def measured_lines(requirement: Requirement) -> tuple[str, Share] | None:
     """Returns the executed lines of the methods in the invocation tree, and the target on which
-    they were measured. This is the host if any line was measured there, and otherwise the virtual
-    K64."""
+    they were measured. The target is the host if any line was measured there, and otherwise the
+    virtual K64."""
     shares = ((name, lines_of(requirement.coverage.get(name, []))) for name in (HOST, VIRTUAL_K64))
     return next(((name, lines) for name, lines in shares if lines), None)
 
