@@ -66,6 +66,7 @@ from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.proof_record import PROOFS
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.seeded_fault_record import RECORD as FAULTS
+from traceability.reading.seeded_fault_record import SOURCES
 from traceability.reading.task_record import is_fresh
 from traceability.reading.toml_reader import Entries
 from traceability.reading.tool_tests import python_task, results_of
@@ -120,13 +121,10 @@ PYTHON_SETTINGS = (
 )
 TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
 # Inputs of the test of the checks. They are the sources, the checks and the seeded faults.
-SEEDED = (
-    *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs", "README.md"),
-    *("CONTRIBUTING.md", *BUILD_FILES, *TOOLS),
-)
+SEEDED = (*SOURCES, *TOOLS)
 # The pages show all hand-written texts. The checks also read the settings of the editor and of the
 # automatic runs.
-SHOWN = (*SEEDED, "CHANGELOG.md", "site", "setup", "wr", ".ci", ".github", ".vscode")
+SHOWN = (*SEEDED, "CHANGELOG.md", "site", "wr", ".ci", ".github", ".vscode")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
