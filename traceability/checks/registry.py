@@ -151,7 +151,8 @@ _FIXED = [
     Check(
         "module-folder",
         "Each logic module has a function and a secret",
-        "The module.dox of every folder states @brief, @function and @secret.",
+        "The module.dox of every folder states @brief, @function and @secret. The @secret differs "
+        "from the other two texts. No two folders have the same @secret.",
         _TEXT_BLIND,
         "write the missing paragraph in the module.dox of the folder.",
     ),
@@ -167,7 +168,7 @@ _FIXED = [
         "module-secret",
         "Each design module has exactly one secret",
         "The comment above every design module has exactly one @secret, which differs from the "
-        "@function. No two modules have the same @secret.",
+        "@function and the @brief. No two modules have the same @secret.",
         "The check cannot judge whether the code really hides the stated change from the other "
         "modules.",
         "write @secret above the class, and state the one likely change that only this module "
@@ -374,8 +375,9 @@ _FIXED = [
         "sim/emulator includes a file of the design, because a driver and the model of its device "
         "must not contain the same mistake. The programs of tests/k64/program and "
         "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
-        "In src, `uses-allowed` checks which modules use src/k64. No other file of src "
-        "and extensions names a driver or the microcontroller, also not in a comment.",
+        "In src, `uses-allowed` checks which modules use src/k64. In src and extensions, no file "
+        "outside the folders of the K64 names a driver or the microcontroller, not even in a "
+        "comment.",
         "The check does not find the same wrong number in a driver and in the model of the device.",
         "write the numbers from the manual of the microcontroller, or test the firmware image on "
         "the virtual K64.",
@@ -438,8 +440,8 @@ _FIXED = [
         "The architecture names modules that exist and are connected",
         "Every module that design/architecture.toml names in an element, a group or a connection "
         "exists. Every connector that a connection names exists as an element. A module of a "
-        "controller, process, sensor or event is in a connection or a group, and is a module of "
-        "only one of them. Each command goes from a module of a controller to a module of a "
+        "controller, process, sensor or event is in a connection or a group, and belongs to only "
+        "one of these elements. Each command goes from a module of a controller to a module of a "
         "process. Each physical connection begins at a module of a process, and ends at a module "
         "of a sensor. Each process has a physical connection.",
         "The check cannot judge whether two connected modules belong to the same element.",
@@ -490,8 +492,8 @@ _FIXED = [
     Check(
         "exec-loop",
         "Each loop is bounded",
-        "Each loop is a `for` with a condition. For each function with another kind of loop, "
-        "design/justified.toml states why this loop ends, or why it is endless.",
+        "Each loop is a `for` with a condition, or its function is in design/justified.toml. The "
+        "entry of this function states why the loop ends, or why it is endless.",
         "The check does not prove that the condition of a `for` becomes false.",
         "count the iterations in the head of the loop, or state in design/justified.toml why the "
         "loop ends.",
@@ -594,9 +596,11 @@ _FIXED = [
         "Each state machine names only parts that exist",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application. Each event refers to an operation of the State. The "
-        "states, the event and the requirement of each transition exist. A method of the old state "
-        "or of the new state serves the requirement. An operation of the event, or a method of the "
-        "action, serves it, too. Each event occurs in a transition. If a state "
+        "states, the event and the requirement of each transition exist. A method serves a "
+        "requirement if its @satisfies names the requirement or if the tree of the requirement "
+        "contains the method. Two methods serve the requirement of a transition: a method of the "
+        "old or of the new state, and an operation of the event or a method of the action. Each "
+        "event occurs in a transition. If a state "
         "has several transitions at the same event, guards distinguish these transitions. If a "
         "transition contains a number with a unit, such as 2 s, a requirement of the transition "
         "states the same number.",
@@ -818,8 +822,9 @@ _FIXED = [
         "constant or the formula has this value. design/requirement_numbers.toml also lists the "
         "numbers for which the code has no constant, with the reason. If the @evidence of a "
         "requirement has a bound other than 0, the requirement states this number. If a metric in "
-        "design/closed_loop.toml names a requirement, its limit is a number of this requirement, "
-        "or the percentage of the target that the requirement states.",
+        "design/closed_loop.toml names a requirement, this requirement states the limit of the "
+        "metric. If the metric is an error, the requirement can state the limit as a percentage of "
+        "the target.",
         "The check leaves out 0, 1 and two without a unit. A formula may differ by 0.5 % from the "
         "number in the text, because the text is rounded. The check cannot judge whether the "
         "linked constant causes the property that the sentence demands.",
@@ -891,7 +896,7 @@ _FIXED = [
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
-        "check also verifies that no test found any of these changes.",
+        "check also verifies that a mutant made each of these changes, and that no test found it.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
@@ -926,9 +931,9 @@ _FIXED = [
     ),
     Check(
         "req-name",
-        "A test whose name contains the id of a requirement verifies it",
+        "A test whose name begins with the id of a requirement verifies the requirement",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
-        "The check does not read tests without an id in the name.",
+        "The check does not read tests whose names do not begin with an id.",
         "write the tag @verifies above the test, or rename the test.",
     ),
     Check(
@@ -991,8 +996,8 @@ _FIXED = [
         "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
         "parts of its reaction, the reaction time is the value of this formula of constants, "
         "rounded up by at most 10 %. Both times end when the "
-        "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
-        "without known exceptions accept no reaction that is later than the fault-tolerant time.",
+        "safe state is reached, or when the halt begins that leads to it. If a goal has no known "
+        "exceptions, its scenarios accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It does not find a formula with the velocity of the robot if the goal declares "
         "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
@@ -1016,9 +1021,9 @@ _FIXED = [
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
         "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
-        "least one hazard lists the file. Each of these hazards has a safety goal that the file "
-        "names. A test plays the scenario, and this test passed on each target for which it is "
-        "built.",
+        "least one hazard lists the file. Each hazard that lists the file has a safety goal that "
+        "the file names. A test plays the scenario, and this test passed on each target for which "
+        "it is built.",
         "The check does not find faults without a scenario. If a scenario no longer names one of "
         "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
         "occurs in the scenarios that it lists. It ignores test results that are older than the "
@@ -1168,8 +1173,9 @@ _FIXED = [
         "can contain. Each word of a scenario on this page exists, and each fault in its table has "
         "the right number of arguments. Each number with a unit in a comment of a scenario is a "
         "value in the lines of this scenario, or a value in a requirement that the comment names. "
-        "A time can also be the difference of two times, and a percentage the difference of two "
-        "values. A test of the firmware names each file of sim/scenario/examples.",
+        "A time can also be the difference of two times. A percentage can also be the difference "
+        "of two values. Any other number can also be in the middle of an expected range. A test of "
+        "the firmware names each file of sim/scenario/examples.",
         "The check does not decide whether this test plays the file. It does not find a value that "
         "another line of the scenario also has. It does not read a number that follows the word "
         "about.",

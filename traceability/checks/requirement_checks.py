@@ -186,7 +186,7 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     for entry in entries:
         for name in entry.names:
             if name not in spare:
-                text = f"{name} is not a public method without a caller"
+                text = f"{name} needs no justification: it has a caller, or is no public method"
                 yield Finding(entry.place, "req-justified", text)
 
 

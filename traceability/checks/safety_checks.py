@@ -176,8 +176,9 @@ def _scenarios(model: Model) -> Iterator[Finding]:
         existing = model.safety.goals.keys() & scenario.goals
         for hazard in listing if existing else ():
             if existing.isdisjoint(hazard.goals):
-                text = f"{scenario.name} and {hazard.id}, which lists it, have no goal in common"
-                fix = "name a goal of the hazard in the scenario, or remove it from the hazard"
+                said = f"{hazard.id} lists the scenario {scenario.name}"
+                text = f"{said}, but the hazard and the scenario have no goal in common"
+                fix = "name a goal of the hazard in the scenario, or delete the scenario there"
                 yield Finding(where, check, text, fix)
         if not listing:
             text = f"no hazard lists the scenario {scenario.name}"

@@ -151,7 +151,7 @@ def test_a_scenario_and_its_hazard_have_a_goal_in_common(tmp_path: Path) -> None
     write_case(tmp_path, ('["SG-1"]\nassumptions', "[]\nassumptions"))
     assert [one.text for one in check(tmp_path, make_model(tmp_path))] == [
         "SG-1 has no hazard",
-        "lost and HZ-1, which lists it, have no goal in common",
+        "HZ-1 lists the scenario lost, but the hazard and the scenario have no goal in common",
     ]
 
 
