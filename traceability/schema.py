@@ -614,8 +614,8 @@ class SafetyGoal:
 
 @dataclass(frozen=True)
 class FaultScenario:
-    """A scenario in which a part of the robot or a person fails. ``goals`` are the safety goals
-    that must prevent harm. ``tests`` are the tests that execute the scenario."""
+    """A scenario with a hazardous situation: for example, a part of the robot fails. ``goals`` are
+    the safety goals that must prevent harm. ``tests`` are the tests that execute the scenario."""
 
     name: str
     title: str
@@ -1112,7 +1112,7 @@ class StackProof:
 
     @property
     def levels(self) -> list[StackContext]:
-        """Returns for each priority the context that needs the most stack. The order is from the
+        """Returns the context that needs the most stack at each priority. The order is from the
         lowest priority to the highest. The program after a reset ("start") is the first."""
         worst: dict[int | None, StackContext] = {}
         for context in self.contexts:

@@ -67,7 +67,7 @@ def module_of(body: BodyFact, model: Model) -> str:
 
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
-    """Returns for each part (``Type::part``) two sets of modules. The modules in the first set
+    """Returns two sets of modules for each part (``Type::part``). The modules in the first set
     write the part. The modules in the second set read the part."""
     users: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:

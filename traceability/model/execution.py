@@ -113,7 +113,7 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 
 def line_priorities(facts: Facts) -> dict[int, str]:
-    """Returns for each interrupt line the name of the constant that contains its priority. This
+    """Returns a map from each interrupt line to the name of the constant with its priority. This
     constant is an argument of the call that enables the interrupt line."""
     priorities = _enabling(facts)
     # A loop in the firmware enables interrupt lines that no constant names. Such a line has the

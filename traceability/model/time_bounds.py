@@ -359,9 +359,9 @@ class Times:
             yield FlowFact(factors, most)
 
     def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
-        """Returns for each counter the copies of its source line in the compiled code. Each copy is
-        a list of blocks. Each inlined call of a function has its own copies of the function's
-        source lines.
+        """Returns a map from each counter to the copies of its source line in the compiled code.
+        Each copy is a list of blocks. Each inlined call of a function has its own copies of the
+        function's source lines.
 
         If a source line consists only of inlined calls, its copy contains the blocks of these
         calls."""

@@ -23,7 +23,8 @@ BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-
 
 
 def translation_units(root: Path) -> dict[str, list[str]]:
-    """Returns for each translation unit the files about which its syntax tree gives facts."""
+    """Returns a map from each translation unit to the files about which its syntax tree gives
+    facts."""
     paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
     files = [str(path.relative_to(root)) for path in paths]
     units: dict[str, list[str]] = {}
