@@ -72,7 +72,7 @@ def _wrong_values(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tu
             right = next((numbers[one] for one in named if one in numbers), number)
             if right != number:
                 pattern = rf'\b{number}, *name *= *"{re.escape(str(name))}"'
-                yield pattern, f"{name} of {firmware} is {right}, not {number}"
+                yield pattern, f"{name} has the number {right} in {firmware}, not {number}"
 
 
 def _unnamed_causes(table: dict[str, Any], root: Path) -> Iterator[tuple[str, str]]:

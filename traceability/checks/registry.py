@@ -391,7 +391,8 @@ _FIXED = [
         "symbol at the address of a register. Only src/k64/Register.hpp converts a number to an "
         "address, or names a volatile object. No module passes a register to another module. No "
         "offset leads from one block of registers to another block. Assembler instructions are "
-        "only in the drivers, and only those of the start-up code access memory.",
+        "only in the drivers. Of these instructions, only the instructions of the start-up code "
+        "access memory.",
         "If a block has several owners, the check does not detect which channel or pin each owner "
         "uses. It does not follow an offset that is computed elsewhere. It does not detect that a "
         "register has an effect on another block.",
@@ -464,9 +465,9 @@ _FIXED = [
         "Contexts, pipes and protections are declared",
         "Every handler in the vector table belongs to one context of design/execution.toml, "
         "and a call enables its interrupt line. Each handler, thread body and shared member that "
-        "design/execution.toml names exists. The start calls the idle program. The interrupt "
-        "lines of a context have the declared priority of the context. Each pipe of the robot has "
-        "a name.",
+        "design/execution.toml names exists. The program after a reset calls the idle program. The "
+        "interrupt lines of a context have the declared priority of the context. Each pipe of the "
+        "robot has a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
@@ -524,9 +525,9 @@ _FIXED = [
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
-        "the threads of two wheels. It does not read the calls with which the start starts the "
-        "timers and sensors after it has enabled the interrupts. It does not read members of data "
-        "types, but the members in which modules store these data types.",
+        "the threads of two wheels. It does not read the calls with which the program after a "
+        "reset starts the timers and sensors when the interrupts are already enabled. It does not "
+        "read members of data types, but the members in which modules store these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -534,9 +535,10 @@ _FIXED = [
         "Each indirect call of the firmware image is known",
         "The compiler lists the indirect calls of the firmware image. The possible targets of each "
         "of these calls are known in one of two ways. A builder passed the object whose virtual "
-        "method is called, or design/stack.toml declares the targets.",
-        "The check reads only the firmware image of weeding_robot, and only if this image was "
-        "built from the present sources.",
+        "method is called, or design/stack.toml declares the targets. The compiler reported the "
+        "stack frame of each function of the project.",
+        "The check reads only the firmware image of weeding_robot. It reports nothing if this "
+        "image was not built from the present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
     ),
     Check(
@@ -709,8 +711,8 @@ _FIXED = [
         "secret-open",
         "No access except through the interface",
         "No module has public variables. Each friend of a module is nested in this module. No "
-        "operation returns a reference with which a caller can change a number of the module. No "
-        "source file declares a name that another file defines.",
+        "operation returns a reference or a pointer with which a caller can change a number of the "
+        "module. No source file declares a name that another source file defines.",
         "The check does not find an operation that returns a reference to a whole object inside "
         "the module, such as an object that a builder contains.",
         "make the data private and add an operation to the module.",
@@ -811,7 +813,8 @@ _FIXED = [
         "that it uses or of SystemConstants, or a number in the text or the rationale of a "
         "requirement that the module satisfies.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
-        "sentence that begins with 'Assumption:'.",
+        "sentence that begins with 'Assumption:'. It leaves out 100 % and numbers of at most one "
+        "smallest unit, such as 0.01 degree.",
         "correct the number, or name the constant in the comment instead of the number.",
     ),
     Check(
@@ -1078,10 +1081,10 @@ _FIXED = [
         "suspect-design",
         "Texts without a requirement are as in the baseline",
         "These texts are unchanged since the baseline: the sentences in the files of design/ and "
-        "changes/, the numbers and names in the pages of docs/ and in the README, and the bodies "
-        "and specifications that no requirement names. Reasons, deviations, steps and answers are "
-        "examples of sentences in design/. In docs/bring_up.rst and docs/hazards.rst, the whole "
-        "text is unchanged.",
+        "changes/, the numbers and names in the pages of docs/ and in the README, the code of "
+        "sim/plant and sim/scenario, and the constants, bodies and specifications on which no "
+        "requirement depends. Reasons, deviations, steps and answers are examples of sentences in "
+        "design/. In docs/bring_up.rst and docs/hazards.rst, the whole text is unchanged.",
         "The check cannot judge whether the texts are right. On other pages, it does not find "
         "changes that leave the numbers and names as they are.",
         "compare the text with the code, then run ./wr review --baseline design.",

@@ -281,8 +281,8 @@ def unmet(
     """Finds metrics of requirements (@evidence) that were not measured or do not meet their bound.
 
     ``others`` are the findings of the other checks. If one of these findings already shows the
-    problem, it is not reported again. Examples are a metric that counts findings, and a metric that
-    was not measured because the results are stale.
+    problem, the problem is not reported again. Examples are a metric that counts findings, and a
+    metric that was not measured because the results are stale.
     """
     checks = {finding.check for finding in others}
     for requirement in model.requirements.values():

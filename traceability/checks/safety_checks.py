@@ -130,7 +130,7 @@ def _velocities(model: Model, facts: Facts) -> Iterator[Finding]:
             greatest = turns * 2 * math.pi * radius.number
             if abs(goal.velocity - greatest) > TOLERANCE * greatest:
                 text = (
-                    f"the formula of {goal.id} contains {velocity} m/s, but the greatest ordered "
+                    f"{goal.id} declares a velocity of {velocity} m/s, but the greatest ordered "
                     f"velocity is {greatest:.2f} m/s"
                 )
                 fix = "calculate the formula and the time of the goal again"

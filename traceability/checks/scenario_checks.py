@@ -71,7 +71,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     texts = {name: requirement.text for name, requirement in model.requirements.items()}
     for file, scenario in texts_below(facts.root, (FOLDER,), (".scenario",)):
         for line, number in missing_numbers(scenario, texts):
-            text = f"the comment states {number}, but no line of the scenario has this value"
+            said = f"the comment states {number}"
+            text = f"{said}, but no line of the scenario and no named requirement has this value"
             yield Finding(Place(file, line), "doc-scenario", text)
 
 

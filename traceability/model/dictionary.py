@@ -86,7 +86,7 @@ def message_fields(model: Model, facts: Facts) -> list[MessageField]:
     """Returns the fields of the messages, in the order in which they are declared."""
     parts = parts_of(FIELDS, facts)
     widths: dict[str, str] = {}
-    # (name of a message field, "write") -> modules that write the field; in the same way for "read"
+    # (name of a message field, "write" or "read") -> modules that write or read the field
     users: dict[tuple[str, str], dict[str, None]] = {}
     tables: dict[str, list[str]] = {}  # data member -> names of message fields that it contains
     for flow in facts.syntax.flows:

@@ -259,8 +259,8 @@ class Prover:
         return symbols
 
     def _methods(self, body: str, call: CallFact, way: Sequence[tuple[str, int]]) -> list[str]:
-        """Returns the methods that a virtual call in a body may execute, for all classes of which
-        the object of the body may be."""
+        """Returns the methods that a virtual call in a body may execute, for all classes that the
+        object of the body may have."""
         robot = self.facts.robot
         kind = self._kind_of(body, way)
         kinds = robot.constructed & {kind, *self.facts.subclasses.get(kind, [])}

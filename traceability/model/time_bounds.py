@@ -224,8 +224,8 @@ class Times:
         compiler has inlined the called method at the same place.
 
         The compiled code compares the target of the call with the method that the compiler expects.
-        If both are equal, the inlined code is executed, and otherwise the call. If no other method
-        is possible, the call is never executed."""
+        If both are equal, the inlined code is executed. Otherwise, the call is executed. If no
+        other method is possible, the call is never executed."""
         function = self.prover.graph.get(code.symbol)
         for one in block.instructions:
             place = self._place(one.address)

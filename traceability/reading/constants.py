@@ -19,8 +19,8 @@ DIGITS_OF_FLOAT = 7  # significant decimal digits of the type float
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """Returns the names by which a text can refer to a constant: ``Class::name`` for a constant of
-    a class, and otherwise ``name`` and ``File::name``."""
+    """Returns the names by which a text can refer to a constant. A constant of a class has the name
+    ``Class::name``. Any other constant has the names ``name`` and ``File::name``."""
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]

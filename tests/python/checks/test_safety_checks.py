@@ -87,16 +87,13 @@ def test_a_change_of_the_case_is_found(tmp_path: Path, change: tuple[str, str], 
         (
             "0.3",
             3000,
-            ["the formula of SG-1 contains 0.3 m/s, but the greatest ordered velocity is 0.85 m/s"],
+            ["SG-1 declares a velocity of 0.3 m/s, but the greatest ordered velocity is 0.85 m/s"],
         ),
         ("0.8", 0, ["the formula of SG-1 does not contain its velocity of 0.8 m/s"]),
         (
             "0.85",
             3100,
-            [
-                "the formula of SG-1 contains 0.85 m/s, but the greatest ordered velocity is "
-                "0.88 m/s"
-            ],
+            ["SG-1 declares a velocity of 0.85 m/s, but the greatest ordered velocity is 0.88 m/s"],
         ),
     ],
 )
