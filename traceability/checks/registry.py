@@ -94,9 +94,9 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
         "a parameter. Each tag is defined in this project. Each link has a target. If the sentence "
         "before a list on a page states the number of the items, the list has this number of "
-        "items. If a text states how many hazards, safety goals, assumptions of use, products, "
-        "modules, design patterns, applications, state machines, or scenarios of the paper there "
-        "are, the project has this number of them.",
+        "items. If a text states the number of all hazards, safety goals, assumptions of use, "
+        "products, modules, design patterns, applications, state machines, or scenarios of the "
+        "paper, this number is right.",
         _TEXT_BLIND,
         "correct the comment or the page as the message explains.",
     ),
@@ -796,8 +796,9 @@ _FIXED = [
         "req-attribute",
         "Requirements have level, product and method",
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
-        "names of products that exist. A product is named if it contains all modules that satisfy "
-        "the requirement. If it contains none of these modules, it is not named. The requirement "
+        "names of products that exist. The @product of a requirement FR-n names each product that "
+        "contains all modules that satisfy the requirement. It names no product that contains none "
+        "of these modules. Every requirement "
         "has one @method of verification: test, analysis, measurement or inspection. If the method "
         "is test, the @verifies of a test names the requirement. If the method is measurement or "
         "analysis, the requirement has @evidence.",
@@ -808,10 +809,11 @@ _FIXED = [
     Check(
         "module-number",
         "Numbers of specifications agree with the code",
-        "Each number with a unit in the comment of a module or of its methods, and each limit of a "
-        "range such as '[mV], 0 to 24000', is the value of a constant of the module, of a module "
-        "that it uses or of SystemConstants, or a number in the text or the rationale of a "
-        "requirement that the module satisfies.",
+        "The check reads each number with a unit in the comment of a module or of its methods, and "
+        "each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states the "
+        "same number. The constant belongs to the module, to a module that it uses, or to "
+        "SystemConstants. The module satisfies the requirement. The number is in the text or in "
+        "the rationale of the requirement.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
         "sentence that begins with 'Assumption:'. It leaves out 100 % and numbers of at most one "
         "smallest unit, such as 0.01 degree.",

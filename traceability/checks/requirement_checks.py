@@ -162,8 +162,8 @@ def _without(model: Model) -> Iterator[Finding]:
 
 
 def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public methods that no code of the firmware calls, unless design/justified.toml lists
-    them."""
+    """Finds public methods that no code of the firmware calls and that design/justified.toml does
+    not list."""
     called = {
         target
         for body in facts.syntax.bodies

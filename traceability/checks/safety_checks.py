@@ -178,7 +178,10 @@ def _scenarios(model: Model) -> Iterator[Finding]:
             if existing.isdisjoint(hazard.goals):
                 said = f"{hazard.id} lists the scenario {scenario.name}"
                 text = f"{said}, but the hazard and the scenario have no goal in common"
-                fix = "name a goal of the hazard in the scenario, or delete the scenario there"
+                fix = (
+                    "name a goal of the hazard in the scenario, or remove the scenario from the "
+                    "hazard"
+                )
                 yield Finding(where, check, text, fix)
         if not listing:
             text = f"no hazard lists the scenario {scenario.name}"

@@ -251,8 +251,8 @@ def _is_executed(requirement: schema.Requirement) -> bool:
 
 
 def safety(case: schema.SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
-    """Counts the safety goals and the fault scenarios, and how many of them this run verified. Also
-    returns the number of existing lines that were edited for safety functions."""
+    """Counts the safety goals and the fault scenarios, in all and those that this run verified.
+    Also returns the number of existing lines that were edited for safety functions."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())
     return {
