@@ -135,7 +135,7 @@ _FIXED = [
         "and no other keys. No required text is empty. No name has two entries. Each review has a "
         "date.",
         "The check cannot judge whether an entry is true. The other checks compare the entries "
-        "with the code. They do not run while a file cannot be read.",
+        "with the code. Most of them do not run while a file cannot be read.",
         "correct the line, or the name of the key.",
     ),
     Check(

@@ -143,7 +143,7 @@ class Impacts:
             if requirement.place.file == path:
                 impact.requirements.append(Reached(requirement.id, 0, f"is written in {path}"))
             elif tree is not None and tree.place.file == path:
-                impact.requirements.append(Reached(requirement.id, 0, "its tree is declared there"))
+                impact.requirements.append(Reached(requirement.id, 0, f"its tree is in {path}"))
         for test in model.tests.values():
             if test.place.file == path:
                 impact.tests.append(Reached(test.id, 0, f"is written in {path}"))

@@ -383,7 +383,7 @@ class References:
     def wired_targets(self, call: CallFact, owner: str) -> list[str]:
         """Returns the methods that a call in a method of the class ``owner`` may execute. The
         object of the calling method has the class ``owner`` or a subclass. Returns an empty list if
-        no object to which the reference in the call may refer is known."""
+        no object is known for the reference in the call."""
         if call.virtual and call.on and not self.objects(call.on, call.target.rpartition("::")[0]):
             return []
         family = [owner, *self.facts.subclasses.get(owner, [])]
