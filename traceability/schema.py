@@ -133,8 +133,8 @@ class DataPart:
     type: str  # "" for an enumerator
     text: str
     unit: str  # "" without a unit
-    makers: Sequence[str]  # modules that write the part
-    readers: Sequence[str]  # modules that read the part and do not write it
+    makers: Sequence[str]  # other modules that write the part
+    readers: Sequence[str]  # other modules that read the part and do not write it
 
 
 @dataclass(frozen=True)
@@ -184,9 +184,9 @@ class Module:
     # modules and value types whose header or source file contains the name of this module or type
     named_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
-    # headers, constants and types that only this module may use (its secret)
+    # headers, constants, functions and types that only this module may use (its secret)
     hides: Sequence[str] = field(default_factory=list)
-    # blocks of registers that only this module may access
+    # blocks of registers that only this module and the other owners of the block may access
     registers: Sequence[str] = field(default_factory=list)
     # tests that executed a method of the module, and the tests in the test file that is named after
     # the module
@@ -640,8 +640,8 @@ class Correction:
 
 @dataclass(frozen=True)
 class TouchedFile:
-    """The number of lines that were edited in a file of the robot since the base commit of the
-    safety case."""
+    """The numbers of lines that were added and removed in a file of the robot since the base commit
+    of the safety case."""
 
     file: str
     added: int

@@ -97,7 +97,7 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(_at(facts, goal), "hazard-time", text)
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
             time, computed = f"{goal.time:g} s", f"{goal.computed:.3g} s"
-            text = f"the time of {goal.id} is {time}, but its formula gives {computed}"
+            text = f"the time of {goal.id} is {time}, but the value of its formula is {computed}"
             yield Finding(_at(facts, goal), "hazard-time", text)
         parts = value_of(goal.parts, model.constants) if goal.parts else 1000 * goal.reaction
         if parts is None:

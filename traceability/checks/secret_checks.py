@@ -152,7 +152,7 @@ def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
                     f"{other.name} has the same value as {hidden.name} and a similar name, but "
                     f"{hidden.name} is a secret of {hidden.owner}"
                 )
-                fix = f"call an operation of {hidden.owner}, or give the constant a different name"
+                fix = f"call an operation of {hidden.owner}, or use a different name here"
                 yield Finding(other.place, "secret-hidden", text, fix)
 
 

@@ -70,7 +70,7 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[float, str] | None:
-    """Returns the value of an expression and its unit. The unit is taken from the type, or from the
+    """Returns the value of an expression and its unit. The unit is that of the type, or that of the
     factory function that the expression calls. If neither of them has a unit, the unit is empty."""
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated_number(value)

@@ -51,8 +51,8 @@ def clang_arguments(board: bool) -> list[str]:
 
 
 def _board_folders() -> list[str]:
-    """Returns the folders in which the K64 compiler searches for system headers. The list of
-    folders comes from the compiler itself."""
+    """Returns the folders in which the K64 compiler searches for system headers. The
+    compiler itself prints the list of these folders."""
     answer = subprocess.run(
         [BOARD_COMPILER, *BOARD_FLAGS, "-E", "-x", "c++", "-v", "/dev/null"],
         capture_output=True,

@@ -37,11 +37,11 @@ def check(root: Path, model: Model) -> list[Finding]:
         (("time = 0.35", "time = 0.32"), ""),
         (
             ("time = 0.35", "time = 0.31"),
-            "the time of SG-1 is 0.31 s, but its formula gives 0.353 s",
+            "the time of SG-1 is 0.31 s, but the value of its formula is 0.353 s",
         ),
         (
             ("time = 0.35", "time = 0.36"),
-            "the time of SG-1 is 0.36 s, but its formula gives 0.353 s",
+            "the time of SG-1 is 0.36 s, but the value of its formula is 0.353 s",
         ),
         (("0.3 / 0.85", "way / speed"), "the formula of SG-1 has no value: way / speed"),
         (("reaction = 0.2", "reaction = 0.35"), ""),
