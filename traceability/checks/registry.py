@@ -121,8 +121,8 @@ _FIXED = [
         "docs/client.rst is complete. mypy finds no wrong name, parameter or type in the Python "
         "examples on the pages. A function that a comment of a module names without a class, such "
         "as start(), is in the files of the module, or is a method of a module that it uses. "
-        "`paper-stale` checks the names in design/concordance.toml, and "
-        "`pattern-change` the names in design/changes.toml.",
+        "`paper-stale` checks the names in design/concordance.toml. `pattern-change` checks the "
+        "names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed. In a Python example, it does not find "
         "wrong names of packages other than the client.",
@@ -265,13 +265,13 @@ _FIXED = [
     Check(
         "change-tuned",
         "Each tuned constant is declared",
-        "The check assumes in two cases that the value of a constant depends on SystemConstants: "
-        "the name or the comment of the constant mentions control cycles or ticks; or the constant "
-        "is a time or a number of bytes in a requirement whose rationale counts cycles, as in "
-        '"for three cycles". Then the code must compute the value from SystemConstants, or '
-        "design/tuned.toml must declare the dependence. Each constant and each source line in this "
-        "file exists. The page about a change of SystemConstants lists the computed and the "
-        "declared values.",
+        "The check assumes in two cases that the value of a constant depends on SystemConstants. "
+        "In the first case, the name or the comment of the constant mentions control cycles or "
+        "ticks. In the second case, the constant is a time or a number of bytes in a requirement "
+        'whose rationale counts cycles, as in "for three cycles". In both cases, the code computes '
+        "the value from SystemConstants, or design/tuned.toml declares the dependence. Each "
+        "constant and each source line in design/tuned.toml exists. The page about a change of "
+        "SystemConstants lists the computed and the declared values.",
         "The check does not find a value that depends on another constant if neither the name, nor "
         "the comment, nor the rationale of its requirement shows the dependence. It reads no "
         "source file outside src and extensions.",
@@ -527,7 +527,8 @@ _FIXED = [
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
         "the threads of two wheels. It does not read the calls with which the program after a "
         "reset starts the timers and sensors when the interrupts are already enabled. It does not "
-        "read members of data types, but the members in which modules store these data types.",
+        "read members of data types. Instead, it reads the members in which modules store values "
+        "of these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -638,7 +639,7 @@ _FIXED = [
     Check(
         "fsm-seen",
         "Each transition occurs in a test",
-        "Each transition occurred in a test on the host that passed. The recorded calls of the "
+        "Each transition occurred in a passing test on the host. The recorded calls of the "
         "test show the transition: the Context calls the operation of the old state, and then "
         "calls methods of the new state. Of all states, only the new state has all these methods. "
         "For each requirement that a transition names, a test of the requirement makes the "
@@ -758,8 +759,8 @@ _FIXED = [
         "The order and the number of calls match the tree",
         "The body of each parent makes the calls in the order of the tree. If a node has no mark, "
         "one statement without a condition calls the method of the node. The mark ? means a call "
-        "under a condition, or after a condition that may return. The mark * means a call in a "
-        "loop or by several statements.",
+        "under a condition, or a call after a return under a condition. The mark * means a call in "
+        "a loop or by several statements.",
         "The check does not detect which condition guards the call, or the order of calls in "
         "different iterations of a loop.",
         "restore the code, or correct the order or the mark in the tree.",
@@ -1000,7 +1001,7 @@ _FIXED = [
         "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
         "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
         "parts of its reaction, the reaction time is the value of this formula of constants, "
-        "rounded up by at most 10 %. Both times end when the "
+        "rounded up by at most 10 %. The fault-tolerant time and the reaction time end when the "
         "safe state is reached, or when the halt begins that leads to it. If a goal has no known "
         "exceptions, its scenarios accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
@@ -1189,14 +1190,16 @@ _FIXED = [
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target. Every path that begins with a folder of the "
-        "project exists, in a page, a requirement, a comment, a text of design/ or another text. "
-        "Each command of ./wr that a page names exists with its options. An option without a "
-        "command is an option of a command or a program that the page names. If an option has a "
-        "list of values, a value behind the option is in this list. The products, programs and "
-        "firmware images of the build, folders of the build, used pins and keys that a page names "
-        "exist too. If a page or an answer names a signal or a connector directly next to a pin, "
-        "src/k64/pins.hpp lists them for this pin. Pages and help texts insert the exit codes.",
+        "Every reference in docs/ has a target. The check reads pages, requirements, comments, "
+        "texts of design/ and other texts. If a path in such a text begins with a folder of the "
+        "project, the path exists. Each command of ./wr that a page names exists with its "
+        "options. An option without a command is an option of a command or a program that the "
+        "page names. If an option has a list of values, a value behind the option is in this "
+        "list. Each product, program, firmware image, folder of the build, pin and key that a "
+        "page names exists too. The file src/k64/pins.hpp contains each of these pins. The README "
+        "of a port can also name the pins of this port. If a page or an answer names a signal or "
+        "a connector directly next to a pin, src/k64/pins.hpp lists them for this pin. Pages and "
+        "help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "

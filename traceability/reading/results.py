@@ -116,7 +116,7 @@ def read_recording_factor(root: Path, sources: str) -> float | None:
 
 
 def run_hash(root: Path, binding: str) -> str:
-    """Returns the hash of the result file of the last test run. Each run gives another hash,
+    """Returns the hash of the result file of the last test run. Each run has another hash,
     because the file contains times."""
     return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
 
