@@ -57,8 +57,8 @@ FAMILIES = (
 
 
 def run_checks(model: Model, facts: Facts) -> Report:
-    """Returns the report with all findings, sorted. It does not include findings about links of the
-    site, because the site is built later."""
+    """Returns the report with the sorted findings of all checks except the checks of the links of
+    the site. The site is built later."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
     all_findings = [finding for family in families for finding in family(model, facts)]
     clauses, broken = pattern_checks.decide(model, facts)

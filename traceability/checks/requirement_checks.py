@@ -162,8 +162,8 @@ def _without(model: Model) -> Iterator[Finding]:
 
 
 def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public methods that no code of the firmware calls, unless design/justified.toml lists
-    them."""
+    """Finds public methods that no code of the firmware calls and that design/justified.toml does
+    not list."""
     called = {
         target
         for body in facts.syntax.bodies
@@ -186,7 +186,7 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     for entry in entries:
         for name in entry.names:
             if name not in spare:
-                text = f"{name} is not a public method without a caller"
+                text = f"{name} needs no justification: it has a caller, or is no public method"
                 yield Finding(entry.place, "req-justified", text)
 
 
@@ -281,8 +281,8 @@ def unmet(
     """Finds metrics of requirements (@evidence) that were not measured or do not meet their bound.
 
     ``others`` are the findings of the other checks. If one of these findings already shows the
-    problem, it is not reported again. Examples are a metric that counts findings, and a metric that
-    was not measured because the results are stale.
+    problem, the problem is not reported again. Examples are a metric that counts findings, and a
+    metric that was not measured because the results are stale.
     """
     checks = {finding.check for finding in others}
     for requirement in model.requirements.values():

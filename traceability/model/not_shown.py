@@ -190,8 +190,8 @@ def _requirements(model: Model, report: Report) -> Iterator[NotShown]:
         )
     if only_host := sum(targets_of(model, each) == [HOST] for each in requirements):
         yield NotShown(
-            f"The tests of {_count(only_host, 'requirement')} run only on the host, and not on the "
-            f"{VIRTUAL_K64}.",
+            f"The tests of {_count(only_host, 'requirement')} passed only on the host. No test of "
+            f"these requirements passed on the {VIRTUAL_K64}.",
             "requirements",
             urlencode({"binding": ONLY.format(HOST)}),
         )
@@ -263,8 +263,8 @@ def _earlier_runs(model: Model) -> Iterator[NotShown]:
     if goals := [name for name, text in exceptions.items() if OLD_DRIVES in text]:
         yield NotShown(
             "This build did not repeat the long series of drives with faults "
-            "(tests/python/programs/test_random_drives.py). Known exceptions of "
-            f"{', '.join(goals)} state the commits of their last run.",
+            "(tests/python/programs/test_random_drives.py). The known exceptions of "
+            f"{', '.join(goals)} state the commits of the last run.",
             "safety",
         )
     for name, (text, page) in CAMPAIGNS.items():

@@ -126,8 +126,8 @@ def _package(name: str) -> str:
 
 
 def read_run(root: Path, name: str) -> TestRun | None:
-    """Returns the time of the first test in a run, and the seeds of the run. Returns None without
-    results."""
+    """Returns the time of the first test in a run, and the seeds of the run. Returns None if there
+    are no results."""
     record = read_object(root / RESULTS / f"{name}.json")
     cases = [case for suite in record.get("testsuites", []) for case in suite["testsuite"]]
     if not cases:
