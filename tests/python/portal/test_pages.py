@@ -66,6 +66,7 @@ from traceability.schema import (
     ProofProperty,
     ProofResult,
     Proofs,
+    SourceReference,
     TreeNode,
     Tuned,
 )
@@ -501,6 +502,16 @@ def test_the_filter_of_the_requirements_finds_those_whose_tests_pass_on_one_targ
     assert address not in shown(tmp_path, model)["index"].links
     model.tests["RcTest.Reads"] = replace(test, results={VIRTUAL_K64: passed})
     assert facets(model, REPORT, requirement)["binding"] == [VIRTUAL_K64, "only virtual K64"]
+
+
+def test_the_filter_of_the_requirements_finds_those_with_only_one_kind_of_source() -> None:
+    model = make_model()
+    requirement = model.requirements["FR-15"]
+    decision, goal = SourceReference("decision", "so"), SourceReference("goal", "SG-1")
+    derived = replace(requirement, sources=[decision, decision])
+    assert facets(model, REPORT, derived)["source"] == ["decision", "only decision"]
+    both = replace(requirement, sources=[decision, goal])
+    assert facets(model, REPORT, both)["source"] == ["decision", "goal"]
 
 
 def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> None:
