@@ -376,6 +376,11 @@ class BindingResult:
     # products whose firmware images the test executed
     images: Sequence[str] = field(default_factory=list)
 
+    @property
+    def words(self) -> str | None:
+        """Returns the result, and states whether it belongs to older sources."""
+        return f"{self.result}, stale" if self.result and self.stale else self.result
+
 
 @dataclass(frozen=True)
 class Test:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
+
+from markupsafe import Markup
 
 from portal.links import ROOT
 from traceability.sources import text_of
@@ -59,6 +61,14 @@ class Question:
 def questions_of(root: Path) -> list[Question]:
     entries = tomllib.loads(text_of(root / QUESTIONS)).get("question", [])
     return [Question(**entry) for entry in entries]
+
+
+def linked_questions(questions: Iterable[Question], html: Markup) -> Markup:
+    """Returns a text of HTML in which each quoted question is a link to its answer."""
+    for question in questions:
+        link = Markup('“<a href="{}">{}</a>”').format(question.address, question.ask)
+        html = html.replace(Markup("“{}”").format(question.ask), link)
+    return html
 
 
 def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:

@@ -209,7 +209,7 @@ class Names:
         if result is None:
             return Markup('<span class="mut" title="not built for this target">\N{EN DASH}</span>')
         if result.stale and result.result:
-            return glyph("warn", f"{result.result}, stale")
+            return glyph("warn", str(result.words))
         return glyph(*RESULTS.get(result.result, ("none", str(result.result))))
 
     def results(self, test: Test) -> Markup:

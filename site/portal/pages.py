@@ -137,6 +137,7 @@ def home_page(portal: Portal) -> Page:
         method=method,
         tours=[tour.id for tour in portal.tours],
         paper_most=max(paper.maximum for paper in SCENARIOS),
+        proven=proven,
         shown_changes=sorted(
             portal.model.changes.values(), key=lambda change: not proven(change.made)
         )[:6],

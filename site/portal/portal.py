@@ -14,7 +14,7 @@ from jinja2 import Environment, FileSystemBytecodeCache
 from markupsafe import Markup
 
 from portal import diagrams, names
-from portal.answers import questions_of, with_metrics
+from portal.answers import linked_questions, questions_of, with_metrics
 from portal.calls import CallGraph
 from portal.constant_texts import constant_links
 from portal.glossary_links import GlossaryLinks
@@ -154,6 +154,7 @@ class Portal:
             views=names.VIEWS,
             glyph=names.glyph,
             family=diagrams.role_family,
+            linked_questions=functools.partial(linked_questions, self.questions),
             located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
             chosen_values=functools.partial(chosen_values, self.root, self.model),
             other_lines=functools.partial(other_lines, self.root),

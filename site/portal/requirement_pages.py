@@ -45,6 +45,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "baseline": BASELINE,
         "baseline_changed": portal.last_change([str(BASELINE)]),
         "methods": Counter(requirement.method for requirement in every),
+        "sources": Counter(value for facets in numbers.values() for value in facets["source"]),
         "without_test": [item.id for item in every if not item.verified_by],
         "without_method": [item.id for item in every if not item.satisfied_by],
         "options": verification_views.options(numbers.values()),

@@ -68,10 +68,18 @@ def test_a_term_in_words_with_another_meaning_is_not_linked(glossary: GlossaryLi
         "<p>Modules in the order in which they are built; the first reason in the order 2, 1.</p>",
         "<p>The trace contains these calls, nested and in this order.</p>",
         "<p>The receiver offers only <em>hold</em> or <em>preset</em>.</p>",
+        "<p>A run tries the mutants in a random order. The timer stops. The check holds.</p>",
     ],
 )
 def test_words_of_everyday_language_are_no_terms(glossary: GlossaryLinks, html: str) -> None:
     assert linked(glossary, html) == []
+
+
+def test_an_ambiguous_term_is_linked_only_in_words_with_its_own_meaning(
+    glossary: GlossaryLinks,
+) -> None:
+    html = "<p>Brakes hold the robot. The clock stops.</p><p>A stop holds the steering.</p>"
+    assert [words for _, words in linked(glossary, html)] == ["stop", "holds"]
 
 
 def test_a_term_is_linked_across_a_line_break(glossary: GlossaryLinks) -> None:
