@@ -117,7 +117,7 @@ _FIXED = [
         "For each package that setup/python.in or setup/strictdoc.in demands, the lock file "
         "contains a permitted version.",
         "The check does not examine whether the lock file contains packages that nobody demands.",
-        "make the lock file again, as the head of the file says.",
+        "make the lock file again, as the comment at the head of the file describes.",
     ),
     Check(
         "doc-name",
