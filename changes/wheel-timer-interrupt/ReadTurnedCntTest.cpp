@@ -41,7 +41,7 @@ TEST(ReadTurnedCnt, TurnsTheRange) {
   EXPECT_EQ(collected(1948), 1600);
 }
 
-int currentAt12Volts(const char* image) {
+int currentAt6Volts(const char* image) {
   ChangedRobot robot(image);
   robot.commandByPc();
   robot.orderVoltage(6000);
@@ -52,9 +52,9 @@ int currentAt12Volts(const char* image) {
 /// @brief While a wheel accelerates, the unchanged firmware reports a positive current. The changed
 /// firmware reports a negative current.
 TEST(ReadTurnedCntOnBoard, ReportedCurrentHasTheOtherSign) {
-  const int before = currentAt12Volts(kUnchanged);
+  const int before = currentAt6Volts(kUnchanged);
   EXPECT_GT(before, 100);
-  EXPECT_NEAR(currentAt12Volts("change_wheel-timer-interrupt"), -before, 60);
+  EXPECT_NEAR(currentAt6Volts("change_wheel-timer-interrupt"), -before, 60);
 }
 
 }  // namespace

@@ -131,11 +131,11 @@ TYPED_TEST(LeverFunction, FR52_InProportion) {
 /// centre of the stick.
 /// @verifies FR-53
 TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
-  for (std::int32_t width = 1480; width <= 1520; ++width) {
+  for (std::int32_t width = 1500 - 20; width <= 1500 + 20; ++width) {
     EXPECT_EQ(this->function.calculate(Pulse(width)), 0);
   }
-  EXPECT_EQ(this->function.calculate(Pulse(1479)), -126);
-  EXPECT_EQ(this->function.calculate(Pulse(1521)), 126);
+  EXPECT_EQ(this->function.calculate(Pulse(1500 - 21)), -126);
+  EXPECT_EQ(this->function.calculate(Pulse(1500 + 21)), 126);
 }
 
 /// @brief A pulse slightly beyond full deflection counts as full deflection. A pulse far beyond

@@ -140,7 +140,7 @@ TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
     robot.cycle();
   }
   EXPECT_EQ(robot.report().tension[3], 6000);
-  EXPECT_NEAR(robot.board.pwmDuty(kTimer, 3), 0.25, 1e-9);
+  EXPECT_NEAR(robot.board.pwmDuty(kTimer, 3), 6.0 / 24, 1e-9);
 }
 
 }  // namespace

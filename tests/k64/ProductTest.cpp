@@ -180,13 +180,13 @@ TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
   };
   ordered(960);
   for (int wheel = 0; wheel < 4; ++wheel) {
-    EXPECT_NEAR(robot.duty(wheel), 0.04, 1e-3) << "wheel " << wheel;
+    EXPECT_NEAR(robot.duty(wheel), 0.96 / 24, 1e-3) << "wheel " << wheel;
   }
   for (int cycle = 0; cycle < 6; ++cycle) {
     ordered(6000);
   }
   for (int wheel = 0; wheel < 4; ++wheel) {
-    EXPECT_NEAR(robot.duty(wheel), 0.25, 1e-3) << "wheel " << wheel;
+    EXPECT_NEAR(robot.duty(wheel), 6.0 / 24, 1e-3) << "wheel " << wheel;
   }
   for (int cycle = 0; cycle < 20; ++cycle) {
     robot.order({.id = 4, .stop = true});

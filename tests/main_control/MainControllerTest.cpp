@@ -264,7 +264,7 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
 /// @verifies FR-35
 /// @verifies FR-37
 TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
-  constexpr std::size_t kBytesPerCycle = 1152;
+  constexpr std::size_t kBytesPerCycle = 115'200 / 10 / 10;  // 10 bits in a byte, 10 cycles in 1 s
   connect();
   controller.start();
   scenario::Bytes line;

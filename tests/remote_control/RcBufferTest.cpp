@@ -221,9 +221,10 @@ TEST_F(RcPathTest, FR56_MessageWithPulses) {
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_NoMessageWithoutPulses) {
   bothPulse(3);
-  time.advance(milliseconds(180));
+  const Instant older = velocity.pipe.read()->at;  // the last pulse at the pin of the velocity
+  time.advance(older + milliseconds(200) - time.now());
   EXPECT_TRUE(mode.newMessage());
-  time.advance(milliseconds(20));
+  time.advance(Microseconds(1));
   EXPECT_FALSE(mode.newMessage());
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "services/SystemConstants.hpp"
 #include "steering_control/DirControllerFixture.hpp"
 
 namespace wr::test {
@@ -67,6 +68,7 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
 /// stall of a slow turn is also detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
+  static_assert(SystemConstants::instance().steeringStep() * 12 == Angle(60), "0.6 degrees");
   beginTurn();
   const Instant begin = control.clock.now();
   for (int i = 0; i < 23; ++i) {

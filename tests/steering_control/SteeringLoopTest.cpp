@@ -204,7 +204,7 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
   loop.run(500);
   loop.ordering = false;
-  loop.run(276);  // the last cycle was 24 ms before these ticks
+  loop.run(300 - 24);  // the last cycle was 24 ms before these ticks
   EXPECT_TRUE(loop.powered());
   loop.run(SteeringLoop::kMeasurement);
   EXPECT_FALSE(loop.powered());

@@ -129,8 +129,8 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
 }
 
 /// @brief From the start of the firmware on, each rejected edge is included in the count of its
-/// wheel. A wheel at rest gets a pulse of 30 us in each ms. The first edge counts as a step of the
-/// wheel. Each later edge reverses the direction too soon.
+/// wheel. A Hall sensor of a wheel at rest has a short pulse in each ms. The first edge counts as a
+/// step of the wheel. Each later edge reverses the direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

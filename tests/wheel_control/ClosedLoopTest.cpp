@@ -96,9 +96,9 @@ TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
   EXPECT_LE(greatest, 1530);
 }
 
-/// @brief The robot drives from flat ground onto a downhill slope of 10 %. In 3.7 s its wheelbase
-/// passes the beginning of the slope. In this time and after it, the velocity of the wheel is at
-/// most 165 rpm. Then the velocity settles.
+/// @brief The robot drives from flat ground onto a downhill slope of 10 %. In 37 cycles its
+/// wheelbase passes the beginning of the slope. In this time and after it, the velocity of the
+/// wheel is at most 165 rpm. Then the velocity settles.
 /// @verifies FR-84
 TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   plant.load = kRolling;
@@ -223,9 +223,8 @@ TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   }
 }
 
-/// @brief With a load that needs 6.8 A to 8 A, the supply voltage is too low for the first ordered
-/// velocity. The velocity after the second order has an overshoot of less than the greater of 10 %
-/// and 3 rpm.
+/// @brief With each of three loads, the supply voltage is too low for the first ordered velocity.
+/// The velocity after the second order has an overshoot of less than the greater of 10 % and 3 rpm.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   for (const double load : {3.3, 3.6, 3.9}) {

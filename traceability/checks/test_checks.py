@@ -17,6 +17,7 @@ from traceability.reading.support_files import SupportFiles
 from traceability.schema import Finding
 
 LITERAL = re.compile(r"(?<![\w.])(?:0x[\dA-Fa-f']+|\d[\d']*(?:\.\d+)?(?:e-?\d+)?)")
+NANOSECONDS = re.compile(r"\bnanoseconds\(([\d']+)\)")
 WORD = re.compile(r"\w+")
 # Kinds of quantities that are compared. Counts are left out: the steps of a test are such counts.
 KINDS = ("time", "voltage", "current", "velocity", "angle", "share", "frequency", "bit rate")
@@ -50,6 +51,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         numbers = {_value(number) for number in LITERAL.findall(code)}
         known = [Quantity("", number) for number in numbers]
         known += [Quantity("share", number * WHOLE) for number in numbers]  # 0.05 is 5 %
+        known += [Quantity("time", _value(time) / 1000) for time in NANOSECONDS.findall(code)]
         for word in set(WORD.findall(code)):
             known += constants.get(word, [])
         for number, quantity in stated.items():

@@ -462,12 +462,18 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   EXPECT_TRUE(pulse(2100).has_value());
   EXPECT_FALSE(pulse(899).has_value());
   EXPECT_FALSE(pulse(2101).has_value());
-  pulse(1500, 14000);
-  EXPECT_FALSE(pulse(1500).has_value());
+  for (const int period : {15'000, 30'000}) {
+    pulse(1500, period);
+    EXPECT_TRUE(pulse(1500).has_value()) << period;
+  }
+  for (const int period : {14'999, 30'001}) {
+    pulse(1500, period);
+    EXPECT_FALSE(pulse(1500).has_value()) << period;
+  }
 }
 
-/// @brief A stop pulse is shorter than 1250 us or longer than 2100 us. A single stop pulse counts
-/// as a disturbance. Two successive stop pulses confirm the stop. Later pulses do not cancel the
+/// @brief A stop pulse has at most 1249 us or at least 2101 us. A single stop pulse counts as a
+/// disturbance. Two successive stop pulses confirm the stop. Later pulses do not cancel the
 /// confirmed stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {

@@ -240,8 +240,8 @@ TEST_F(VelSensorTest, FR123_OneLostEdge) {
   EXPECT_EQ(wheel.velocity.position() - before, HallCount(18));
 }
 
-/// @brief A velocity of 599 rpm is measured. A velocity of more than 600 rpm, which an unloaded
-/// motor cannot reach, is rejected.
+/// @brief A velocity of 599 rpm is measured. A velocity of 605 rpm, which an unloaded motor cannot
+/// reach, is rejected.
 /// @verifies FR-124
 TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   for (const int direction : {1, -1}) {
