@@ -22,7 +22,7 @@ class Ring {
   /// @isr{yes}
   [[nodiscard]] std::size_t count() const { return written_ - read_; }
 
-  /// @brief Returns the number of elements that can be stored.
+  /// @brief Returns the number of free places for elements.
   /// @isr{yes}
   [[nodiscard]] std::size_t free() const { return kSize - count(); }
 

@@ -109,8 +109,8 @@ def run_figures(measured: dict[str, Any]) -> dict[str, float]:
 
 
 def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str, float]:
-    """Returns for each function its average number of instructions in a cycle. The largest number
-    is first."""
+    """Returns the average number of instructions of each function in a cycle. The largest number is
+    first."""
     starts = sorted({int(at, 16) & ~1: name for at, name in SYMBOL.findall(symbols)}.items())
     addresses = [at for at, _ in starts]
     counts: Counter[str] = Counter()

@@ -40,8 +40,8 @@ def result_of(
     lines that it wrote to the console before.
 
     ``page`` is the text of the page. The server also has the files of the folder, and the
-    ``scripts`` by their addresses. The browser runs in real time and ends as soon as the result
-    has come."""
+    ``scripts`` by their addresses. The browser runs in real time and ends as soon as the page
+    has posted the result."""
     came = threading.Event()
     posted: dict[str, Any] = {}
 

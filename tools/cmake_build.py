@@ -141,7 +141,7 @@ def run_shards(
     logs = [results.with_suffix(f".{number}.log") for number in shards]
 
     def run_shard(number: int) -> tuple[str, float]:
-        """Returns the failure of a process, if there is one, and its processor time [s]."""
+        """Runs a process. Returns its failure, if there is one, and its processor time [s]."""
         parts[number].unlink(missing_ok=True)
         numbers = {"GTEST_TOTAL_SHARDS": str(len(shards)), "GTEST_SHARD_INDEX": str(number)}
         words: list[str | Path] = [program, f"--gtest_output=json:{parts[number]}"]

@@ -49,8 +49,8 @@ def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bo
     The process frees its memory when it ends. A long command therefore does not occupy this memory.
 
     ``texts`` is the hash of all inputs of the pages that are not read into the model. With
-    ``keep``, the pages stay as they are if neither these inputs nor the names of the model differ
-    from those of the last pages."""
+    ``keep``, the pages stay as they are if these inputs and the names of the model are equal to
+    those of the last pages."""
     words = [sys.executable, "-m", "tools.documents", str(root), texts, *([KEEP] if keep else [])]
     with (
         subprocess.Popen(

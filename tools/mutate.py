@@ -48,7 +48,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds a copy of the firmware that contains small faults in the functions of "
         "the firmware and its extensions. Each fault has a number. For each fault, the "
         "command runs the tests of the requirements that the function serves. If none of "
-        "them finds the fault, the command runs the other tests that execute the "
+        "these tests finds the fault, the command runs the other tests that execute the "
         "function. The portal shows the score, "
         "which is not a pass criterion. design/mutants.toml justifies faults that no "
         "test can find. The other faults that no test finds are listed as file:line, "
@@ -68,7 +68,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--resume",
         action="store_true",
-        help="do not try the faults again that the last run found, if their files have not changed",
+        help="skip the faults that the last run found and whose files have not changed since",
     )
     parser.add_argument(
         "--publish",

@@ -25,7 +25,7 @@ from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
 from traceability.whole_file import write_json, write_whole
 
-RECORD = "proofs"  # name of the record of complete runs; it also has the hashes of the models
+RECORD = "proofs"  # name of the record of complete runs; the record has the hashes of the models
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 900  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps

@@ -67,8 +67,8 @@ def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str])
 def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str] | None:
     """Returns the test files of a folder that a change of the files in ``changed`` can affect.
 
-    Returns None if a changed file is neither a Python file of the project nor a file that a mark
-    ``reads`` names, because all tests of the folder may read such a file."""
+    Returns None if all tests of the folder may read a changed file. This is true for a file that is
+    no Python file of the project, if no mark ``reads`` names the file."""
     python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
     of_tools = any(not name.startswith(f"{TESTS_OF_TOOLS}/") for name in python)
     found: set[str] = set()
@@ -105,7 +105,8 @@ def merge_results(
 def counted(
     root: Path, folder: str, log: TextIO, tests: Sequence[str | Path], marks: str = NOT_LONG
 ) -> Counts:
-    """Runs those of the given tests whose marks match the expression. Returns their counts."""
+    """Runs those of the given tests whose marks match the expression. Returns the numbers of
+    passed, failed and skipped tests."""
     results = root / results_of(folder)
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]

@@ -61,9 +61,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "firmware image on the virtual K64), the tests of the tools that start no program, and "
         "every check. With --all, also runs the other tests and the measurements: the firmware "
         "with sanitizers, the client, the commands, the example changes, the ports, the bench "
-        "and the portal's pages in a browser. A task runs again only if its inputs changed, and "
-        "a Python test only if a file that it imports or reads changed. The last lines name the "
-        "results that are older than the files, and count the tests.",
+        "and the portal's pages in a browser. A task runs again only if its inputs changed. "
+        "A Python test runs again only if a file that it imports or reads changed. The last lines "
+        "name the results that are older than the files, and count the tests.",
     )
     parser.add_argument(
         "parts",

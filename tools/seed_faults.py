@@ -27,7 +27,7 @@ WORKERS = 2
 PROGRESS = 30.0  # time between two messages about the progress [s]
 BUILT = ("build/model", "build/results", "build/tasks.json")
 FORK = get_context("fork")
-tried = FORK.Value("i", 0)  # number of faults that were tried; all workers add to it
+tried = FORK.Value("i", 0)  # number of faults that were tried; all workers increase this number
 # These folders are only read.
 LINKED = (
     "build/trace",

@@ -178,8 +178,8 @@ def sizes_of(root: Path, product: str) -> dict[str, Size]:
 
 
 def write_products(root: Path) -> dict[str, Size]:
-    """Measures the firmware images of all products. Writes for each image its flash, RAM and stack,
-    its forbidden parts and its modules."""
+    """Measures the firmware images of all products. Writes the flash, the RAM, the stack, the
+    forbidden parts and the modules of each image."""
     wholes, records = {}, {}
     modules = module_names(root)
     for product in PRODUCTS:

@@ -115,8 +115,8 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """Ends the given program and all other started programs if an interrupt comes inside the
-    ``with`` block. If an interrupt came shortly before, the given program ends now."""
+    """Ends the given program and all other started programs if an interrupt occurs inside the
+    ``with`` block. If an interrupt occurred before the block, the given program ends at once."""
     _started.append(program)
     if _interrupted.is_set():
         stop(program)

@@ -66,6 +66,7 @@ from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.proof_record import PROOFS
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.seeded_fault_record import RECORD as FAULTS
+from traceability.reading.seeded_fault_record import SOURCES
 from traceability.reading.task_record import is_fresh
 from traceability.reading.toml_reader import Entries
 from traceability.reading.tool_tests import python_task, results_of
@@ -120,13 +121,10 @@ PYTHON_SETTINGS = (
 )
 TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
 # Inputs of the test of the checks. They are the sources, the checks and the seeded faults.
-SEEDED = (
-    *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs", "README.md"),
-    *("CONTRIBUTING.md", *BUILD_FILES, *TOOLS),
-)
+SEEDED = (*SOURCES, *TOOLS)
 # The pages show all hand-written texts. The checks also read the settings of the editor and of the
 # automatic runs.
-SHOWN = (*SEEDED, "CHANGELOG.md", "site", "setup", "wr", ".ci", ".github", ".vscode")
+SHOWN = (*SEEDED, "CHANGELOG.md", "site", "wr", ".ci", ".github", ".vscode")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
@@ -135,8 +133,9 @@ SHOWN_RESULTS = (
     *("trace.cost.json", "plain.cost.json", "live.json", "diff.json", "lint.json"),
 )
 # Folders of tests/python whose tests start programs: programs of the build, or commands of ./wr.
-# Their inputs are the files in this table, all sources of the tools and, except for the commands,
-# the programs of the build. The tests of the client mostly wait, and are therefore started first.
+# Their inputs are the files in this table and all sources of the tools. The programs of the build
+# are also inputs, but not of the tests of the commands. The tests of the client mostly wait.
+# Therefore they are started first.
 PROGRAM_TESTS: dict[str, tuple[str, ...]] = {
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
@@ -361,8 +360,8 @@ def checks_of_tools(root: Path) -> list[Task]:
 
 
 def fresh_results(root: Path) -> str:
-    """Returns which results of the tests are fresh. Some seeded faults can be tried only with fresh
-    results."""
+    """Returns a text in JSON that states whether the results of the tests are fresh. Some seeded
+    faults can be tried only with fresh results."""
     names = (task_record.TESTS_TRACE, task_record.TESTS_BOARD)
     return json.dumps({name: is_fresh(root, name) for name in names})
 

@@ -133,8 +133,8 @@ class DataPart:
     type: str  # "" for an enumerator
     text: str
     unit: str  # "" without a unit
-    makers: Sequence[str]  # modules that write the part
-    readers: Sequence[str]  # modules that read the part and do not write it
+    makers: Sequence[str]  # other modules that write the part
+    readers: Sequence[str]  # other modules that read the part and do not write it
 
 
 @dataclass(frozen=True)
@@ -184,9 +184,9 @@ class Module:
     # modules and value types whose header or source file contains the name of this module or type
     named_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
-    # headers, constants and types that only this module may use (its secret)
+    # headers, constants, functions and types that only this module may use (its secret)
     hides: Sequence[str] = field(default_factory=list)
-    # blocks of registers that only this module may access
+    # blocks of registers that only this module and the other owners of the block may access
     registers: Sequence[str] = field(default_factory=list)
     # tests that executed a method of the module, and the tests in the test file that is named after
     # the module
@@ -375,6 +375,11 @@ class BindingResult:
     instances: Mapping[str, str] = field(default_factory=dict)
     # products whose firmware images the test executed
     images: Sequence[str] = field(default_factory=list)
+
+    @property
+    def words(self) -> str | None:
+        """Returns the result, and states whether it belongs to older sources."""
+        return f"{self.result}, stale" if self.result and self.stale else self.result
 
 
 @dataclass(frozen=True)
@@ -614,8 +619,8 @@ class SafetyGoal:
 
 @dataclass(frozen=True)
 class FaultScenario:
-    """A scenario in which a part of the robot or a person fails. ``goals`` are the safety goals
-    that must prevent harm. ``tests`` are the tests that execute the scenario."""
+    """A scenario with a hazardous situation: for example, a part of the robot fails. ``goals`` are
+    the safety goals that must prevent harm. ``tests`` are the tests that execute the scenario."""
 
     name: str
     title: str
@@ -640,8 +645,8 @@ class Correction:
 
 @dataclass(frozen=True)
 class TouchedFile:
-    """The number of lines that were edited in a file of the robot since the base commit of the
-    safety case."""
+    """The numbers of lines that were added and removed in a file of the robot since the base commit
+    of the safety case."""
 
     file: str
     added: int
@@ -787,7 +792,7 @@ class TestRun:
 
 @dataclass(frozen=True)
 class FileHash:
-    """The SHA-256 hash of a file that a build used or made. ``kind`` is "image", "input" or
+    """The SHA-256 hash of a file that a build used or wrote. ``kind`` is "image", "input" or
     "result"."""
 
     kind: str
@@ -799,7 +804,7 @@ class FileHash:
 class LintRun:
     """The results of ./wr lint for the present files."""
 
-    commit: str  # commit at which it ran; empty without git
+    commit: str  # commit at which ./wr lint ran; empty if git is not available
     steps: Mapping[str, str]  # step -> "passed", "failed" or "not run"
 
 
@@ -834,7 +839,7 @@ class Exemption:
 class BuildEvidence:
     """The commit, the tools and the computer with which the pages were built."""
 
-    commit: str  # empty without git
+    commit: str  # empty if git is not available
     changed: Sequence[str]  # files that differ from the commit
     system: str
     processors: int
@@ -856,11 +861,11 @@ class LastRecord:
     """The recorded result of a test that does not run in each build, because it takes too long.
 
     There are three such tests: the mutation test of the tests, the test of the checks with seeded
-    faults, and a second build of the release, which must give equal files.
+    faults, and a second build of the release, which must produce the same files.
     """
 
     command: str
-    commit: str  # empty without git
+    commit: str  # empty if git is not available
     found: int
     tried: int
     current: bool  # true if the test ran with the present sources
@@ -998,7 +1003,8 @@ class ExecutionContext:
     # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)
     intended: int | None = None  # priority that the design states
-    idle: str = ""  # the function that the start executes when the interrupts are enabled
+    # the function that the program after a reset executes when the interrupts are enabled
+    idle: str = ""
 
 
 @dataclass(frozen=True)
@@ -1025,8 +1031,8 @@ class StackContext:
 
 @dataclass(frozen=True)
 class TimeBound:
-    """The longest processor time that a context can need: for an interrupt, the time of one
-    execution, and for a thread, the time of all its handlers in a control cycle."""
+    """The longest processor time that a context can need. For an interrupt, it is the time of one
+    execution. For a thread, it is the time of all its handlers in a control cycle."""
 
     context: str
     name: str
@@ -1113,7 +1119,7 @@ class StackProof:
 
     @property
     def levels(self) -> list[StackContext]:
-        """Returns for each priority the context that needs the most stack. The order is from the
+        """Returns the context that needs the most stack at each priority. The order is from the
         lowest priority to the highest. The program after a reset ("start") is the first."""
         worst: dict[int | None, StackContext] = {}
         for context in self.contexts:

@@ -4,8 +4,8 @@
 
 namespace wr {
 
-/// @brief A behaviour that limits the voltage of a wheel to 12 V, because its motor is built for 12
-/// V.
+/// @brief A behaviour that limits the voltage of a wheel to 12 V. The motor of this wheel is built
+/// for 12 V.
 class VoltageCap final : public BehaviourDecorator {
  public:
   /// @brief Greatest magnitude of the voltage.

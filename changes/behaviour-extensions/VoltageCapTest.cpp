@@ -15,8 +15,8 @@ class VoltageCapTest : public testing::Test, protected SpiedCommands {
   VoltageCap cap{advance};
 };
 
-/// @brief A demand of more than 12 V is limited to 12 V, forwards and backwards. A lower demand
-/// does not change.
+/// @brief A demand of more than 12 V is limited to 12 V, forwards and backwards. A lower demand is
+/// applied without a change.
 TEST_F(VoltageCapTest, LimitsTheDemand) {
   EXPECT_EQ(cap.apply(Tension(18000), Velocity()), Tension(12000));
   EXPECT_EQ(cap.apply(Tension(-18000), Velocity()), Tension(-12000));

@@ -4,8 +4,8 @@
 
 namespace wr {
 
-/// @brief The arguments for a sensor that is mounted with an angular offset. Therefore its raw
-/// value at zero degrees is different.
+/// @brief The arguments for a sensor that is mounted with an angular offset. The offset changes the
+/// raw value of the sensor at zero degrees.
 class TurnedArguments final : public ArgumentsDecorator {
  public:
   /// @param wrapped the extended arguments
@@ -13,7 +13,8 @@ class TurnedArguments final : public ArgumentsDecorator {
   TurnedArguments(const Arguments& wrapped, std::int32_t turned)
       : ArgumentsDecorator(wrapped), turned_(turned) {}
 
-  /// @brief Writes the wrapped arguments, and adds the change to the raw value at zero degrees.
+  /// @brief Writes the wrapped arguments. Then adds the change to the raw value at zero degrees, if
+  /// there is such a value.
   /// @param values receives the values
   /// @isr{yes}
   void fill(ArgumentValues& values) const override {

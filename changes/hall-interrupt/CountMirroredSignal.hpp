@@ -7,10 +7,10 @@
 
 namespace wr {
 
-/// @brief A command that counts the edges of Hall sensors that are not mounted on the usual side of
-/// the motor, but on the opposite side.
+/// @brief A command that counts the edges of Hall sensors on the other side of the motor.
 ///
-/// There, each of the two sensors sends the signal that the other sensor usually sends.
+/// On the usual side, sensor a sends signal a, and sensor b sends signal b. On the other side,
+/// sensor a sends signal b, and sensor b sends signal a.
 class CountMirroredSignal final : public Command {
  public:
   /// @param collector receives the edges

@@ -11,7 +11,8 @@ class MeanWidthCollector final : public CollectorDecorator {
   /// @param wrapped the extended collector, which measures the width
   explicit MeanWidthCollector(InstantCollector& wrapped) : CollectorDecorator(wrapped) {}
 
-  /// @brief Forwards the edge. At a rising edge, also stores the width of the previous pulse.
+  /// @brief Forwards the edge to the wrapped collector. At a rising edge, also stores the width of
+  /// the previous pulse.
   /// @param edge the edge
   /// @isr{yes}
   void collect(const Edge& edge) override {
@@ -23,8 +24,8 @@ class MeanWidthCollector final : public CollectorDecorator {
     CollectorDecorator::collect(edge);
   }
 
-  /// @brief Writes the values of the wrapped collector. After two pulses, replaces the width by the
-  /// mean width of both pulses.
+  /// @brief Writes the values of the wrapped collector. If there were at least two pulses, replaces
+  /// the width by the mean width of the last two pulses.
   /// @param instants receives `width` [us]
   /// @isr{yes}
   void fill(Instants& instants) const override {

@@ -11,8 +11,8 @@
 
 namespace wr {
 
-/// @brief Six operation states: the five states of the robot that warns, and a state in which the
-/// robot stands still for one cycle after the search for a source of orders.
+/// @brief Six operation states: the five states of the product weeding_robot_warning, and a state
+/// in which the robot stands still for one cycle after the search for a source of orders.
 struct SixStates {
   /// @brief Connects each state to its successors.
   /// @param warning output that is on while the robot warns

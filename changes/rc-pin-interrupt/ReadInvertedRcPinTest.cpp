@@ -53,13 +53,13 @@ TEST(ReadInvertedRcPin, LowPulsesAreRead) {
   EXPECT_GT(velocity.read()->value, Velocity(1000));
 }
 
-// A robot whose remote control sends pulses on both channels. Each call of pulses() sends the
-// pulses of one cycle of 100 ms.
+// A robot whose remote control sends pulses on the channels of both sticks. Each call of pulses()
+// sends the pulses of one cycle of 100 ms.
 class PulsedRobot : public ChangedRobot {
  public:
   using ChangedRobot::ChangedRobot;
 
-  // Sends 5 pulses with alternating widths [us], and runs the cycle.
+  // Sends 5 pulses on each channel, with alternating widths [us]. Then runs the cycle.
   void pulses(int first, int second, bool inverted = false) {
     const auto begin = board().now();
     for (int pulse = 0; pulse < 5; ++pulse) {

@@ -50,8 +50,9 @@ class WaypointReader final : public Reader {
     }
   }
 
-  /// @brief Returns whether an order can be read: no order was read from the last position, this
-  /// position is not older than the lifetime of an order, and a way-point is ahead of it.
+  /// @brief Returns whether an order can be read. Three conditions must be true: no order was read
+  /// from the last position, this position is not older than the lifetime of an order, and a
+  /// way-point is ahead of the robot.
   /// @return true when an order can be read
   /// @isr{no}
   [[nodiscard]] bool available() const override {
@@ -100,7 +101,7 @@ class WaypointReader final : public Reader {
   }
 
  private:
-  static constexpr std::size_t kMostBytes = 64;  // greatest number of bytes in a cycle
+  static constexpr std::size_t kMostBytes = 64;  // greatest number of bytes that serve() reads
   static constexpr std::uint8_t kBegin = 165;
   static constexpr std::size_t kLength = 6;
   static constexpr std::int32_t kRadian = 5730;  // [0.01 degree] one radian
@@ -148,7 +149,7 @@ class WaypointReader final : public Reader {
   SerialPort& port_;
   const Timebase& timebase_;
   std::span<const FieldPoint> way_;
-  std::size_t next_ = 0;  // index of the way-point that is ahead
+  std::size_t next_ = 0;  // index of the next way-point
   FieldPoint position_{};
   std::optional<Instant> at_;  // time of a position from which no order was read yet
   std::uint8_t bytes_[kLength]{};

@@ -4,14 +4,14 @@
 
 namespace wr {
 
-/// @brief An output for a device that needs the opposite level.
+/// @brief An output whose pin has the opposite level: the pin is low while the output is on.
 class InvertedOutput final : public DigitalOutput {
  public:
-  /// @param pin pin that gets the opposite level
+  /// @param pin pin that is low while this output is on
   explicit InvertedOutput(DigitalOutput& pin) : pin_(pin) {}
 
-  /// @brief Sets the opposite level.
-  /// @param on true: the pin is low
+  /// @brief Sets the pin to the opposite of a level.
+  /// @param on true: the pin is low; false: the pin is high
   /// @isr{yes}
   void set(bool on) override { pin_.set(!on); }
 

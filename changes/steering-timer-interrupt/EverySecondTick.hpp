@@ -11,7 +11,7 @@ class EverySecondTick final : public Command {
   /// @param work command that is executed at every second tick
   explicit EverySecondTick(Command& work) : work_(work) {}
 
-  /// @brief Executes the work, unless the previous tick executed it.
+  /// @brief Executes the work, unless the work was executed at the previous tick.
   /// @isr{yes}
   void execute() override {
     due_ = !due_;
@@ -22,7 +22,7 @@ class EverySecondTick final : public Command {
 
  private:
   Command& work_;
-  bool due_ = false;  // true: the newest tick has executed the work
+  bool due_ = false;  // true: the work was executed at the last tick
 };
 
 }  // namespace wr

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t kCycles = 20;
 
-// Returns the names of the firmware images of all products and of all kits (the folders of
-// changes/, which changes/README.md describes).
+// Returns the names of the firmware images of all products and kits. A kit is a folder of changes/
+// with a file change.toml. The file changes/README.md describes the kits.
 std::vector<std::string> images() {
   std::vector<std::string> found;
   for (const auto& file : std::filesystem::directory_iterator(imageFile().parent_path())) {
@@ -27,9 +27,10 @@ std::vector<std::string> images() {
 
 class EachImage : public testing::TestWithParam<std::string> {};
 
-/// @brief Each firmware image answers the PC with a Welcome, and sends a report in every cycle. The
-/// PC sends an order with the number 5 in each cycle, and each report contains this number. No
-/// image reports an overrun. The test records the mean number of instructions in a cycle.
+/// @brief Each firmware image answers the PC with a Welcome, and sends a report in every cycle. Two
+/// images have separate tests instead. The PC sends an order with the number 5 in each cycle, and
+/// each report contains this number. No image reports an overrun. The test records the mean number
+/// of instructions in a cycle.
 TEST_P(EachImage, DrivesAsThePcOrders) {
   if (GetParam() == "change_can") {
     GTEST_SKIP()

@@ -5,8 +5,8 @@
 
 namespace wr {
 
-/// @brief A command that sets the voltage of a wheel. The driver of the wheel loses a twelfth of
-/// the voltage, therefore the command sets a twelfth more.
+/// @brief A command that sets the voltage of a wheel. The driver of the wheel causes a loss of a
+/// twelfth of the ordered voltage. Therefore the command adds a twelfth to this voltage.
 class SetTrimmedTension final : public WheelCommand {
  public:
   /// @param wheel wheel whose voltage is set

@@ -4,20 +4,20 @@
 
 namespace wr {
 
-/// @brief The order to follow the set-point. It replaces a voltage of less than 0.5 V by 0.
+/// @brief The wheel order to follow the set-point. It replaces a voltage of less than 0.5 V by 0.
 ///
-/// At such a low voltage, the motor does not turn but gets warm.
+/// At such a low voltage, the motor does not turn, but becomes warm.
 class ApplyAboveThreshold final : public WheelOrder {
  public:
   /// @brief Smallest magnitude of a voltage that is not replaced by 0 [mV].
   static constexpr std::int16_t kLeast = 500;
 
-  /// @param apply extended order, which follows the set-point
+  /// @param apply extended wheel order, which follows the set-point
   explicit ApplyAboveThreshold(WheelOrder& apply) : apply_(apply) {}
 
-  /// @brief If the voltage of the set-point is too low, sets it to 0. Then executes the extended
-  /// order.
-  /// @param work contains the set-point; receives the values that the extended order writes
+  /// @brief If the set-point is a voltage of less than 0.5 V, sets the set-point to 0. Then
+  /// executes the extended wheel order.
+  /// @param work contains the set-point; receives the values that the extended wheel order writes
   /// @isr{no}
   void execute(WheelWork& work) override {
     const bool low = work.setPoint.quantity == WheelQuantity::Tension &&

@@ -6,8 +6,8 @@
 
 namespace wr {
 
-/// @brief A command that reads a current sensor that is mounted the other way round. The values of
-/// this sensor are inverted.
+/// @brief A command that reads a current sensor that is mounted in the opposite direction. The
+/// values of this sensor are inverted.
 class ReadTurnedCnt final : public Command {
  public:
   /// @brief Greatest sample of the converter.

@@ -19,7 +19,8 @@ class NoTrip final : public Command {
   void execute() override {}
 };
 
-// Returns the sum of 16 equal samples, which follow the 64 samples for the calibration of the zero.
+// Returns the sum of 16 equal samples. Before these samples, the collector receives 64 samples,
+// from which it computes the zero of the sensor.
 std::int32_t collected(std::uint16_t sample) {
   FakeTimebase clock;
   NoTrip trip;
@@ -40,7 +41,7 @@ TEST(ReadTurnedCnt, TurnsTheRange) {
   EXPECT_EQ(collected(1948), 1600);
 }
 
-int currentAt12Volts(const char* image) {
+int currentAt6Volts(const char* image) {
   ChangedRobot robot(image);
   robot.commandByPc();
   robot.orderVoltage(6000);
@@ -51,9 +52,9 @@ int currentAt12Volts(const char* image) {
 /// @brief While a wheel accelerates, the unchanged firmware reports a positive current. The changed
 /// firmware reports a negative current.
 TEST(ReadTurnedCntOnBoard, ReportedCurrentHasTheOtherSign) {
-  const int before = currentAt12Volts(kUnchanged);
+  const int before = currentAt6Volts(kUnchanged);
   EXPECT_GT(before, 100);
-  EXPECT_NEAR(currentAt12Volts("change_wheel-timer-interrupt"), -before, 60);
+  EXPECT_NEAR(currentAt6Volts("change_wheel-timer-interrupt"), -before, 60);
 }
 
 }  // namespace

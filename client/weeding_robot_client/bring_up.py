@@ -39,12 +39,12 @@ DESCRIPTION = f"""\
 Guides you step by step through the checks of a new robot: port, connection, firmware image, reset
 cause, inputs, end stops, remote control, emergency stop. Then the program turns the steering a few
 degrees to the left and to the right, and turns one wheel at a time with 1 V. It detects a reversed
-steering and swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each step
-states the action and the expected result. To skip a step that waits for you, press 's' and Enter.
-The robot must run a product with the safety functions. Connect no motor before you start. No motor
-turns until the step for the emergency stop has passed and you have confirmed that the wheels are
-off the ground. Ctrl-C stops the robot. The program writes the result to a record with the present
-date, in JSON and in Markdown.
+steering, swapped motor leads and swapped Hall wires. It tests the stop while a wheel turns. Each
+step states the action and the expected result. To skip a step that waits for you, press 's' and
+Enter. The robot must run a product with the safety functions. Connect no motor before you start. No
+motor turns until the step for the emergency stop has passed and you have confirmed that the wheels
+are off the ground. Ctrl-C stops the robot. The program writes the result to a record with the
+present date, in JSON and in Markdown.
 
 Exit code {FAILED}: a step failed or was skipped."""
 
@@ -56,13 +56,13 @@ ANGLE_SPREAD_DEGREES = 1.0
 STICK_RPM = 3.0
 STICK_DEGREES = 2.0
 OBSERVE_S = 2.0
-FAIL_SAFE_S = 0.3  # longest time from the transmitter off to the stop
+FAIL_SAFE_S = 0.3  # longest time until the stop, after the transmitter is switched off
 CYCLE_S = 0.1  # longest time from a stop to its report
-STEERING_DEGREES = 5.0  # turn to each side
+STEERING_DEGREES = 5.0  # angle of the turn to each side
 MOST_DEGREES = 32.0  # greatest angle that the robot accepts in an order
 STEERING_ERROR_DEGREES = 0.5  # greatest difference between the ordered and the reached angle
-STEERING_S = 5.0  # a turn over the whole range lasts 3.3 s
-AGAINST_DEGREES = 0.3  # a smaller motion can be noise
+STEERING_S = 5.0  # longest time of a turn; a turn over the whole range lasts 3.3 s
+AGAINST_DEGREES = 0.3  # a smaller change of the angle can be noise
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
 COUNTS_LEAST = 3  # smallest number of Hall edges that shows a motion
@@ -348,8 +348,8 @@ class BringUp:
             raise FailError(f"not armed: {reason}")
 
     def _release_earlier_stop(self) -> None:
-        """Acknowledges a protective stop without arming the robot. A fault of the steering causes
-        such a stop when the remote control arms the robot and the steering has no motor."""
+        """Acknowledges a protective stop without arming the robot. Such a stop occurs if the remote
+        control arms the robot before the steering has a motor: the steering is then in fault."""
         if self.orders.report and latched(self.orders.report):
             self._keep_steering()
             self._observe(self.rest, OBSERVE_S)
@@ -638,8 +638,8 @@ class BringUp:
             return FailError(f"{text}: the steering turns against the order", STEERING_ADVICE)
         return FailError(
             f"{text}: the steering does not follow",
-            "Check the supply and the cables of the steering motor and its driver, and that the "
-            "steering turns freely.",
+            "Check the supply and the cables of the steering motor and of its driver. Check that "
+            "the steering turns freely.",
         )
 
     def _wheel(self, number: int) -> str:

@@ -76,7 +76,7 @@ class Link:
     ``connected`` is true from the first report after a handshake until the robot is silent for a
     second. Reports of a connection that another program began are ignored. A serial port that
     disappeared is opened again as soon as its path exists. When the robot answers with another
-    version of the protocol, no connection is possible, and ``incompatible`` contains this reason.
+    version of the protocol, no connection is possible, and ``incompatible`` contains the reason.
     """
 
     def __init__(self, path: Path, clock: Callable[[], float] = time.monotonic) -> None:

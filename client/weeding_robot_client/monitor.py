@@ -14,11 +14,11 @@ from weeding_robot_client.orders import not_connected
 from weeding_robot_client.reasons import conditions, faults, latched
 
 DESCRIPTION = """\
-Connects to the robot and shows its reports. In a terminal, it shows a table that is updated.
-Otherwise, it prints one line for each report. It shows the reason why the robot does not move, and
-the source of a stop. The table also shows the round trip time of the handshake. A value that is
-missing or stale is shown as '-'. Ctrl-C ends the program. Only one program may use the serial port
-at a time. ./wr drive also shows the reports."""
+Connects to the robot and shows its reports. In a terminal, the command shows a table and
+updates it. Otherwise, the command prints one line for each report. The table and the lines contain
+the reason why the robot does not move, and the source of a stop. The table also shows the round
+trip time of the handshake. A value that is missing or stale is shown as '-'. Ctrl-C ends the
+program. Only one program may use the serial port at a time. ./wr drive also shows the reports."""
 EPILOG = ""
 MISSING = "-"
 CLEAR = "\x1b[H\x1b[J"

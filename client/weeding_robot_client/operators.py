@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Protocol
 
 SKIP = "s"
-REACTION_S = 0.5  # longest time in which a person begins an announced action
+REACTION_S = 0.5  # longest time until a person begins an announced action
 REPLY_WITHIN_S = 2.0
 REPLY_BYTES = 4096
 

@@ -20,7 +20,7 @@ constexpr std::uint8_t kToRobot = 'D';
 constexpr std::uint8_t kErased = 0xFF;  // value of an erased byte of the flash
 
 // Writes a number in hexadecimal, beginning with the most significant of its 16 digits. If `digits`
-// is shorter than 16, only the first digits of the number are written. The digits are ASCII
+// has fewer than 16 elements, only the first digits of the number are written. The digits are ASCII
 // characters, because a zero byte would end the frame.
 void writeDigits(std::uint64_t number, std::span<std::uint8_t> digits) {
   for (std::uint8_t& digit : digits) {

@@ -16,11 +16,12 @@ namespace wr {
 
 /// @brief A serial port that authenticates frames.
 ///
-/// @function Extends a serial port. Adds a counter and a tag to each frame to send, between the
-/// coded bytes and the final zero byte. Drops a received frame if its tag is wrong, or if its
-/// counter is not greater than the counter of the last accepted frame. Returns all other received
-/// frames without counter and tag. Answers a dropped frame with a challenge: a frame without
-/// counter and tag. It contains the values with which an authorised sender computes its tags.
+/// @function Extends a serial port. Adds a counter and a tag to each sent frame, between the coded
+/// bytes and the final zero byte. Drops a received frame if its tag is wrong, or if its counter is
+/// not greater than the counter of the last accepted frame. Returns all other received frames
+/// without counter and tag. Answers a dropped frame with a challenge, if the port has enough space.
+/// A challenge is a frame without counter and tag. The challenge contains the values with which an
+/// authorised sender computes its tags.
 ///
 /// @secret The coding of the counter and the tag of a frame, and the data from which the tag is
 /// computed: the random number of this start, the direction, the counter and the coded frame.

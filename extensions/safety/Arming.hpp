@@ -29,7 +29,7 @@ class Arming final : public OrderStageDecorator {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
   /// @brief Forwards the set-points if enough neutral orders were read. Otherwise halts the wheels,
-  /// holds the steering, and counts the order of this cycle if it is neutral.
+  /// holds the steering, and updates the count of neutral orders.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-280

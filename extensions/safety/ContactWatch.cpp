@@ -24,9 +24,10 @@ void ContactWatch::sample() {
   }
 }
 
-// A tick can come between two of these statements. After the first statement, an opening is then
-// reported twice. After the second, a closing that no other tick finds is lost: the openings before
-// and after this closing count as one.
+// A tick can interrupt this function between two statements. If a tick after the first statement
+// records an opening, this call and the next call both report the opening. If only a tick after the
+// second statement finds the contact closed, the third statement deletes this information. Then the
+// openings before and after this closing count as one.
 bool ContactWatch::opened() {
   const bool before = latched_.exchange(false, std::memory_order_relaxed);
   const bool open = contact_.level();

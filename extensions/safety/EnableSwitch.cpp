@@ -21,13 +21,15 @@ constexpr Microseconds kLifetime = milliseconds(200);  // greatest age of a vali
 // PC and drive.
 constexpr std::uint8_t kAcknowledgements = 3;
 
-// Time after this sequence in which orders acknowledge faults. A later fault needs a new sequence.
+// Time in which orders acknowledge faults after the switch has moved through the positions stop, PC
+// and drive. A later acknowledgement needs a new movement through these positions.
 constexpr Microseconds kAcknowledgeTime = milliseconds(1000);
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
 
-// Returns the deflection of a stick [us]. The value of the stick was rounded. Therefore the
-// quotient is rounded too, and the result is exactly the deflection of the pulse.
+// Returns the deflection of a stick [us]. The value of the stick was computed from the deflection
+// of a pulse, and was rounded. This function rounds too. Therefore its result is the deflection of
+// this pulse, except in the neutral range and beyond full deflection.
 std::int32_t deflectionOf(std::int32_t value, std::int32_t limit) {
   const std::int32_t half = value < 0 ? -limit / 2 : limit / 2;
   return (value * kFullDeflection + half) / limit;
@@ -111,7 +113,7 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed_.has_value();
 }
 
-// Records how far the switch has moved through the positions stop, PC and drive. Only an operator
+// Records the progress of the switch through the positions stop, PC and drive. Only an operator
 // moves the switch through the position PC: when the radio link returns, the output of the receiver
 // changes directly from stop to drive. A gap of the pulses and pulses out of the range end the
 // sequence, because they do not show that the switch is in the position stop.

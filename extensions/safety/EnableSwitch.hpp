@@ -15,13 +15,15 @@ namespace wr {
 /// selects the source of orders.
 ///
 /// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
-/// position "stop", or when its pulses are missing. Releases the stop when the switch is in
-/// another position and the velocity stick is not deflected. If the switch was in the position
-/// "stop" only between two cycles, for two successive pulses or more, a stop is latched in the
-/// second cycle. In the position "PC" the orders of the remote control are not read. When an
-/// operator moves the switch from stop through PC to drive, the next three orders, if they are
-/// read within 1 s, acknowledge latched faults. If neither the deflections nor the pulse of the
-/// switch change for more than 2 s while the remote control moves the robot, a stop is latched.
+/// position "stop", or when its pulses are missing or out of their range (FR-285). Releases the
+/// stop when the switch is in another position and the velocity stick is not deflected. Two
+/// successive pulses in the position "stop" are sufficient for a stop, even if the switch is in
+/// another position at the next cycle. In the position "PC" the orders of the remote control are
+/// not read. After an operator has moved the switch from stop through PC to drive, the next three
+/// orders without a stop acknowledge latched faults. Orders that are read more than 1 s after this
+/// movement acknowledge nothing. Latches a stop when the remote control has moved the robot for
+/// more than 2 s, and neither the deflections nor the pulse of the switch have changed in this
+/// time.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.
@@ -65,8 +67,9 @@ class EnableSwitch final : public ModeDecorator {
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
-  /// @brief Reads the order of the remote control. The first three orders without a stop after the
-  /// switch positions stop, PC, drive acknowledge latched faults, if they are read within 1 s.
+  /// @brief Reads the order of the remote control. After the switch has moved through the positions
+  /// stop, PC and drive, the next three orders without a stop acknowledge latched faults. Orders
+  /// that are read more than 1 s after this movement acknowledge nothing.
   /// @param mCtrl main controller that receives the set-points
   /// @satisfies FR-288
   /// @isr{no}
@@ -93,7 +96,7 @@ class EnableSwitch final : public ModeDecorator {
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
   void takePosition(Instant now);
   [[nodiscard]] bool stopConfirmed();
-  /// @brief Records how far the switch has moved through the positions stop, PC and drive.
+  /// @brief Records the progress of the switch through the positions stop, PC and drive.
   /// @param now present time
   /// @satisfies FR-288
   void advanceSequence(Instant now);
@@ -104,7 +107,7 @@ class EnableSwitch final : public ModeDecorator {
   RcVigilance vigilance_;
   Position position_ = Position::Stop;
   Instant confirmedAt_{};  // time of the newest pulse that confirmed a stop
-  // Width of this pulse; no value if the pulse ended before the last cycle.
+  // Width of this pulse; no value if an earlier cycle has already read this pulse.
   std::optional<Microseconds> confirmed_;
   Sequence sequence_ = Sequence::None;
   Instant drivenAt_{};                 // time at which the sequence was complete

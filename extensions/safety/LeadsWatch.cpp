@@ -14,7 +14,8 @@ namespace {
 // variances of these parameters before the first cycle.
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
 constexpr float kMaxDeviation = 0.5F;  // greatest deviation of a parameter from its nominal value
-// Increase of each variance in a cycle, because the temperature and the battery voltage change.
+// Increase of each variance in a cycle. The increase lets the model follow changes of the
+// temperature and of the battery voltage.
 constexpr float kVarianceDrift = 1e-6F;
 
 // Standard deviations of the unexplained voltage. The unexplained voltage is the difference between

@@ -12,7 +12,7 @@ namespace wr {
 /// @function Receives the order of each cycle in one call, and returns the measurements of the
 /// cycle.
 ///
-/// @secret The change of an order in a stage, before the stage forwards the order.
+/// @secret The change of an order in a stage.
 class OrderStage {
  public:
   OrderStage(const OrderStage&) = delete;

@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief A stage that extends another stage.
 ///
-/// @function Forwards the calls of completed() and collect() to the wrapped stage. Subclasses
-/// define how they change an order before they forward it.
+/// @function Forwards the calls of completed() and collect() to the wrapped stage. A subclass can
+/// change an order before it forwards the order.
 ///
 /// @secret The calls that are forwarded to the wrapped stage without a change.
 class OrderStageDecorator : public OrderStage {

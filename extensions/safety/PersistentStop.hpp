@@ -16,8 +16,8 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class PersistentStop final : public ModeDecorator {
  public:
-  /// @brief Reads from the memory whether a stop was in force before the reset. If so, this stop
-  /// stays in force.
+  /// @brief Reads from the memory whether a stop was in force before the reset. A stop that was in
+  /// force stays in force.
   /// @param wrapped the mode that this mode wraps
   /// @param memory memory of the stop, which a reset does not clear
   PersistentStop(Mode& wrapped, StopMemory& memory);

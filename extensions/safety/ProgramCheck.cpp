@@ -15,15 +15,17 @@ constexpr std::size_t kMaxWords = std::size_t{64} * 1024 / sizeof(ProgramCheck::
 // Time in which a changed bit is found.
 constexpr Microseconds kTimeToFind = milliseconds(300);
 
-// Number of steps for the sum of the whole program. A tick has one step. A changed bit is found
-// when the present sum or the next sum is complete. One tick of each sum is a reserve.
+// Number of steps for the sum of the whole program. Each tick permits one step. A bit that changes
+// after its word was added to the present sum is found only by the next sum. Therefore two sums
+// must fit into kTimeToFind. One tick of each sum is a reserve.
 constexpr std::size_t kStepsOfSum =
     kTimeToFind.count() / (2 * SystemConstants::instance().tickPeriod().count()) - 1;
 
 // Size of a step, in groups of four words.
 constexpr std::size_t kWordsOfStep = (kMaxWords + kStepsOfSum - 1) / kStepsOfSum;
 
-// Not inlined: in a separate function, all values of the loop are in registers of the core.
+// This function is not inlined. In a separate function, all values of the loop are in registers of
+// the core.
 [[gnu::noinline]] std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {
   std::uint32_t sum = 0;
   for (const ProgramCheck::Words& four : words) {

@@ -48,7 +48,8 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  // The operator saw the present stop, but no opening of the contact after the last cycle.
+  // The acknowledgement releases only the stop that the operator has seen. The operator has not
+  // seen an opening of the contact after the last cycle.
   examineContact();
 }
 

@@ -67,8 +67,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @satisfies FR-272
   /// @satisfies FR-273
   void examine(const SetPoints* followed);
-  /// @brief Checks whether the contact of the emergency-stop circuit was open since the last cycle.
-  /// In this case latches a protective stop.
+  /// @brief Latches a protective stop if the contact of the emergency-stop circuit is open, or was
+  /// open since the last cycle.
   /// @satisfies FR-271
   /// @satisfies FR-291
   void examineContact();

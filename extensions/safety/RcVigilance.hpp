@@ -10,8 +10,8 @@ namespace wr {
 
 /// @brief A detector of a remote control whose pulses no longer change.
 ///
-/// @function Compares the pulses of all channels with the pulses at the last change. Measures how
-/// long the remote control has moved the robot since this change.
+/// @function Compares the pulses of all channels with the pulses at the last change. Measures the
+/// time for which the remote control has moved the robot since this change.
 ///
 /// @secret The greatest change of a pulse that counts as jitter, and the longest permitted time
 /// without a greater change.

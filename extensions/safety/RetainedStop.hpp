@@ -10,7 +10,7 @@ namespace wr {
 /// @brief The stop order of a source, stored in memory that a reset does not change.
 ///
 /// @function Stores whether a stop is in force, with a check word. Power-on clears the stop. If the
-/// content fails its check after any other reset, it counts as a stop.
+/// content fails its check after any other reset, the content counts as a stop.
 ///
 /// @secret The numbers that mean a stop, and the method by which damaged memory is detected.
 class RetainedStop final : public StopMemory {

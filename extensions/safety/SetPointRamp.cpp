@@ -23,7 +23,7 @@ constexpr Tension kMaxFallPerCycle(2400);  // [mV] towards 0
 constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest permitted set-point
 constexpr std::int32_t kFullScale = 1000;
 constexpr std::int32_t kMinScale = 100;       // [0.001] smallest factor
-constexpr std::int32_t kPredictedCycles = 2;  // number of predicted cycles
+constexpr std::int32_t kPredictedCycles = 2;  // cycles for which a velocity is predicted
 constexpr std::int32_t kScaleFall = 60;       // [0.001] decrease of the factor in a cycle
 constexpr std::int32_t kScaleRise = 10;       // [0.001] increase of the factor in a cycle
 
@@ -60,8 +60,9 @@ std::int32_t unloadedVelocity(Tension tension) {
   return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }
 
-// Returns the voltage for this cycle: the ordered voltage, limited to the permitted change of the
-// present voltage. A voltage on the other side of 0 is limited as if the present voltage were 0.
+// Returns the ordered voltage, limited to the permitted change in this cycle. A change away from 0
+// is at most kMaxRisePerCycle. A change towards 0 is at most kMaxFallPerCycle, even if it continues
+// beyond 0. Beyond 0 the voltage is at most kMaxRisePerCycle.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
       std::min(applied + kMaxFallPerCycle, std::max(applied, Tension()) + kMaxRisePerCycle);
@@ -133,8 +134,8 @@ void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements
   }
 }
 
-// Lowers the factor of all set-points while a wheel is too fast or will be too fast in two cycles.
-// Otherwise raises the factor again.
+// Lowers the factor of all set-points while a wheel is too fast, or would be too fast in two cycles
+// at its present acceleration. Otherwise raises the factor again.
 void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t most) {
   bool fast = false;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

@@ -12,11 +12,12 @@ namespace wr {
 
 /// @brief A stage that limits the acceleration and the speed of the robot.
 ///
-/// @function Changes the set-points step by step towards the ordered set-points: velocities by at
-/// most 0.5 m/s^2, and voltages by at most 1.0 V per cycle away from 0 and 2.4 V per cycle towards
-/// 0. At a greater steering angle the greatest permitted velocity is lower. When an order exceeds
-/// it, one factor lowers the velocities of all wheels. Therefore the ratio of these velocities
-/// stays as ordered. While a wheel is too fast, another factor lowers the set-points of all wheels.
+/// @function Changes the set-points step by step towards the ordered set-points. A velocity changes
+/// by at most 0.5 m/s^2. In a cycle, a voltage changes by at most 1.0 V away from 0, and by at most
+/// 2.4 V towards 0. At a greater steering angle the greatest permitted velocity is lower. When an
+/// order exceeds this velocity, one factor lowers the velocities of all wheels. Therefore the ratio
+/// of these velocities stays as ordered. While a wheel is too fast, another factor lowers the
+/// set-points of all wheels.
 ///
 /// @secret The greatest change of a set-point in a cycle, the greatest velocity in a curve, and the
 /// rule by which a robot that is too fast slows down.
@@ -56,7 +57,7 @@ class SetPointRamp final : public OrderStageDecorator {
   Measurements measurements_;  // measurements of the present cycle
   Outputs outputs_;
   std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
-  // Whether the previous set-point of each wheel was a voltage or a current.
+  // For each wheel: true if the previous set-point was a voltage or a current.
   std::array<bool, kWheelCount> other_{};
   // [0.1 rpm] Magnitude of the velocity of each wheel in the previous cycle.
   std::array<std::int32_t, kWheelCount> velocities_{};

@@ -14,8 +14,9 @@ constexpr std::int32_t kPerVelocity = 21;      // [mV per rpm] below the speed l
 constexpr std::int32_t kPerAcceleration = 47;  // [mV per rpm] of change in a cycle
 constexpr std::int32_t kTenths = 10;
 
-// Returns an assumed voltage for a wheel whose voltage is unknown. This voltage is lower than the
-// induced voltage, because the real supply may be higher, and because the robot may drive downhill.
+// Returns an assumed voltage for a wheel whose voltage is unknown: a part of the voltage that the
+// velocity induces. The rest is a margin, because the supply may be higher than assumed, or the
+// robot may drive downhill.
 Tension assumed(Velocity velocity) {
   constexpr std::int32_t kInduced = SystemConstants::instance().motorConstant().count() * 3 / 4;
   constexpr std::int32_t kThousand = 1000;

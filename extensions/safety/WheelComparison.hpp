@@ -29,13 +29,14 @@ class WheelComparison final {
   /// @brief Compares the distances of the wheels. This function is called once in each cycle in
   /// which the wheels follow set-points.
   /// @param measurements measurements of the cycle that ends
-  /// @return number of the wheel that moved too little, 0 to 3; no value if there is no such wheel.
+  /// @return number of a wheel that moved too little in two successive comparisons, 0 to 3; no
+  /// value if there is no such wheel.
   /// @satisfies FR-297
   /// @isr{no}
   [[nodiscard]] std::optional<std::uint8_t> behind(const Measurements& measurements);
 
-  /// @brief Checks how long the current of each wheel is high. This function is called once in each
-  /// cycle in which the wheels follow set-points.
+  /// @brief Checks whether the current of a wheel was too high for too long. This function is
+  /// called once in each cycle in which the wheels follow set-points.
   /// @param measurements measurements of the cycle that ends
   /// @return number of a wheel whose current was too high for too long, 0 to 3; no value if there
   /// is no such wheel.

@@ -48,8 +48,8 @@ constexpr std::uint8_t kDeviatingCycles = 2;
 // for the second time in the third cycle without a new value.
 constexpr std::uint8_t kMissingCycles = 2;
 
-// It is a fault if the measured current (in mA) does not change in this number of successive
-// cycles, while the voltage exceeds kDriving.
+// The current of a wheel whose voltage exceeds kDriving must change. If the measured current [mA]
+// stays the same in this number of successive cycles, this is a fault.
 constexpr std::uint8_t kEqualCycles = 7;
 
 // Limits for the fault: too many Hall edges are implausible. The next two constants count half
@@ -200,7 +200,8 @@ bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
   rejected_ = measured.rejectedEdges;
   const bool driven = tension_.value_or(Tension()) != Tension();
   const bool turns = magnitude(measured.velocity.value_or(velocity_)) >= kTurning;
-  // The number of edges can overflow. The difference cannot overflow, because it is small.
+  // The count of implausible edges can overflow. The difference of two successive counts is correct
+  // even then, because the difference is small.
   const std::uint32_t added =
       std::min<std::uint32_t>(measured.rejectedEdges - before, kRejectedOfCycle / kHalves);
   const std::int32_t edges = kHalves * static_cast<std::int32_t>(added);

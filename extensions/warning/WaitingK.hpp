@@ -9,7 +9,7 @@ namespace wr {
 ///
 /// @function Switches a warning on while the state lasts, unless a stop is in force. The report to
 /// the PC contains the number of this state. The working state follows when a message arrives. The
-/// next waiting state follows when a read fails. Until then the control systems follow the
+/// next waiting state follows when a read fails. In this state the control systems follow the
 /// set-points that were read last.
 ///
 /// @secret The output that shows the warning.

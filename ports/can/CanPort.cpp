@@ -41,9 +41,9 @@ constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
 constexpr auto CS_CODE_INACTIVE = CS.field(0x8, kCodeAt);
 constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
 
-// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
-// is not sent. The workaround reserves the first buffer. After each activation of a buffer, the
-// code INACTIVE is written to the first buffer twice.
+// Erratum 5829 of the controller: if a buffer is activated in a certain clock period of the
+// arbitration, its frame is not sent. The workaround reserves the first buffer. After each
+// activation of a buffer, the code INACTIVE is written to the first buffer twice.
 constexpr unsigned kReserved = 0;
 constexpr unsigned kReceiver = 1;
 constexpr unsigned kSender = 2;

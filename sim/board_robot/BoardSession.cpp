@@ -13,7 +13,8 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint32_t kExceptionOfFirstInterrupt = 16;
 constexpr milliseconds kPeriod{100};
-// Every start and every control cycle is shorter than this limit.
+// Longest wait for the next clock pulse. Every start and every control cycle of the robot is
+// shorter.
 constexpr milliseconds kLongest{1000};
 // One start bit, eight data bits and one stop bit at 115200 baud.
 constexpr nanoseconds kByte{86'806};

@@ -13,8 +13,8 @@ constexpr unsigned kPulse = kFirstInterrupt + BoardSession::kPulseInterrupt;
 constexpr unsigned kMainThread = kFirstInterrupt + 64;
 // Data register of the serial port to the PC.
 constexpr std::uint32_t kUart0Data = 0x4006A007;
-// The memory of the stack begins at the start of the RAM. The first word of the flash is the end
-// address of this memory. From there, the stack grows downwards.
+// Lowest address of the stack, which is also the start of the RAM. The first word of the flash is
+// the initial stack pointer. From this address, the stack grows downwards.
 constexpr std::uint32_t kStack = 0x1FFF0000;
 constexpr std::uint32_t kWord = 4;
 
@@ -137,7 +137,8 @@ void CycleMeter::leave() {
   }
 }
 
-// Adds the elapsed cycles to the costs of the running exception.
+// Adds the processor cycles and instructions since the last call to the costs of the running
+// exception.
 void CycleMeter::charge() {
   const Instant now = present();
   if (measures()) {

@@ -17,9 +17,9 @@ namespace wr::board_robot {
 /// @brief A meter of the costs of the control cycles of a firmware image on the virtual K64.
 ///
 /// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
-/// the timer raises its interrupt line. The report is handed over when the whole report is in the
-/// send buffer of the serial port and its first byte is written to the port. The costs of a control
-/// cycle include its interrupts.
+/// the timer raises its interrupt line. The report is handed over when the firmware writes the
+/// first byte of the report to the serial port. At this instant, the whole report is in the send
+/// buffer of the port. The costs of a control cycle include the costs of its interrupts.
 class CycleMeter {
  public:
   /// Number of control cycles that are measured.
@@ -38,7 +38,7 @@ class CycleMeter {
     std::uint64_t pulseLatency =
         0;  ///< processor cycles from the clock pulse to the first instruction of its handler
     std::uint64_t startDelay =
-        0;  ///< processor cycles from the clock pulse to the main thread's first instruction
+        0;  ///< processor cycles from the clock pulse to the first instruction of the main thread
     bool reported = false;  ///< a report was handed over
   };
 
@@ -52,7 +52,7 @@ class CycleMeter {
     std::uint64_t requests = 0;       ///< number of times that a device raised the interrupt line
     std::uint64_t worstLatency = 0;   ///< greatest time from a request to the first instruction of
                                       ///< the handler [processor cycles]
-    std::optional<std::uint64_t> at;  ///< processor cycle of the pending request
+    std::optional<std::uint64_t> at;  ///< processor cycle of the first pending request
   };
 
   /// @brief Replaces the event callback of the robot, and the callback of the board for writes to
@@ -79,8 +79,8 @@ class CycleMeter {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }
 
-  /// @brief Returns the greatest depth of the stack. The depth is the distance from the start of
-  /// the stack to the lowest word that has changed since the meter was constructed.
+  /// @brief Returns the greatest depth of the stack. The depth is the distance from the initial
+  /// stack pointer to the lowest word that has changed since the meter was constructed.
   /// @return depth [byte]
   [[nodiscard]] std::size_t stackBytes() const;
 

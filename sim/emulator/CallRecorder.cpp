@@ -54,7 +54,7 @@ void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) 
 }
 
 void CallRecorder::exceptionLeft() {
-  // Ends the handler. Also ends the calls that the handler has left by a jump instead of a return.
+  // Ends the handler, and the calls in the handler that were left by a jump instead of a return.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
     const std::size_t begin = calls_.back().begin;

@@ -289,7 +289,7 @@ void CortexM4::takePending() {
   }
 }
 
-// Enters the pending exception with the highest priority, if this priority permits it.
+// Enters the pending exception with the highest priority, if this priority permits the entry.
 bool CortexM4::enterNext() {
   const unsigned next = nvic_.first();
   if (next == 0) {

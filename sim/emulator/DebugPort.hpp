@@ -56,7 +56,7 @@ class DebugPort {
   /// @return number of bytes before the first byte that cannot be read
   [[nodiscard]] std::size_t readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const;
 
-  /// @brief Writes flash, RAM and registers of peripherals, but not registers of the processor.
+  /// @brief Writes flash, RAM and registers of peripherals, but not registers of system control.
   /// @return true if all bytes were written
   [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
 

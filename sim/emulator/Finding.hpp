@@ -6,7 +6,8 @@
 
 namespace wr::emulator {
 
-/// @brief A mistake of the firmware that would be a fault on a real board.
+/// @brief An action of the firmware that would be a fault on a real board, or that the virtual
+/// board does not model.
 struct Finding {
   std::string id;        ///< kind of finding, e.g. clock-gate
   std::string what;      ///< description

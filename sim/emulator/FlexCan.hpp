@@ -22,17 +22,17 @@ namespace wr::emulator {
 /// stuff bits.
 ///
 /// A read of the control word locks a buffer that contains a received frame. A frame for a locked
-/// buffer waits until the buffer is unlocked, and a newer frame replaces it. The program clears the
-/// flag of the buffer before it unlocks the buffer. Otherwise it could clear the flag of the frame
-/// that waits. Therefore the other order causes a finding. A frame is moved into its buffer in no
-/// time, so the code BUSY never occurs.
+/// buffer waits until the buffer is unlocked. A newer frame replaces the frame that waits. The
+/// program must clear the flag of the buffer before it unlocks the buffer. If it unlocks the buffer
+/// first, it could later clear the flag of the frame that waited. Therefore this order causes a
+/// finding. A frame is moved into its buffer in no time. Therefore the code BUSY never occurs.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
 /// causes a finding.
 ///
 /// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
-/// is not sent. The workaround reserves buffer 0. After each activation, the program writes the
+/// is not sent. The workaround reserves buffer 0. After each activation, the program must write the
 /// code INACTIVE to buffer 0 twice. A frame that is sent without these two writes causes a finding.
 class FlexCan final : public Peripheral {
  public:

@@ -14,8 +14,9 @@ namespace wr::emulator {
 /// its counter. See K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
 /// The model has no other modes, no interrupts, and no flags of channels (they read 0). The effects
-/// of MODE.FTMEN, and of the registers that MODE.FTMEN enables, are not modelled. Therefore the
-/// program can write only the reset values to them.
+/// of MODE.FTMEN, and of the registers that MODE.FTMEN enables, are not modelled. If the program
+/// writes a value other than the reset value to this bit or to one of these registers, the write is
+/// an access that is not modelled.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3

@@ -15,9 +15,9 @@ struct Format {
   std::string_view name;
 };
 
-// A raw image begins with the initial stack pointer, lowest byte first. This pointer is a multiple
-// of 4. On a K64, its top byte is 0x1F or 0x20. Therefore no raw image begins like one of these
-// formats.
+// A raw image begins with the initial stack pointer, least significant byte first. This pointer is
+// a multiple of 4. On a K64, its most significant byte is 0x1F or 0x20. Therefore no raw image
+// begins like a file of one of these formats.
 constexpr std::array<Format, 3> kOtherFormats{{{"\x7f"
                                                 "ELF",
                                                 "an ELF file"},

@@ -31,8 +31,8 @@ constexpr unsigned kFromInternal = 1;
 constexpr unsigned kFromExternal = 2;
 constexpr unsigned kFromPll = 3;
 
-// The times that the model of the clock generator needs for its changes. According to the manual,
-// the real times are at most a few cycles of the clocks that are involved.
+// The times that the model of the clock generator needs to change its clocks. According to the
+// manual, the real times are at most a few cycles of the clocks that are involved.
 constexpr Time kReferenceDelay = 60us;
 constexpr Time kSwitchDelay = 5us;
 constexpr Time kPllChosenDelay = 5us;

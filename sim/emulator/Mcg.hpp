@@ -39,7 +39,7 @@ class Mcg final : public Peripheral {
  private:
   enum class Mode { Fei, Fee, Fbi, Fbe, Blpi, Blpe, Pbe, Pee, None };
 
-  /// @brief A state that follows its request after a delay.
+  /// @brief A state that changes to the requested value after a delay.
   struct Follower {
     unsigned now = 0;
     unsigned asked = 0;

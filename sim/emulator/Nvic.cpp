@@ -84,8 +84,8 @@ unsigned Nvic::entriesOfHighLine(unsigned exception) const {
   return level_[exception] ? entries_[exception] : 0;
 }
 
-// Searches all pending and enabled exceptions. This is fast, because there are only a few of them
-// at the same time.
+// Searches all pending and enabled exceptions. This search is fast, because only a few exceptions
+// are pending and enabled at the same time.
 unsigned Nvic::search() const {
   const Bits ready = pending_ & enabled_;
   unsigned best = 0;

@@ -67,8 +67,8 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
-// A new level passes the filter after it has lasted for the width of the filter plus the clock
-// cycles of the synchronizer.
+// A new level passes the filter after this level has lasted for the width of the filter plus the
+// clock cycles of the synchronizer.
 void Port::passLater(unsigned pin) {
   const std::uint32_t bit = 1U << pin;
   if ((pins_.filters & bit) == 0 || pins_.level(pin) == ((pins_.passed & bit) != 0)) {

@@ -55,7 +55,7 @@ class SystemControl {
   /// @brief Advances SysTick to a cycle.
   void advance(std::uint64_t cycle);
 
-  /// @brief Records a bus fault at a known address.
+  /// @brief Records the address of a bus fault, and marks this address as valid.
   void noteBusAddress(std::uint32_t address);
   void noteFault(std::uint32_t status) { faultStatus_ |= status; }
   void noteHardFault(std::uint32_t status) { hardFaultStatus_ |= status; }

@@ -7,8 +7,8 @@ namespace wr::emulator {
 /// @brief Model of the duration of an instruction.
 enum class Timing : std::uint8_t {
   NoWaitStates,  ///< the cycles of the processor's manual; the memory has no wait states
-  SlowFlash      ///< in addition, each read from flash takes kFlashCycles; there is no cache and no
-                 ///< prefetch
+  SlowFlash      ///< the same cycles, and kFlashCycles more for each read from flash; there is no
+                 ///< cache and no prefetch
 };
 
 // Each instruction takes at least one cycle. The following constants are the additional cycles of
@@ -39,7 +39,8 @@ inline constexpr std::uint32_t kExitCycles = 10;
 inline constexpr std::uint32_t kTailCycles = 6;
 
 // Timing::SlowFlash models a flash of 24 MHz at a core clock of 120 MHz. Each read from flash
-// returns a phrase of kPhrase bytes.
+// returns a phrase of kPhrase bytes. An instruction in the phrase of the previous fetch needs no
+// new read.
 inline constexpr std::uint32_t kFlashCycles = 5;
 inline constexpr std::uint32_t kPhrase = 8;
 

@@ -23,7 +23,7 @@ class ExecutedCode;
 
 /// @brief Options of a virtual board.
 struct Options {
-  std::filesystem::path elf{};  ///< file with the names of functions for findings; may be empty
+  std::filesystem::path elf{};  ///< ELF file with the function names for findings; may be empty
   bool externalClock = true;    ///< the clock of 50 MHz is present
   unsigned failingClockStep =
       0;  ///< step that the clock generator never completes. 0: no step; 2: the change to the
@@ -196,7 +196,7 @@ class VirtualBoard {
   [[nodiscard]] std::uint64_t instructions() const;
   [[nodiscard]] std::uint64_t cycles() const;
 
-  /// @brief Returns the number of cycles in which the program waited for an interrupt.
+  /// @brief Returns the number of processor cycles in which the program waited for an interrupt.
   [[nodiscard]] std::uint64_t sleptCycles() const;
 
   /// @brief Returns the priority of an interrupt, 0 to 15. Priority 0 is the highest. The number of

@@ -7,7 +7,7 @@
 namespace wr::emulator {
 
 /// @brief Sets the function and the source line of a finding. Throws std::runtime_error when the
-/// file cannot be read.
+/// ELF file cannot be read.
 /// @param finding the finding
 /// @param elf ELF file with the symbols of the firmware image
 void locate(Finding& finding, const std::filesystem::path& elf);

@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr int kOrderPeriod = 100;   // ms
-constexpr int kFirstOrder = 60;     // ms since the drive began; between two clock pulses
+constexpr int kFirstOrder = 60;     // ms since the drive began; a time between two clock pulses
 constexpr int kNeutralOrders = 10;  // number of neutral orders that arm the robot
 constexpr int kStateEach = 100;     // ms
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
@@ -316,8 +316,8 @@ Verdict FaultRun::runCopy(Robot& robot, const InjectedFault& fault, int at, bool
     if (passes(fault.kind) && robot.now() % kStateEach == 0) {
       const auto number = static_cast<std::size_t>(robot.now() / kStateEach - 1);
       equal = robot.state(places_) == states_.at(number) ? equal + 1 : 0;
-      // The compared states do not include the devices of the microcontroller. After two successive
-      // equal states, the devices have equal states too.
+      // The compared states do not include the devices of the microcontroller. If two successive
+      // states are equal, this function assumes that the states of the devices are also equal.
       if (equal == 2) {
         break;
       }

@@ -21,7 +21,7 @@ struct Result {
   int at = 0;            ///< ms since the drive began
   std::uint32_t pc = 0;  ///< address of the instruction at the injection
   Verdict verdict;
-  std::string stop;  ///< finding of the virtual board, if the outcome is Stopped
+  std::string stop;  ///< finding or error that stopped the virtual board, if the outcome is Stopped
 };
 
 /// @brief A test drive, in which a firmware image on the virtual board gets random orders, and

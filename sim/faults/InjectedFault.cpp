@@ -52,7 +52,8 @@ constexpr std::array<SensorFault, 10> kSensorFaults{{
 
 constexpr std::uint32_t kCoreRegisters = 16;
 constexpr int kForEver = 0;
-// InjectedFault::bit; 0: the interrupt line is blocked; 1: an interrupt is raised without a cause
+// Values of InjectedFault::bit. 0: the interrupt line is blocked; 1: an interrupt is raised without
+// a cause
 constexpr std::uint32_t kHeld = 0;
 constexpr std::uint32_t kFirstException = 16;
 constexpr std::uint32_t kNominalBaud = 115'200;
@@ -66,8 +67,8 @@ InjectedFault chooseInterrupt(Random& random, const Places& places) {
   const std::uint32_t line = random.below(static_cast<std::uint32_t>(places.interrupts.size()));
   InjectedFault fault{Kind::Interrupt, static_cast<std::uint32_t>(places.interrupts[line]),
                       random.below(2)};
-  // The interrupt line is blocked for up to 100 ms, which is the period of the slowest interrupt.
-  // On average, one of ten blocked lines stays blocked forever.
+  // On average, nine of ten blocked interrupt lines are blocked for 1 ms to 100 ms. The slowest
+  // interrupt has a period of 100 ms. One of ten lines stays blocked forever.
   fault.value = random.below(10) == 0 ? kForEver : random.between(1, 100);
   return fault;
 }

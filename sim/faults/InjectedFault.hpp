@@ -48,7 +48,7 @@ struct InjectedFault {
   Kind kind = Kind::Ram;
   std::uint32_t place =
       0;  ///< memory address, register, interrupt line, or number of the fault within its kind
-  std::uint32_t bit = 0;  ///< number of the bit, or number of the wheel
+  std::uint32_t bit = 0;  ///< number of the bit or of the wheel, or kind of the interrupt fault
   int value = 0;          ///< value of the fault, if its kind has a value
 };
 
@@ -57,22 +57,22 @@ struct InjectedFault {
   return kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Returns true if the effect of a fault of this kind can disappear. When it has
+/// @brief Returns true if the effect of a fault of this kind can disappear. When the effect has
 /// disappeared, the memory has the same content as in a run without the fault.
 [[nodiscard]] inline bool passes(Kind kind) {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Longest time of observation [ms]. The firmware detects a drift of the angle sensor by 0.5
-/// degrees per second within 6.9 s (FR-227). A slower drift may be detected after the observation.
-/// If Hall edges are lost, it takes seconds until the number of implausible edges reaches the limit
-/// of FR-279.
+/// @brief Longest time of observation [ms]. If the angle sensor drifts by 0.5 degrees per second,
+/// the firmware detects the drift within 6.9 s (FR-227). A slower drift may be detected after the
+/// observation. If Hall edges are lost, the number of implausible edges reaches the limit of FR-279
+/// only after some seconds.
 inline constexpr int kLongestWindow = 7000;
 
 /// @brief Returns the duration of the observation after the fault [ms]. Except for a slow drift of
 /// the angle sensor, the observation lasts at least until the latest time at which the firmware
 /// must report the fault. For example, the firmware reports a wheel without Hall edges 1 s after
-/// the wheel got voltage.
+/// the wheel has got voltage.
 [[nodiscard]] int windowOf(const InjectedFault& fault);
 
 /// @brief Chooses a kind of fault. The two most frequent kinds change a bit in RAM: a bit of an

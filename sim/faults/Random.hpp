@@ -4,7 +4,7 @@
 
 namespace wr::faults {
 
-/// @brief Random numbers of the generator splitmix64. They are equal on all computers.
+/// @brief Random numbers of the generator SplitMix64. The numbers are equal on all computers.
 class Random {
  public:
   /// @param seed chooses the sequence

@@ -30,7 +30,7 @@ struct Observation {
 
 /// @brief Class of the effect of a fault.
 enum class Outcome : std::uint8_t {
-  Harmless,  ///< the outputs are not wrong, in comparison with the run without the fault
+  Harmless,  ///< no output was wrong, and there was neither a reset nor a report
   Detected,  ///< there was a reset or a report after at most kSafeWithin ms of wrong outputs, and
              ///< no output was wrong after a reset
   Late,  ///< there was a reset or a report, but the outputs were wrong for more than kSafeWithin ms
@@ -51,23 +51,23 @@ struct Verdict {
 };
 
 /// @brief A wheel voltage is wrong if it differs from the reference by more than this fraction of
-/// the supply voltage. At constant velocity, the control loop changes the voltage by less from
-/// cycle to cycle.
+/// the supply voltage. At constant velocity, the control loop changes the voltage by less than this
+/// fraction from cycle to cycle.
 inline constexpr float kWrongDrive = 0.05F;
 /// @brief An angle is wrong if it differs from the reference by more than this number of degrees.
 /// The number is twice the permanent error that FR-101 permits.
 inline constexpr float kWrongAngle = 1.0F;
 /// @brief A wrong output that lasts at most this time [ms] does not move a wheel noticeably. The
-/// mechanical time constant of a wheel is longer.
+/// mechanical time constant of a wheel is longer than this time.
 inline constexpr int kShort = 20;
-/// @brief Outputs may be wrong for this time [ms] before the safe state. It is the time-out of the
-/// watchdog.
+/// @brief Outputs may be wrong for this time [ms] before the safe state. This time is equal to the
+/// time-out of the watchdog.
 inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run that has a fault with the same run without the fault.
 /// @param faulty the run with the fault
-/// @param reference outputs of the run without the fault, from the same instant on; their number is
-/// at least the number of outputs in the run with the fault
+/// @param reference outputs of the run without the fault, from the same instant on; it has at least
+/// as many outputs as the run with the fault
 /// @return class of the fault, and the times of its effects
 [[nodiscard]] Verdict judge(const Observation& faulty, const Outputs* reference);
 

@@ -20,7 +20,8 @@ class HostEdgeInput final : public EdgeInput {
   /// @param vector function that the interrupt calls
   void connect(std::function<void()> vector);
 
-  /// @brief Puts a level on the pin. After the start of the input, a change raises the interrupt.
+  /// @brief Puts a level on the pin. After the start of the input, a change of the level raises the
+  /// interrupt.
   void drive(bool level);
 
   void start() override;

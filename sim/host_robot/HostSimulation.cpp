@@ -16,12 +16,13 @@ constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).coun
 // the virtual K64.
 constexpr Microseconds kStartUp(5364);
 
-// On the K64, each control cycle begins just after a tick. kToWheels is the time from this tick to
-// the start of the first wheel thread. kOfWheel is the time from the start of one wheel thread to
-// the start of the next wheel thread. Both times were measured with the firmware image on the
-// virtual K64. On the host, all other code takes no time. Therefore the simulation delays the clock
-// pulse by kToWheels, to the time at which the first wheel thread starts on the K64.
-constexpr Microseconds kToWheels(9);
+// On the K64, each control cycle begins just after a tick. kToPulse is the time from this tick to
+// the clock pulse. kOfWheel is the time from the clock pulse to the start of the first wheel
+// thread. Both times were measured with a firmware image on the virtual K64. They vary with the
+// image and with the cycle. On the host, code takes no time. Therefore the simulation delays the
+// clock pulse by kToPulse after the tick, and delays the start of each wheel thread by kOfWheel.
+// Between two wheel threads, this delay is longer than on the K64.
+constexpr Microseconds kToPulse(9);
 constexpr Microseconds kOfWheel(51);
 
 // Rounds the time of an edge down to whole microseconds, which are the resolution of the firmware's
@@ -59,7 +60,7 @@ void HostSimulation::start() {
 void HostSimulation::beginPeriods() {
   const Instant begin = time.now() + kStartUp;
   nextTick_ = begin + robot.tickPeriod();
-  nextPulse_ = begin + robot.period() + kToWheels;
+  nextPulse_ = begin + robot.period() + kToPulse;
 }
 
 // The new firmware object has the same address as the old object. All references to the robot

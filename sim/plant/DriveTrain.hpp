@@ -23,9 +23,9 @@ struct Contact {
 /// A brushless motor with its driver is modelled as a motor with a commutator. In each orientation,
 /// the driver works in two quadrants. The motor gets a fraction of the supply voltage. With a
 /// fraction of 0, the motor is short-circuited and brakes. The gear loses the same fraction of the
-/// power in both directions. The force of the tyre in the rolling direction and its sideways force
-/// grow with the slip, until their sum reaches the limit of friction. While the wheel is at rest,
-/// the tyre is a spring.
+/// power, whether the motor drives the wheel or the wheel drives the motor. The tyre has a force in
+/// the rolling direction and a sideways force. Both forces grow with the slip, until their sum
+/// reaches the limit of friction. While the wheel is at rest, the tyre is a spring.
 class DriveTrain {
  public:
   static constexpr double kRatio = 10.0;       ///< turns of the motor per turn of the wheel

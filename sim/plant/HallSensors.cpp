@@ -12,9 +12,9 @@ namespace {
 // At the start, the shaft is in the middle between two edges.
 constexpr double kStart = 0.5;
 
-// A period has four edges. Sensor a is high from edge 1 to edge 3, and sensor b is high from edge 2
-// to edge 4. The position is counted in edges, from the rising edge of the sensor. The level is
-// high from 0 to 2, low from 2 to 4, and then repeats.
+// Returns the level of a sensor at a position. The position is the number of edges since a rising
+// edge of this sensor. A period has four edges. The level is high from position 0 to 2, and low
+// from 2 to 4. Sensor a is high from edge 1 to edge 3, and sensor b is high from edge 2 to edge 4.
 bool levelAt(double position) {
   return (wholePart(position) & 2) == 0;
 }

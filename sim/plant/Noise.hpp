@@ -4,8 +4,9 @@
 
 namespace wr::plant {
 
-/// @brief Random numbers that depend only on a seed, a purpose and an index. Two runs have the same
-/// noise at the same time, even if the first run has used more random numbers before this time.
+/// @brief Random numbers that depend only on a seed, a purpose and an index. Two runs with the same
+/// seed have the same noise at the same time, even if one run has used more random numbers before
+/// this time.
 class Noise {
  public:
   /// @param seed chooses the numbers

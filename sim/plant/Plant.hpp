@@ -37,12 +37,12 @@ struct CurrentSensorParameters {
 };
 
 /// @brief Properties of the parts of a robot. Some properties differ between robots, loads and
-/// batteries. Plant.cpp contains their ranges.
+/// batteries. Plant.cpp contains the ranges of these properties.
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
   std::array<CurrentSensorParameters, kWheels> currentSensors{};
   double mass = 175.0;              ///< from the robot's public description [kg]
-  double yawInertia = 85.0;         ///< about that of a box of 2.0 m by 1.4 m [kg m^2]
+  double yawInertia = 85.0;         ///< about the inertia of a box of 2.0 m by 1.4 m [kg m^2]
   double supply = 24.0;             ///< of the battery without load [V]
   double batteryResistance = 0.03;  ///< of two lead batteries, cable and fuse [ohm]
   double rollingResistance = 0.04;  ///< fraction of the weight, while the robot rolls on a meadow

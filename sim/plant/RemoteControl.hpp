@@ -41,12 +41,14 @@ struct RcEdge {
   bool level;                       ///< level from now on
 };
 
-/// @brief The remote control and its receiver. Each of three pins has 50 pulses in a second. A
-/// pulse has a width of 1.0 ms to 2.0 ms. With the stick in the middle, the width is 1.5 ms.
+/// @brief The remote control and its receiver with three channels. A channel has 50 pulses in a
+/// second. A pulse has a width of 1.0 ms to 2.0 ms. With the stick in the middle, the width is
+/// 1.5 ms.
 ///
-/// At first, only the channel of the enable switch has pulses, in the position Pc. The channels of
-/// the sticks have pulses from the first call of set() on. While the transmitter is on, the width
-/// of a pulse varies by up to 2 us. Pulses that the receiver itself generates do not vary.
+/// At first, only the channel of the enable switch has pulses, and the switch is in the position
+/// Pc. The first call of set() with positions connects the channels of the sticks. While the
+/// transmitter is on, the width of a pulse varies by up to 2 us. Pulses that the receiver itself
+/// generates do not vary.
 class RemoteControl {
  public:
   static constexpr std::size_t kChannels = 3;
@@ -56,7 +58,7 @@ class RemoteControl {
   static constexpr std::int64_t kJitter = 2;  ///< [us]
 
   /// @brief Sets the positions of the sticks and switches the transmitter on. Without positions,
-  /// switches it off. The change takes effect with the next pulses.
+  /// switches the transmitter off. The change takes effect with the next pulses.
   /// @param sticks positions of the sticks; nothing: the transmitter is off
   void set(const std::optional<Sticks>& sticks);
 

@@ -20,8 +20,8 @@ constexpr double kJitter = 5'000;  // [ns]
 
 constexpr double kDegreesPerEdge = 90.0;  // electrical degrees
 constexpr std::chrono::nanoseconds kGlitch{30'000};
-// In each step, the voltage of an open input moves by this fraction of the way to the voltage of
-// the input that is converted before it.
+// The voltage of an open input differs from the voltage of the input that is converted before it.
+// In each step, this difference falls by this fraction.
 constexpr double kOpenShare = 0.05;
 constexpr double kNoPower =
     0.05;  // W; the power that noise and rounding cause is less than this limit

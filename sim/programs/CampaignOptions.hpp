@@ -8,11 +8,12 @@
 
 namespace wr::programs {
 
-/// @brief The options of a program that runs in a campaign.
+/// @brief The options of a program that runs random cases for a campaign. A case is a drive, or a
+/// fault that is injected into a drive.
 struct CampaignOptions {
   std::string image;       ///< file with the content of the flash
   std::string elf;         ///< ELF file of the firmware image, with its symbols
-  std::uint64_t seed = 1;  ///< chooses the cases
+  std::uint64_t seed = 1;  ///< seed of the random choice of the cases
   int count = 1;           ///< number of cases
 
   /// @brief Adds the options of a campaign to the options of a program.

@@ -32,7 +32,7 @@ class SymbolicLink {
 /// @brief Registers handlers for Ctrl-C and SIGTERM. Both signals request the end of the program.
 void catchEndRequests();
 
-/// @brief Checks whether the end was requested.
+/// @brief Checks whether the end of the program was requested.
 [[nodiscard]] bool endRequested();
 
 /// @brief Plays a scenario and prints its result.

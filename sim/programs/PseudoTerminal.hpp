@@ -13,8 +13,8 @@ namespace wr::programs {
 /// @brief A pseudo-terminal on this computer.
 ///
 /// Clients use the far end of the pseudo-terminal. The object also keeps the far end open.
-/// Therefore clients can disconnect and connect again. Bytes that the pseudo-terminal does not
-/// accept immediately wait in a bounded buffer.
+/// Therefore clients can disconnect and connect again. If the pseudo-terminal cannot accept bytes
+/// immediately, these bytes wait in a bounded buffer.
 class PseudoTerminal final : public SerialLine {
  public:
   /// @brief Maximum number of bytes that wait to be sent.

@@ -6,7 +6,8 @@
 
 namespace wr::programs {
 
-/// @brief Returns the result of a system call. Throws std::system_error when it is negative.
+/// @brief Returns the result of a system call. Throws std::system_error when the result is
+/// negative.
 /// @param result the result
 /// @param name name of the system call for the error message
 inline int checked(int result, const std::string& name) {

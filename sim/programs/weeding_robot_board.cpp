@@ -285,8 +285,9 @@ class Machine {
   std::optional<emulator::VirtualBoard> alone_;
 };
 
-// Returns true if the run is complete: its time has passed, or at most kSlice and 1 ms remain until
-// the clock pulse that ends its last cycle.
+// Returns true if the run is complete. A run with a time is complete when this time has passed. A
+// run with a number of cycles is complete when the time until the end of its last cycle is at most
+// kSlice plus 1 ms. The last cycle ends at a clock pulse.
 bool hasRun(Machine& machine, const Settings& settings) {
   const nanoseconds now = machine.board().now();
   if (settings.seconds != 0 &&
@@ -325,8 +326,8 @@ std::FILE* messagesOf(const Settings& settings) {
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A scenario needs no serial line, because it plays the PC. A client cannot follow a run that
-    // is as fast as possible. Therefore this run has no pseudo-terminal.
+    // A scenario needs no serial line, because the scenario plays the PC. A run that is as fast as
+    // possible needs no pseudo-terminal, because a client cannot follow this run.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }

@@ -55,7 +55,7 @@ constexpr std::array<EdgePin, 11> kEdgePins{{{'D', 0},
                                              {'B', 19},
                                              {'B', 23}}};
 constexpr nanoseconds kCyclePeriod = std::chrono::milliseconds(100);
-constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // begin before the clock pulse
+constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // noise before the clock pulse
 constexpr nanoseconds kNoiseAfter = std::chrono::milliseconds(8);
 // Duration of a level of a noisy input [us]. Levels of at most 240 us cause so many edges in each
 // tick that the limit of FR-201 is reached.
@@ -181,8 +181,9 @@ class LoadedRobot {
     }
   }
 
-  // Generates edges at all inputs around the next clock pulse. FR-201 limits how many edges of an
-  // input cause interrupts in one tick. In each tick, each input has at least this number of edges.
+  // Generates edges at all inputs around the next clock pulse. FR-201 limits the number of edges of
+  // an input that cause interrupts in one tick. In each tick, each input has at least this number
+  // of edges.
   void disturb() {
     const nanoseconds pulse =
         session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;

@@ -13,7 +13,7 @@
 
 namespace wr::scenario {
 
-/// @brief A fault of the firmware that a simulated board has detected.
+/// @brief The finding with which a simulated board has stopped.
 struct SessionFinding {
   std::string id;    ///< kind of the finding
   std::string text;  ///< the whole finding as one line of text

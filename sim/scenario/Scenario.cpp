@@ -16,8 +16,8 @@ using Time = Scenario::Time;
 constexpr Time kCycle{100};
 constexpr Time kToFirstOrder{
     200};  // time from Hello to the first order: Welcome and Confirm take two cycles
-// Sufficient number of orders: the robot reads only the later ones, and needs several of them to be
-// armed.
+// Number of orders that is sufficient to arm the robot. The robot does not read the first orders,
+// and must read several neutral orders before it is armed.
 constexpr int kNeutralOrders = 13;
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {

@@ -32,7 +32,7 @@ namespace wr::scenario {
 ///     at 61000 end
 ///
 /// The actions of the PC are: 'connect' (sends Hello, and Confirm as soon as the Welcome is
-/// received); 'arm' (connects, then sends one neutral order in each of 13 cycles, which arm the
+/// received); 'arm' (connects, and then sends 13 neutral orders, one in each cycle, to arm the
 /// robot); 'hello'; 'confirm'; 'keepalive'; 'order' with any of 'steering N', 'velocity N',
 /// 'tension N', 'current N' (one number for all wheels, or four numbers, one for each wheel),
 /// 'stop' and 'acknowledge'; 'replay' (sends the bytes of the last order again); 'bytes' with pairs
@@ -43,8 +43,9 @@ namespace wr::scenario {
 /// 'max_velocity'.
 ///
 /// 'seed N' selects the noise. With 'plant varied', the seed also selects the parameters of the
-/// robot. 'plant PARAMETER VALUE' sets one parameter. Such lines without a time must be before all
-/// lines with a time. 'at T plant PARAMETER VALUE' changes the parameter while the robot runs.
+/// robot. 'plant PARAMETER VALUE' sets one parameter. Lines with 'seed' or 'plant' and without a
+/// time must be before all lines with a time. 'at T plant PARAMETER VALUE' changes the parameter
+/// while the robot runs.
 ///
 /// The expectations 'expect FIELD VALUE' and 'expect FIELD between LOW HIGH' check the last Report
 /// or Welcome, or the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N

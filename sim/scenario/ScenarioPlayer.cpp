@@ -94,8 +94,8 @@ void ScenarioPlayer::end() {
   }
 }
 
-// Runs until the next read of the serial line, or until the given time if it is earlier. Then reads
-// the received bytes. Returns false if a finding has stopped the robot.
+// Runs until the next read of the serial line, or until the given time if this time is earlier.
+// Then reads the received bytes. Returns false if a finding has stopped the robot.
 bool ScenarioPlayer::glance(Time instant) {
   const Time length = pending_.empty() ? kGlance : kClose;
   const bool runs = robot_.runUntil(std::min(instant, robot_.now() + length));

@@ -33,12 +33,12 @@ class ScenarioPlayer {
   /// values at this time. If the pointer is null, nothing is written
   ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports = nullptr);
 
-  /// @brief Plays the scenario to its end.
+  /// @brief Plays the scenario to its end, or until a finding stops the robot.
   [[nodiscard]] Outcome play();
 
   /// @brief Executes the next action if it is due. Otherwise, runs to the next instant at which the
   /// PC reads its serial line or an action is due.
-  /// @return false when the scenario has ended
+  /// @return false when the scenario has ended or a finding has stopped the robot
   bool step();
 
   /// @brief Executes an action now, in addition to the steps of the scenario.

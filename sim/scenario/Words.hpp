@@ -10,8 +10,8 @@
 
 namespace wr::scenario {
 
-/// @brief An error in the text of a scenario. The message for a whole text begins with the file and
-/// the line.
+/// @brief An error in the text of a scenario. If a whole scenario was read, the message begins with
+/// the file and the line.
 class ScenarioError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -67,10 +67,11 @@ class LiveRobot {
   LiveRobot(const LiveRobot&) = delete;
   LiveRobot& operator=(const LiveRobot&) = delete;
 
-  /// @brief Runs until a control cycle has ended, or for 200 ms if there is no clock pulse.
+  /// @brief Runs until a control cycle has ended. Ends earlier at the end of the scenario, at a
+  /// finding, and after 200 ms without a clock pulse.
   State runCycle();
 
-  /// @brief Runs to the end of the scenario.
+  /// @brief Runs to the end of the scenario, or until a finding stops the board.
   State runToEnd();
 
   /// @brief Executes one action of a scenario now. The text of the action has no time. Throws

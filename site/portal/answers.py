@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from portal.links import ROOT
 from traceability.sources import text_of
@@ -63,13 +63,12 @@ def questions_of(root: Path) -> list[Question]:
     return [Question(**entry) for entry in entries]
 
 
-def with_links(answer: Markup, questions: Iterable[Question]) -> Markup:
-    """Returns an answer in HTML. Each question that it names in quotation marks is a link."""
+def linked_questions(questions: Iterable[Question], html: Markup) -> Markup:
+    """Returns a text of HTML in which each quoted question is a link to its answer."""
     for question in questions:
-        title = escape(question.ask)
-        link = Markup('“<a href="{}">{}</a>”').format(question.address, title)
-        answer = answer.replace(Markup("“{}”").format(title), link)
-    return answer
+        link = Markup('“<a href="{}">{}</a>”').format(question.address, question.ask)
+        html = html.replace(Markup("“{}”").format(question.ask), link)
+    return html
 
 
 def with_metrics(question: Question, metrics: Mapping[str, Any]) -> Question:

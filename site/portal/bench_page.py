@@ -55,8 +55,8 @@ def bench(portal: Portal) -> dict[str, Any]:
 
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
-    """Returns two values: the target [ms] for the cycle time, and the time that was measured with
-    the model of the slow flash, divided by this target."""
+    """Returns two values: the target [ms] for the cycle time, and the ratio of the measured time to
+    this target. The time is measured with the model of the slow flash."""
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
 
@@ -84,7 +84,7 @@ def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
 
 
 def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
-    """Returns for each scenario the range of the paper and the measured ranges of this firmware, on
+    """Returns the range of the paper and the measured ranges of this firmware for each scenario, on
     the same axis."""
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
 

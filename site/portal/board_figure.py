@@ -44,8 +44,8 @@ class Row:
 
     @property
     def is_named(self) -> bool:
-        """Returns whether the name of the header is next to this row, and not next to its other
-        row."""
+        """Returns whether the name of the header is next to this row. A header has two rows, and
+        its name is next to only one of them."""
         return self.pins[0] % 2 == (self.header not in ("J1", "J2"))
 
 

@@ -22,7 +22,7 @@ MOST = 12
 @dataclass
 class End:
     """A caller or a callee of a method of the module. ``virtual`` is true if the call is virtual.
-    If no object of the call is known, ``through`` is the called abstract method."""
+    If the object of the call is not known, ``through`` is the called abstract method."""
 
     method: str
     virtual: bool

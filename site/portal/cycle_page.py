@@ -1,5 +1,5 @@
-"""The page that shows a control cycle as a timeline. The timeline has a lane for each interrupt
-priority, which shows the calls at this priority."""
+"""The page that shows a control cycle as a timeline. Each lane of the timeline shows the calls
+at one priority."""
 
 from __future__ import annotations
 
@@ -138,7 +138,7 @@ def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
 
 
 def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[int | None, int]:
-    """Returns for each priority the execution time [ns], without the interrupts of higher
+    """Returns the execution time at each priority [ns], without the interrupts of higher
     priority."""
     times: dict[int | None, int] = {}
     for activation in activations:

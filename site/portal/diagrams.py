@@ -236,7 +236,7 @@ def relation_lines(model: Model, application: PatternApplication) -> list[str]:
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
     """Returns the diagram of a state machine. An arrow is dashed if one of its transitions occurred
-    in no test, unless the test results are stale."""
+    in no test. If the test results are stale, no arrow is dashed."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")

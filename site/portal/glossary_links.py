@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from html import escape
 from pathlib import Path
 
@@ -16,19 +16,37 @@ from traceability.sources import text_of
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
 OTHER_SENSES = {"function", "target", "verdict"}
-# Words that contain a term but have another meaning. They are compared with the HTML text.
+# Terms that are linked only in these words, because the pages also use the terms with another
+# meaning. These words and the next words are compared with the HTML text.
+OWN_SENSE = {
+    "brake": (
+        *("wheel brakes", "wheels brake", "wheels then brake", "brakes the wheel"),
+        *("motor brakes", "motors brake", "brakes the motor"),
+    ),
+    "hold": ("hold the steering", "holds the steering", "order to hold", "a hold"),
+    "message": (
+        *("message arrives", "message can be read", "message is missing", "as a message"),
+        *("has a message", "reads a message", "read the message", "without a message"),
+        *("no message", "last message"),
+    ),
+    "stop": ("a stop", "the stop", "this stop", "each stop", "no stop", "stop order"),
+}
+# Words that contain a term but have another meaning.
 OTHER_WORDS = (
-    *("stop bit", "end stop", "product of voltage", ">product in ", "rows of plants"),
-    *("hold a key", "hold the reset button", "only <em>hold</em>", ">holds</span>"),
-    *("brakes hold", "cannot hold", "parking brake", "mechanical brake", "steering brakes"),
-    *("message of the failure", "comments and messages"),
-    *("order in which", "reason in the order", "in this order", "define this order"),
-    *("same order", "random order", "other order", "wrong order", "their order from"),
-    *("in the order of", "order of the modes", "order of the decorators", "order and the number"),
+    *("stop bit", "after a stop that is longer", "halts the core", "after a halt of more"),
+    *(
+        "product of voltage",
+        ">product in ",
+        "order in which",
+        "reason in the order",
+        "in this order",
+    ),
+    *("random order", "same order", "other order", "define this order", "order and the number"),
+    *("order of the tree", "order of the modes", "order of the decorators"),
+    *("order of the interrupts", "order of the priorities", "order of the calls"),
+    *("order of calls", "have no message"),
+    *("code host", "secret key", "findings of a code review", "neutral value", "neutral range"),
 )
-# A term that is also a verb. It is linked only after an article, or before "order".
-ALSO_VERB = "stop"
-NOUN = re.compile(r"\b(?:a|the|this|no|any|each|every|new|later|earlier|stored|its) $")
 # HTML elements in which no term is linked, such as links, headings, code, pictures and controls.
 APART = (
     "a button code h1 h2 h3 h4 input kbd label option pre script select style summary svg th title"
@@ -43,20 +61,15 @@ END = re.compile(r"s?(?![\w(-]|::)", re.IGNORECASE)
 
 class GlossaryLinks:
     """The glossary terms in lower case. The plural of a term is also linked to the term. The link
-    shows the first sentence of the term. ``constants`` contains the numbers of this sentence."""
+    shows the first sentence of the explanation. ``constants`` contains the numbers in this
+    sentence."""
 
     def __init__(self, root: Path, constants: Mapping[str, str]) -> None:
         source = text_of(root / f"{GLOSSARY.id}.rst")
         terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source, constants)}
         self.terms = {words: term for words, term in terms.items() if words not in OTHER_SENSES}
-        self.longer = {
-            words: [
-                (term, term.find(words))
-                for term in (*terms, *OTHER_WORDS)
-                if words in term and words != term
-            ]
-            for words in self.terms
-        }
+        self.longer = {words: phrases_of(words, (*terms, *OTHER_WORDS)) for words in self.terms}
+        self.own = {words: phrases_of(words, OWN_SENSE[words]) for words in OWN_SENSE}
 
     def link(self, html: str, prefix: str = ROOT) -> str:
         """Returns the page with a link at the first use of each term in its text."""
@@ -72,21 +85,29 @@ class GlossaryLinks:
             at = text.find(words)
             while at >= 0:
                 end = END.match(text, at + len(words))
-                if end and self._stands_alone(text, at, words) and is_text(text, at):
+                if end and self._means_term(text, at, words) and is_text(text, at):
                     shift = shifts[bisect_right(starts, at) - 1]
                     yield at + shift, end.end() + shift, words
                     break
                 at = text.find(words, at + 1)
 
-    def _stands_alone(self, text: str, at: int, words: str) -> bool:
-        """Returns true if ``words`` begins with a new word and is not a part of a longer term."""
-        before = text[max(0, at - 12) : at]
-        if NO_START.search(before[-1:]) or NAME.search(before):
+    def _means_term(self, text: str, at: int, words: str) -> bool:
+        """Returns true if ``words`` begins with a new word, is not a part of a longer term, and has
+        the meaning of the term."""
+        if (at and NO_START.match(text, at - 1)) or NAME.search(text[max(0, at - 8) : at]):
             return False
-        noun = NOUN.search(before) or text.startswith(" order", at + len(words))
-        if words == ALSO_VERB and not noun:
-            return False
-        return not any(text.startswith(term, at - offset) for term, offset in self.longer[words])
+        own = self.own.get(words)
+        return not is_in(text, at, self.longer[words]) and (own is None or is_in(text, at, own))
+
+
+def phrases_of(words: str, phrases: Iterable[str]) -> list[tuple[str, int]]:
+    """Returns the phrases that contain ``words``, each with the position of ``words`` in it."""
+    return [(one, one.find(words)) for one in phrases if words in one and words != one]
+
+
+def is_in(text: str, at: int, phrases: list[tuple[str, int]]) -> bool:
+    """Returns true if the words at a position in the text are a part of one of the phrases."""
+    return any(text.startswith(phrase, at - offset) for phrase, offset in phrases)
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:

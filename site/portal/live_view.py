@@ -169,8 +169,8 @@ def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
 
 
 def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, Any]]:
-    """Returns for each method the number of the register that contains its first parameter, and the
-    name and kind of each parameter that is passed in a register. The returned dictionary contains
+    """Returns the parameters of methods that are passed in registers: the number of the register
+    with the first parameter, and the name and kind of each parameter. The dictionary contains
     no overloaded methods, no methods without such a parameter, and no methods that may return their
     result in memory."""
     methods = (method for module in portal.designs for method in module.methods)
@@ -229,7 +229,7 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
 
 
 def overriders(model: Model) -> dict[str, list[str]]:
-    """Returns for each overridden method the methods that override it, directly or indirectly."""
+    """Returns the direct and indirect overrides of each overridden method."""
     direct: dict[str, list[str]] = {}
     for module in model.modules.values():
         for method in module.methods:

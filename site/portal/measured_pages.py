@@ -188,7 +188,7 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """Returns the values of the page of likely changes: the changes that were really made. If a
+    """Returns the values of the page of likely changes: the changes that have an example. If a
     change was made in this design and in the baseline design, also returns the number of changed
     source lines in each design."""
     done = [change.made for change in portal.model.changes.values() if change.made]
@@ -207,8 +207,7 @@ def made_changes(portal: Portal) -> dict[str, Any]:
 
 
 def patches_of(root: Path) -> dict[str, dict[str, str]]:
-    """Returns for each change and each design the text of the patch that makes the change in this
-    design."""
+    """Returns the text of the patch for each change and each design."""
     return {
         change: {
             design: (root / baseline_record.patch_of(change, design)).read_text("utf-8")

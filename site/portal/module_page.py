@@ -67,8 +67,8 @@ def inherited_methods(portal: Portal, module: Module) -> list[Method]:
 
 
 def requirement_methods(portal: Portal, module: Module) -> dict[str, list[str]]:
-    """Returns for each requirement of a module the names of the methods that satisfy it. The list
-    is empty if only the tree of the requirement contains the module.
+    """Returns the methods of a module that satisfy each requirement of the module, by the id of the
+    requirement. The list is empty if only the tree of the requirement contains the module.
     """
     return {
         identifier: list(dict.fromkeys(m.name for m in module.methods if identifier in m.satisfies))
@@ -78,7 +78,7 @@ def requirement_methods(portal: Portal, module: Module) -> dict[str, list[str]]:
 
 
 def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
-    """Returns for each file the kinds of its source lines: executed, missed, or without code."""
+    """Returns the kinds of the source lines of each file: executed, missed, or without code."""
     bars = []
     for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
         kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
@@ -87,7 +87,7 @@ def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]
 
 
 def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
-    """Returns for each file of a driver its source lines with code. A line that the virtual K64
+    """Returns the source lines with code of each file of a driver. A line that the virtual K64
     executed maps to 1, and a missed line maps to 0."""
     measured = portal.model.board_lines or {}
     return {

@@ -213,7 +213,7 @@ class Names:
         if result is None:
             return Markup('<span class="mut" title="not built for this target">\N{EN DASH}</span>')
         if result.stale and result.result:
-            return glyph("warn", f"{result.result}, stale")
+            return glyph("warn", str(result.words))
         return glyph(*RESULTS.get(result.result, ("none", str(result.result))))
 
     def results(self, test: Test) -> Markup:
@@ -278,8 +278,8 @@ def file_name(path: str) -> str:
 
 
 def counted_states(states: Iterable[str]) -> dict[str, str]:
-    """Returns for each state of a requirement its name and the number of requirements that have
-    this state. The number can be 0."""
+    """Returns a text for each state of a requirement: the name of the state, and the number of
+    requirements that have this state. The number can be 0."""
     counts = Counter(states)
     return {state: f"{word}: {counts[state]}" for state, (_, word) in VERDICTS.items()}
 

@@ -10,7 +10,7 @@ from lxml.html import HtmlElement, fromstring
 HEADS = {"h1", "h2", "h3"}
 APART = {"nav", "svg", "script", "select", "summary"}  # HTML elements whose text is not read
 INLINE = {"a", "b", "code", "em", "strong", "sub", "wbr"}  # these elements do not separate words
-INLINE_SPANS = (None, "mm", "dc")  # classes of a number, of the name of a method, of its colons
+INLINE_SPANS = (None, "mm", "dc")  # CSS classes of numbers, of method names, of their colons
 
 
 @dataclass
@@ -32,7 +32,7 @@ class Part:
 
 def parts_of(page: str) -> Iterator[Part]:
     """Returns the sections of a page that have a heading. The page is a body without the layout, or
-    a finished page, of which only the element ``main`` is read."""
+    a finished page. Of a finished page, only the element ``main`` is read."""
     root = fromstring(page if "<main" in page else f"<main>{page}</main>")
     parts = [Part("")]
     for main in root.iter("main"):

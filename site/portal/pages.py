@@ -106,7 +106,7 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
 
 @functools.cache
 def page_titles(portal: Portal) -> dict[str, str]:
-    """Returns for each address the title of the page, section or element at this address."""
+    """Returns the title of the page, section or element at each address."""
     titles = {address: title for _, _, title, _, address, *_ in reversed(entries(portal))}
     sections = {
         f"docs/{path.stem}.html#{make_id(title)}": title
@@ -137,6 +137,7 @@ def home_page(portal: Portal) -> Page:
         method=method,
         tours=[tour.id for tour in portal.tours],
         paper_most=max(paper.maximum for paper in SCENARIOS),
+        proven=proven,
         shown_changes=sorted(
             portal.model.changes.values(), key=lambda change: not proven(change.made)
         )[:6],
@@ -202,8 +203,8 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 
 
 def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
-    """Returns for each diagram its PlantUML file, the address of the page that shows it, and its
-    title."""
+    """Returns three texts for each diagram: its PlantUML file, the address of the page that shows
+    the diagram, and its title."""
     sources = []
     for application in portal.model.patterns.values():
         page = portal.links.pattern(application.id) or ""
@@ -255,7 +256,7 @@ def tests(portal: Portal) -> dict[str, Any]:
 
 
 def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
-    """Returns for each test the modules that list this test among the tests to read first."""
+    """Returns the modules that list a test among the tests to read first, for each such test."""
     modules: dict[str, list[str]] = {}
     for name in sorted(portal.model.modules):
         for test in portal.own_tests(portal.model.modules[name]):

@@ -14,7 +14,7 @@ from jinja2 import Environment, FileSystemBytecodeCache
 from markupsafe import Markup
 
 from portal import diagrams, names
-from portal.answers import questions_of, with_links, with_metrics
+from portal.answers import linked_questions, questions_of, with_metrics
 from portal.calls import CallGraph
 from portal.constant_texts import constant_links
 from portal.glossary_links import GlossaryLinks
@@ -138,7 +138,6 @@ class Portal:
         templates = environment()
         templates.bytecode_cache = FileSystemBytecodeCache(str(compiled))
         templates.filters["text"] = self.names.text
-        templates.filters["with_links"] = lambda text: with_links(text, self.questions)
         templates.filters["gist"] = names.gist
         templates.filters["changed_words"] = names.changed_words
         templates.filters["file_name"] = names.file_name
@@ -155,6 +154,7 @@ class Portal:
             views=names.VIEWS,
             glyph=names.glyph,
             family=diagrams.role_family,
+            linked_questions=functools.partial(linked_questions, self.questions),
             located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
             chosen_values=functools.partial(chosen_values, self.root, self.model),
             other_lines=functools.partial(other_lines, self.root),
@@ -205,8 +205,8 @@ class Portal:
         return self.flat(requirement.tree) if requirement.tree else []
 
     def element_targets(self) -> dict[str, str]:
-        """Returns for each element of the architecture the address of the first module that
-        implements it. The address is "" if the model does not contain such a module."""
+        """Returns an address for each element of the architecture: the page of the first module
+        that implements the element. The address is "" if the model contains no such module."""
         modules = self.model.modules
         return {
             element.id: next(
@@ -272,8 +272,8 @@ class Portal:
         ]
 
     def stack_of(self, module: Module) -> tuple[int, str] | None:
-        """Computes for each context the stack bytes that the methods of a module use in the deepest
-        chain of calls. Returns the greatest number, and the name of its context."""
+        """Computes the stack bytes that the methods of a module use in the deepest chain of calls
+        of each context. Returns the greatest number, and the name of its context."""
         begin = f"{module.name}::"
         stack = self.model.stack
         shares = [
@@ -321,7 +321,7 @@ class Portal:
 
     @functools.cached_property
     def marks(self) -> dict[str, dict[int, list[str]]]:
-        """Returns for each file and source line the methods and tests that begin there."""
+        """Returns the methods and tests that begin at each source line, by file and line."""
         marks: dict[str, dict[int, list[str]]] = {}
 
         def add(place: Place, name: str) -> None:
@@ -340,8 +340,8 @@ class Portal:
 
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
-        """Returns for each file and source line how often tests executed the line. For a line that
-        was measured on the virtual K64, the number is only 1 (executed) or 0."""
+        """Returns the number of times that tests executed each source line, by file and line. For a
+        line that was measured on the virtual K64, the number is only 1 (executed) or 0."""
         hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
             for path, lines in module.line_hits.items():
@@ -423,8 +423,8 @@ class Portal:
 
     def callers(self, method: Method) -> list[Markup]:
         """Returns links to the callers of a method. A caller can also be a nested class, the
-        initialiser of a constant, or a function outside classes. If no object of the call is known,
-        the link to the called abstract method follows."""
+        initialiser of a constant, or a function outside classes. If the object of the call is not
+        known, the link to the called abstract method follows."""
         callers = []
         for name, through in method.called_by.items():
             module, _, rest = name.partition("::")

@@ -45,6 +45,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "baseline": BASELINE,
         "baseline_changed": portal.last_change([str(BASELINE)]),
         "methods": Counter(requirement.method for requirement in every),
+        "sources": Counter(value for facets in numbers.values() for value in facets["source"]),
         "without_test": [item.id for item in every if not item.verified_by],
         "without_method": [item.id for item in every if not item.satisfied_by],
         "options": verification_views.options(numbers.values()),
@@ -60,8 +61,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
-    """Returns for each top-level logic module the number of its methods that satisfy the
-    requirement."""
+    """Returns the number of methods in each top-level logic module that satisfy the requirement."""
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
     return Counter(module.logic.partition("/")[0] for module in modules if module)
 
@@ -90,7 +90,7 @@ class Sheet:
     verdict: Verdict
     nodes: list[tuple[int, TreeNode]]
     outside_tree: list[str]  # methods that satisfy the requirement, but are not in the tree
-    scenarios: dict[str, list[FaultScenario]]  # targets -> fault scenarios played on them
+    scenarios: dict[str, list[FaultScenario]]  # targets -> scenarios with passed tests on them
     tests: list[Test]
     changes: list[str]  # texts that have changed since their baseline
 
@@ -135,8 +135,8 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def outside_tree(model: Model, requirement: Requirement) -> list[str]:
-    """Returns the methods that satisfy the requirement, although its tree contains neither them nor
-    a method that they override."""
+    """Returns the methods that satisfy the requirement and are not in its tree. A method counts as
+    in the tree if the tree contains the method or a method that it overrides."""
     if requirement.tree is None:
         return []
     inside: set[str] = set()
@@ -147,8 +147,8 @@ def outside_tree(model: Model, requirement: Requirement) -> list[str]:
 
 
 def played_scenarios(model: Model, requirement: Requirement) -> dict[str, list[FaultScenario]]:
-    """Returns the fault scenarios that tests of the requirement play. The key is the targets on
-    which these tests, and all other tests that play the scenario, passed."""
+    """Returns the fault scenarios that tests of the requirement play. The key lists the targets on
+    which at least one test of the scenario passed. This test may verify another requirement."""
     scenarios: dict[str, list[FaultScenario]] = {}
     for scenario in model.safety.scenarios.values():
         if set(scenario.tests) & set(requirement.verified_by):

@@ -8,30 +8,19 @@ from dataclasses import dataclass
 from typing import Any
 
 from portal.portal import Page, Portal
+from portal.recorded_calls import recordings_of
 from traceability.model.safety_case import scenarios_of
 from traceability.reading import bench_record, call_record, closed_loop_record
+from traceability.reading.fault_record import FAULTS, FUZZ
 from traceability.reading.products import CALLS_SUFFIX, DEFAULT, HAS, PAPER, PRODUCTS, RECORDED
 from traceability.schema import BenchScenario, FaultScenario, SafetyGoal, Test
 
 TIMING = "no-wait-states"
 SAFE_MODULE = "SafeSystem"  # Only the products with safety functions contain this module.
 MEASURED = f"{bench_record.IMAGE.stem}; without the slow flash also {PAPER}"
+LOOP = closed_loop_record.PRODUCT
+RECORDINGS = f"{call_record.IMAGE.stem}{CALLS_SUFFIX}"
 ON_HOST = "the code on the host, without the code for the K64"
-# Kind of evidence, page that shows it, and firmware image or code from which it is.
-EVIDENCE = (
-    ("longest control cycle, calculated", "bench.html#bound", DEFAULT),
-    ("control cycle, measured", "bench.html", MEASURED),
-    ("stack, calculated", "execution.html#stack", DEFAULT),
-    ("stack, measured", "execution.html#stack", closed_loop_record.PRODUCT),
-    ("distances, settling times and other values", "closed_loop.html", closed_loop_record.PRODUCT),
-    ("recorded calls and chains", "cycle.html", f"{call_record.IMAGE.stem}{CALLS_SUFFIX}"),
-    ("random faults", "robustness.html", DEFAULT),
-    ("random inputs", "robustness.html#fuzz", ON_HOST),
-    ("model checking", "proofs.html#scope", f"a model of {DEFAULT}"),
-    ("coverage of the code for the K64", "virtual_k64.html#drivers", RECORDED),
-    ("coverage of the other code", "requirements/index.html#module-coverage", ON_HOST),
-    ("mutation test", "mutation.html", ON_HOST),
-)
 
 
 def safety(portal: Portal) -> dict[str, Any]:
@@ -43,9 +32,40 @@ def safety(portal: Portal) -> dict[str, Any]:
         "by_level": [(level, levels[level]) for level in reversed(case.levels)],
         "open_points": list(open_points(portal)),
         "tested": product_runs(portal),
-        "evidence": EVIDENCE,
+        "evidence": evidence(portal),
         "played_on": played_on(portal, case.scenarios.values()),
     }
+
+
+@dataclass
+class OtherEvidence:
+    """Evidence besides the tests, and the firmware image or code that it is about."""
+
+    title: str
+    page: str  # page that shows the evidence
+    product: str
+    result: object  # None or empty if the pages show no result
+
+
+def evidence(portal: Portal) -> list[OtherEvidence]:
+    model = portal.model
+    played = any(scenario.runs for scenario in model.closed_loop)
+    drivers, lines = model.board_lines, portal.metrics["coverage.line"]
+    rows = (
+        ("longest control cycle, calculated", "bench.html#bound", DEFAULT, model.times),
+        ("control cycle, measured", "bench.html", MEASURED, model.bench),
+        ("stack, calculated", "execution.html#stack", DEFAULT, model.stack),
+        ("stack, measured", "execution.html#stack", LOOP, model.stack and model.stack.seen),
+        ("distances, settling times and other values", "closed_loop.html", LOOP, played),
+        ("recorded calls and chains", "cycle.html", RECORDINGS, recordings_of(portal)),
+        ("random faults", "robustness.html", DEFAULT, model.campaigns.get(FAULTS)),
+        ("random inputs", "robustness.html#fuzz", ON_HOST, model.campaigns.get(FUZZ)),
+        ("model checking", "proofs.html#scope", f"a model of {DEFAULT}", model.proofs.results),
+        ("coverage of the code for the K64", "virtual_k64.html#drivers", RECORDED, drivers),
+        ("coverage of the other code", "requirements/index.html#module-coverage", ON_HOST, lines),
+        ("mutation test", "mutation.html", ON_HOST, model.last.get("mutation")),
+    )
+    return [OtherEvidence(*row) for row in rows]
 
 
 @dataclass
@@ -157,7 +177,7 @@ def sizes(portal: Portal) -> Iterator[Compared]:
 
 
 def cycles(portal: Portal) -> Iterator[Compared]:
-    """Yields for each scenario of the bench the longest time from the clock pulse to the report."""
+    """Yields the longest time from the clock pulse to the report in each scenario of the bench."""
     safe, paper = portal.model.bench, portal.model.bench_paper
     names = list(safe or {}) or ["any scenario of the bench"]
     for name in names:

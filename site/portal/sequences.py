@@ -271,7 +271,7 @@ def _arrow(message: Message, links: Links) -> str:
 
 
 def drawn_sequences(portal: Portal) -> list[Drawn]:
-    """Returns the declared sequences. Those without their recordings have no cycles."""
+    """Returns the declared sequences. A sequence with a missing recording has no cycles."""
     recordings = recordings_of(portal) or {}
     windows = windows_of(portal)
     trees = requirements_by_method(portal)

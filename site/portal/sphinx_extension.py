@@ -62,7 +62,7 @@ class DesignDomain(Domain):
 
 
 def link_targets(app: Sphinx) -> dict[str, dict[str, str]]:
-    """Returns for each role the HTML of each name."""
+    """Returns the HTML of each name of each role."""
     text = (Path(app.srcdir) / "links.json").read_text(encoding="utf-8")
     targets: dict[str, dict[str, str]] = json.loads(text)
     return targets

@@ -107,8 +107,8 @@ def compiler_options(root: Path) -> str:
     return "\n".join(blocks)
 
 
-# Files that hand-written pages include. For each: the source file, the name of the generated file
-# in the folder of the pages, and the function that returns its text.
+# Files that hand-written pages include. Each entry has the source file, the name of the generated
+# file in the folder of the pages, and the function that returns the text of the generated file.
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (PINS, "board.html", board_figure),

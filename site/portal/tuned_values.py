@@ -25,7 +25,7 @@ class ChosenValue:
 
 
 def chosen_values(root: Path, model: Model, tuned: Tuned) -> dict[str, list[ChosenValue]]:
-    """Returns by module the constants that must be chosen again."""
+    """Returns the constants that must be chosen again, grouped by module."""
     values: dict[str, list[ChosenValue]] = {}
     for name in tuned.constants:
         module, _, own = name.partition("::")

@@ -60,7 +60,8 @@ def dimensions(portal: Portal) -> list[tuple[Tuned, Constant]]:
 
 
 def control_values(model: Model) -> dict[str, list[Value]]:
-    """Returns by module the named constants that have a unit or depend on another constant."""
+    """Returns the named constants that have a unit or depend on another constant. The constants are
+    grouped by module."""
     values: dict[str, list[Value]] = {}
     for name, constant in model.constants.items():
         chosen_for = [

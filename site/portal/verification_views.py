@@ -40,8 +40,8 @@ def lines_of(methods: Iterable[MethodCoverage]) -> Share | None:
 
 def measured_lines(requirement: Requirement) -> tuple[str, Share] | None:
     """Returns the executed lines of the methods in the invocation tree, and the target on which
-    they were measured. This is the host if any line was measured there, and otherwise the virtual
-    K64."""
+    they were measured. The target is the host if any line was measured there, and otherwise the
+    virtual K64."""
     shares = ((name, lines_of(requirement.coverage.get(name, []))) for name in (HOST, VIRTUAL_K64))
     return next(((name, lines) for name, lines in shares if lines), None)
 
@@ -118,8 +118,6 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     for node in nodes_of(requirement.tree):
         names.append(node.module)
     modules = [model.modules[name] for name in dict.fromkeys(names) if name in model.modules]
-    targets = targets_of(model, requirement)
-    only = [ONLY.format(target) for target in targets] if len(targets) == 1 else []
     return {
         "state": [report.requirements[requirement.id].state],
         "logic": sorted({module.logic for module in modules}),
@@ -127,8 +125,14 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
         "method": [requirement.method] if requirement.method else [],
         "level": [requirement.level] if requirement.level else [],
         "goal": requirement.goals,
-        "binding": [*targets, *only],
+        "source": with_only(list(dict.fromkeys(one.kind for one in requirement.sources))),
+        "binding": with_only(targets_of(model, requirement)),
     }
+
+
+def with_only(values: Sequence[str]) -> list[str]:
+    """Returns the values of a filter. If there is only one value, adds the value "only ..."."""
+    return [*values, *(ONLY.format(value) for value in values if len(values) == 1)]
 
 
 def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:

@@ -159,8 +159,8 @@ class MainControllerBuilder {
   /// @isr{no}
   void useStates(OperationState& first);
 
-  /// @brief Builds the main controller. It starts in the first operation state and the first
-  /// reading mode.
+  /// @brief Builds the main controller. The controller starts in the first operation state and the
+  /// first reading mode.
   /// @param systems the control systems that the controller commands
   /// @pre The link, the modes and the states are built.
   /// @errors If a part is missing, the program ends with the assertion PartMissing. If the

@@ -4,7 +4,7 @@ namespace wr {
 
 /// @brief Output with two levels.
 /// @function Switches a device outside the microcontroller on and off.
-/// @secret The pin that is switched, and the level of this pin that means on.
+/// @secret The pin that is switched, and the level of this pin at which the device is on.
 class DigitalOutput {
  public:
   DigitalOutput(const DigitalOutput&) = delete;

@@ -18,8 +18,8 @@ class RcDirection final : public Function {
   RcDirection() = default;
 
   /// @brief Calculates the steering angle, rounded to the nearest integer. If the width differs
-  /// from the middle by at most 20 us, the angle is 0. The robot must drive straight ahead when the
-  /// stick is released.
+  /// from the middle by at most 20 us, the angle is 0, because the robot must drive straight ahead
+  /// when the stick is released.
   /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
   /// Divisor: difference from Offset at full deflection [us]; Scale: steering angle at full
   /// deflection [0.01 degree]; Lowest and Highest: limits of the width [us]

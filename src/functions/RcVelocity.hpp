@@ -18,8 +18,8 @@ class RcVelocity final : public Function {
   RcVelocity() = default;
 
   /// @brief Calculates the velocity, rounded to the nearest integer. If the width differs from the
-  /// middle by at most 20 us, the velocity is 0. The robot must be at rest when the stick is
-  /// released.
+  /// middle by at most 20 us, the velocity is 0, because the robot must be at rest when the stick
+  /// is released.
   /// @param arguments Raw: width of the pulse [us]; Offset: width in the middle position [us];
   /// Divisor: difference from Offset at full deflection [us]; Scale: velocity at full deflection
   /// [0.1 rpm]; Lowest and Highest: limits of the width [us]

@@ -29,8 +29,8 @@ namespace wr {
 /// is missing, or when quotient() returns nothing
 [[nodiscard]] std::optional<std::int32_t> scaled(const ArgumentValues& values);
 
-/// @brief Calculates the value of a stick of the remote control: (Raw - Offset) * Scale / Divisor,
-/// where Raw - Offset is limited to the range from -Divisor to Divisor.
+/// @brief Calculates the value of a stick of the remote control: (Raw - Offset) * Scale / Divisor.
+/// Before the multiplication, Raw - Offset is limited to the range from -Divisor to Divisor.
 /// @param values arguments of the calculation, with Raw, Offset, Scale and Divisor, and with the
 /// limits of Raw as Lowest and Highest
 /// @param middle greatest distance between Raw and Offset at which the result is 0

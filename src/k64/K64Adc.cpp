@@ -12,7 +12,8 @@ namespace {
 
 // The clock of the converters is the bus clock divided by 8. No other clock source of the
 // converters is used, because the other sources are not the same in all microcontrollers of the
-// family. The calibration needs a slow clock. Therefore it runs before the PLL is started.
+// family. The calibration needs a slow clock. Therefore the calibration runs before the PLL is
+// started.
 constexpr std::uint32_t kDivider = 8;
 constexpr std::uint32_t kMinClock = 1'000'000;                                         // [Hz]
 constexpr std::uint32_t kMaxCalibrationClock = 4'000'000;                              // [Hz]

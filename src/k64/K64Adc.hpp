@@ -13,8 +13,8 @@ namespace wr {
 
 /// @brief Analog input of the K64, which has two converters.
 /// @function Converts the voltage of one pin to 12 bits, as the mean of four samples.
-/// @secret The steps that calibrate and start a converter, and the sequence in which it converts
-/// its inputs.
+/// @secret The steps that calibrate and start a converter, and the sequence in which a converter
+/// converts its inputs.
 class K64Adc final : public AnalogInput {
  public:
   /// @brief Number of converters.
@@ -59,8 +59,8 @@ class K64Adc final : public AnalogInput {
 
     void beginCalibration();
     void endCalibration();
-    // These methods are always inlined: they run several times in a millisecond, and a call would
-    // take as long as the method.
+    // These methods are always inlined. They run several times in a millisecond, and the call of a
+    // method would take as long as the method itself.
     [[gnu::always_inline]] inline void ask(K64Adc& input);
     [[gnu::always_inline]] inline void begin() const;
     [[gnu::always_inline]] inline void finish();

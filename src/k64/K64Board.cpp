@@ -92,7 +92,7 @@ void recordFault(FaultKind kind, std::uint16_t number, std::uint32_t address) {
 }
 
 // Waits in an endless loop for the reset. If the core has not requested a reset, the watchdog
-// causes it.
+// causes the reset.
 [[noreturn]] void awaitReset() {
   for (;;) {
     asm volatile("nop");
@@ -131,7 +131,7 @@ void connect(const Pin& pin, Mux to) {
                                     pin.number * port::kPinDistance);
   const auto mux = port::PCR.field(static_cast<std::uint32_t>(to), port::kMuxLowest);
   if (pin.isOutput()) {
-    // High drive strength, because the output may have to drive the LED of an optocoupler.
+    // The drive strength is high, because the output may have to drive the LED of an optocoupler.
     control.write(mux | port::PCR_DSE);
   } else if (pin.role == Role::Input || pin.role == Role::PulledUp) {
     control.write(mux | port::PCR_PE | port::PCR_PS);
@@ -141,8 +141,8 @@ void connect(const Pin& pin, Mux to) {
 }
 
 // Switches on the digital filters of the port of the Hall sensors. The length of the filters is 31
-// bus clocks. At the full clock they suppress pulses shorter than 0.5 us. No other port has digital
-// filters.
+// bus clocks. At the full clock the filters suppress pulses shorter than 0.5 us. No other port has
+// digital filters.
 void filterHallSensors() {
   constexpr std::uint32_t kWidth = 31;
   constexpr auto kPort = static_cast<std::uint32_t>(Port::D) * port::kPortDistance;
@@ -208,7 +208,7 @@ std::uint16_t K64Board::startClock() {
   sim::CLKDIV1.write(kDividers);
   // The core uses the internal FLL until the external clock runs. The frequency of the FLL may jump
   // when its reference changes (erratum 7993). A jump does no harm here: the divisors are set, the
-  // core uses this clock only for some microseconds, and no device uses it.
+  // core uses this clock only for some microseconds, and no device uses this clock.
   mcg::C2.write(mcg::C2_LOCRE0 | mcg::C2_RANGE_VERY_HIGH);
   mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
   if (!comes(mcg::S_IREFST, {})) {
@@ -277,8 +277,8 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   if (exception > kHardFault) {
     return kFaults[exception - kHardFault];
   }
-  // The separate handlers of the other faults are not enabled. Therefore each of these faults is
-  // reported as a hard fault, and the status register contains its kind.
+  // The separate handlers of memory, bus and usage faults are not enabled. Therefore each of these
+  // faults causes a hard fault, and the status register contains the kind of the fault.
   const auto status = scb::CFSR.read();
   if ((status & scb::CFSR_MEMORY).any()) {
     return FaultKind::MemoryFault;

@@ -62,8 +62,8 @@ class K64Board {
   static void enableGuards();
 
   /// @brief Sets the vector table that the core uses in place of the table in flash.
-  /// @param table first word of the new vector table. Its address is a multiple of the next power
-  /// of two above the size of the table in bytes
+  /// @param table first word of the new vector table. The address of the table is a multiple of the
+  /// next power of two above the size of the table [byte]
   /// @isr{no}
   static void moveVectors(const std::uint32_t* table);
 
@@ -71,7 +71,7 @@ class K64Board {
   /// @return 0 when the core runs at 120 MHz, else the number of the step that failed. 1: the
   /// external clock does not start. 2: the core does not change to the external clock. 3: the PLL
   /// does not lock. 4: the core does not change to the PLL.
-  /// @post After a failure the core uses a clock that works, if there is one. After a success a
+  /// @post After a failure the core uses a clock that works, if any clock works. After a success a
   /// reset occurs when the external clock fails or the PLL loses its lock.
   /// @isr{no}
   /// @satisfies FR-72
@@ -86,8 +86,7 @@ class K64Board {
 
   /// @brief Reads one word from the random number generator. To wait for the word, reads the status
   /// of the generator at most 2,000 times.
-  /// @return a word of 32 random bits, without meaning as a number; nothing when no word was ready
-  /// in time
+  /// @return a word of 32 random bits; nothing when no word was ready in time
   /// @pre openGates() was called.
   /// @isr{no}
   /// @satisfies FR-264

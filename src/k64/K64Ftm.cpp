@@ -37,7 +37,8 @@ void K64Ftm::start() {
   ftm0::MOD.write({kPeriod - 1});
   for (std::uint32_t channel = 0; channel < kChannelCount; ++channel) {
     // The output is high from the beginning of each period until the counter reaches the width. If
-    // the width is greater than MOD, the counter never reaches it, and the output stays high.
+    // the width is greater than MOD, the counter never reaches the width, and the output stays
+    // high.
     ftm0::CnSC.at(channel * ftm0::kChannelDistance).write(ftm0::CnSC_MSB | ftm0::CnSC_ELSB);
     ftm0::CnV.at(channel * ftm0::kChannelDistance).write({0});
   }

@@ -9,8 +9,8 @@ namespace wr {
 /// @brief Channel of the flexible timer FTM0.
 /// @function Generates pulses with the frequency kFrequency on the pin of the channel. The duty cycle
 /// sets the width of each pulse.
-/// @secret The method by which the timer generates pulses, and the rule that changes their width
-/// without a false pulse.
+/// @secret The method by which the timer generates pulses, and the rule by which their width
+/// changes without a false pulse.
 /// @hides{K64Ftm::kFrequency}
 class K64Ftm final : public PwmOutput {
  public:

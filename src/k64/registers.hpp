@@ -186,7 +186,7 @@ inline constexpr auto SC3_CALF = SC3.bit(6);
 inline constexpr auto SC3_CAL = SC3.bit(7);
 inline constexpr Register<std::uint32_t, 0x4003B02C> PG;
 inline constexpr Register<std::uint32_t, 0x4003B030> MG;
-inline constexpr std::uint32_t kCalibrationResults = 6;  // number for each side, plus and minus
+inline constexpr std::uint32_t kCalibrationResults = 6;  // results of each side, plus and minus
 inline constexpr std::uint32_t kResultDistance = 4;      // address step per result [byte]
 inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // CLP4 to CLP0 follow
 inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // CLM4 to CLM0 follow

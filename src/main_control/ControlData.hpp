@@ -33,8 +33,9 @@ class ControlData {
   /// @satisfies FR-174
   void beginCycle(Instant clockPulse);
 
-  /// @brief Records the costs for the report, in processor cycles: the cost of the start of this
-  /// control cycle, and the costs of the previous control cycle.
+  /// @brief Records three numbers of processor cycles for the report: from the clock pulse to the
+  /// start of this control cycle, between the last two clock pulses, and from the previous clock
+  /// pulse to the report of the previous control cycle.
   /// @param pulse count of processor cycles at the clock pulse of this control cycle
   /// @param start count of processor cycles when this control cycle began
   /// @satisfies FR-302
@@ -88,7 +89,7 @@ class ControlData {
   [[nodiscard]] const std::optional<SetPoints>& setPoints() const;
 
   /// @brief Returns whether a stop is in force in this cycle.
-  /// @return true if any source ordered a stop.
+  /// @return true if any source orders a stop in this cycle.
   /// @isr{no}
   /// @satisfies FR-21
   [[nodiscard]] bool stopped() const;

@@ -82,8 +82,8 @@ void MainController::applyControl() {
   if (stopped || !setPoints) {
     holdSystems();
   } else if (setPoints->acknowledge) {
-    // A waiting cycle does not repeat the acknowledgement: it would also release a fault that
-    // occurred after the order.
+    // A waiting cycle does not repeat the acknowledgement. A repeated acknowledgement would also
+    // release a fault that occurred after the order.
     if (setPoints->neutral() && !setPoints->repeated) {
       systems_.acknowledge(data_.cycle());
       data_.saveHeld(true);

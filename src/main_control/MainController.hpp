@@ -41,7 +41,7 @@ class MainController {
     ControlData& data;             ///< data of the cycle
     ControlSystemPool& systems;    ///< the control systems
     PcConnection& connection;      ///< link to the PC
-    Watchdog& watchdog;            ///< is refreshed after each cycle that completed
+    Watchdog& watchdog;            ///< timer that each completed cycle refreshes
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< all reading modes; in every cycle, the controller serves
@@ -63,8 +63,8 @@ class MainController {
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
   /// @errors Before start() the pulse has no effect. A pulse that occurs before the previous cycle
-  /// has ended counts as an overrun. When this previous cycle has ended, only one more cycle runs,
-  /// even if several pulses occurred before its end.
+  /// has ended counts as an overrun. After the previous cycle has ended, only one more cycle runs,
+  /// even if several pulses occurred before this end.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
@@ -115,7 +115,8 @@ class MainController {
 
   /// @brief Orders the control systems to follow the set-points that were read last. If these
   /// set-points belong to an order to acknowledge, the control systems are held. They then release
-  /// latched faults only if this order is neutral and no stop is in force.
+  /// latched faults if three conditions are met: this order was read in this cycle, this order is
+  /// neutral, and no stop is in force.
   /// @post The control systems are held if there are no set-points or if a stop is in force.
   /// @satisfies FR-14
   /// @satisfies FR-21

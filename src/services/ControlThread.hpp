@@ -47,9 +47,9 @@ class ControlThread {
   ControlThread() = default;
   ~ControlThread() = default;
 
-  /// @brief Runs one activation. If another activation is then waiting, calls pend() again. If no
-  /// activation is waiting, does nothing. The platform calls this function at the priority of the
-  /// thread, after a call of pend().
+  /// @brief Runs one activation if an activation is waiting. If another activation is waiting after
+  /// that, calls pend() again. The platform calls this function at the priority of the thread,
+  /// after a call of pend().
   void run();
 
  private:
@@ -59,8 +59,8 @@ class ControlThread {
   virtual void pend() = 0;
 
   std::atomic<Command*> body_{nullptr};
-  std::atomic<std::uint32_t> accepted_{0};  // requested activations; only post() increments it
-  std::atomic<std::uint32_t> ended_{0};     // ended activations; only run() increments it
+  std::atomic<std::uint32_t> accepted_{0};  // number of accepted posts; only post() increments it
+  std::atomic<std::uint32_t> ended_{0};     // number of ended activations; only run() increments it
   std::atomic<std::uint32_t> overruns_{0};
 
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free,

@@ -75,7 +75,7 @@ class Pipe {
 
   std::array<Stamped<T>, 3> slots_{};
   std::uint32_t written_ = 0;             // number of the slot that only the writer uses
-  std::atomic<std::uint32_t> shared_{1};  // number of the exchange slot, and the bit of a new value
+  std::atomic<std::uint32_t> shared_{1};  // number of the shared slot, and the bit of a new value
   std::uint32_t read_ = 2;                // number of the slot that only the reader uses
   bool filled_ = false;
 

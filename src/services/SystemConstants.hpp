@@ -156,8 +156,8 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Velocity velocityLimit() const { return Velocity(3000); }
 
-  /// @brief Returns the greatest voltage that can be ordered, forwards and backwards. It is also
-  /// the greatest output of each algorithm of a wheel.
+  /// @brief Returns the greatest voltage that can be ordered, forwards and backwards. The
+  /// controller of a wheel also limits the result of each algorithm to this voltage.
   /// @return greatest voltage [mV]
   /// @satisfies FR-46
   /// @isr{yes}

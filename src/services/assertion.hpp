@@ -22,8 +22,8 @@ enum class AssertId : std::uint16_t {
 /// @param id the condition that was false
 [[noreturn]] void assertionFailed(AssertId id);
 
-/// @brief Ends the program when a condition is false. Always inlined, because a call would take
-/// longer than the check.
+/// @brief Ends the program when a condition is false. This function is always inlined, because a
+/// call would take longer than the check.
 /// @param condition the condition that must be true
 /// @param id number of the condition
 [[gnu::always_inline]] inline void require(bool condition, AssertId id) {

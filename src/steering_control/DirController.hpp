@@ -47,10 +47,10 @@ struct TurnFeedback {
 
 /// @brief The controller of the steering: computes the turn from target and position.
 ///
-/// @function At the end of each measurement of the position, calls tick() of the present
-/// state. The state uses the newest target, the newest position and the state of the motor. Then
-/// the controller writes the status of the steering to a pipe. It controls the motor through
-/// commands, and names neither the sensor nor the device.
+/// @function At the end of each measurement of the position, calls tick() of the present state. The
+/// state uses the newest target, the newest position and the state of the motor. Then the
+/// controller writes the status of the steering to a pipe. The controller controls the motor
+/// through commands, and names neither the sensor nor the device.
 ///
 /// @secret The greatest permitted age of a target and of a position, and the rule that detects a
 /// contradiction between the measured angle and the motor.

@@ -27,7 +27,7 @@ class SteeringDevice;
 class DirCtrlTimeOut final : public Command {
  public:
   /// @param sensor measures the position
-  /// @param controller decides how the motor turns
+  /// @param controller computes the target speed of the motor
   /// @param device moves the motor
   DirCtrlTimeOut(DirSensor& sensor, DirController& controller, SteeringDevice& device);
 

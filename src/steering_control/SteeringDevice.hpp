@@ -132,8 +132,9 @@ class SteeringDevice final {
   void advance();
 
  private:
-  /// @brief Computes the next rate, which is closer to the demand. If the motor turns towards an
-  /// end stop that is reached, the rate becomes 0. Sets the direction when a turn begins.
+  /// @brief Changes the rate towards the demand, within the acceleration limit. If the motor turns
+  /// towards an end stop that is reached, the rate becomes 0. Sets the direction when a turn
+  /// begins.
   /// @satisfies FR-103
   /// @satisfies FR-104
   /// @satisfies FR-105

@@ -43,7 +43,7 @@ enum class SteeringState : std::uint8_t {
   Off = 0,      ///< the motor of the steering is switched off
   Holding = 1,  ///< the steering keeps its position
   Turning = 2,  ///< the steering turns towards the target
-  Fault = 3     ///< the steering does not obey, or its position is unknown; its motor is off
+  Fault = 3     ///< the steering cannot be controlled; its motor is off
 };
 
 /// @brief Reason why the robot does not follow its set-points.
@@ -67,7 +67,8 @@ enum class StopCause : std::uint8_t {
   WrongDirection = 5,      ///< a motor turns its wheel in the direction opposite to its voltage
   Overspeed = 6,           ///< a wheel is faster than allowed
   Tracking = 7,            ///< velocity and current of a wheel do not match its voltage
-  MissingMeasurement = 8,  ///< a value is missing or constant too long, or stored data are damaged
+  MissingMeasurement = 8,  ///< a value is missing or constant for too long, or stored data are
+                           ///< damaged
   HallSignals = 9,         ///< too many Hall edges of a wheel are implausible
   Reversal = 10,           ///< a wheel could not change its orientation in time
   ClockLost = 11           ///< the clock failed or did not start

@@ -36,8 +36,9 @@ using StepRate = Quantity<struct StepRateTag, std::int32_t>;
 /// @datatype
 using HallCount = Quantity<struct HallCountTag, std::int32_t>;
 
-/// @brief Returns the number of edges from one position of a wheel to another. The positions can
-/// overflow. The number of edges cannot overflow, because it is small.
+/// @brief Returns the number of edges from one position of a wheel to another. The count of edges
+/// in a position can overflow. The result is correct even then, because the number of edges between
+/// the two positions is small.
 /// @param from the earlier position
 /// @param to the later position
 /// @return number of edges; positive when the wheel has turned forwards

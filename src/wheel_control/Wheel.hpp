@@ -48,7 +48,7 @@ class Wheel final {
 
   /// @brief Sets the voltage in the present orientation. The duty cycle is rounded to the nearest
   /// 0.01 %.
-  /// @param magnitude voltage [mV], 0 to 24000; a greater value counts as the limit
+  /// @param magnitude voltage [mV], 0 to 24000; a greater value counts as 24000
   /// @post The driver is enabled. After an overcurrent trip, however, this function changes neither
   /// the voltage nor the driver.
   /// @satisfies FR-80

@@ -84,7 +84,8 @@ class WheelController final {
 
   /// @brief Returns the measured velocity.
   /// @param at the present time
-  /// @return velocity [0.1 rpm]; nothing if it is older than the lifetime of a measurement
+  /// @return velocity [0.1 rpm]; nothing if no velocity was measured yet, or if the velocity is
+  /// older than the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}
@@ -92,7 +93,8 @@ class WheelController final {
 
   /// @brief Returns the measured current.
   /// @param at the present time
-  /// @return current [mA]; nothing if it is older than the lifetime of a measurement
+  /// @return current [mA]; nothing if no current was measured yet, or if the current is older than
+  /// the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}

@@ -45,7 +45,7 @@ class WheelSystem final : public ControlSystem {
 
   /// @brief Starts the thread. Each activation of the thread executes the orders of one cycle.
   /// @pre The method was not called before.
-  /// @errors A second call fails with the assertion ThreadStartedTwice.
+  /// @errors A second call ends the program with the assertion ThreadStartedTwice.
   /// @satisfies FR-92
   /// @isr{no}
   void start();

@@ -37,8 +37,8 @@ std::string schema() {
   return lines;
 }
 
-/// @brief Returns the CRC-32 of a text, with the algorithm of Ethernet and zlib. Computes it with
-/// the reflected polynomial 0x04C11DB7, one bit at a time.
+/// @brief Returns the CRC-32 of a text, with the algorithm of Ethernet and zlib. Computes one bit
+/// at a time. The polynomial is 0x04C11DB7, in reflected form.
 std::uint32_t crc32(const std::string& text) {
   std::uint32_t crc = 0xFFFFFFFF;
   for (const char letter : text) {
@@ -85,7 +85,7 @@ class TypesWriter final : public Writer {
 };
 
 /// @brief Returns the types of the fields of a frame, from the frame table. The type i8 of a turn
-/// direction counts as u8, because a writer writes it as an unsigned byte.
+/// direction counts as u8, because a writer writes a turn direction as an unsigned byte.
 std::vector<std::string> typesOf(std::string_view frame) {
   std::vector<std::string> types;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -151,8 +151,8 @@ TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
   EXPECT_EQ(SystemConstants::instance().currentLimit().count(), limitOf("Current"));
 }
 
-/// @brief The fields of an order are read, and the fields of a report are written, with the types
-/// and in the sequence of the frame table.
+/// @brief The fields of an order are read with the types and in the sequence of the frame table.
+/// The fields of a report are written with the types and in the sequence of this table.
 /// @verifies FR-170
 TEST(Layout, FR170_OrderAndReportHaveTheFieldsOfTheTable) {
   TypesReader order;

@@ -98,8 +98,8 @@ TEST_F(BuilderTest, FR17_ModesSucceedEachOther) {
   EXPECT_EQ(controller.getMode().id(), ModeId::RC);
 }
 
-/// @brief The constructed robot runs no cycle before its start. After its start, it runs a cycle
-/// for each pulse of its timer.
+/// @brief The constructed robot runs no cycle before its start. After its start, the robot runs a
+/// cycle for each pulse of its timer.
 /// @verifies FR-1
 TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   director.construct();
@@ -113,7 +113,8 @@ TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   EXPECT_FALSE(timer.pending());
 }
 
-/// @brief The remote control's order sets one velocity for all wheels.
+/// @brief An order of the remote control sets one velocity for all wheels, and the angle of the
+/// steering.
 /// @verifies FR-51
 TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   director.construct();
@@ -153,8 +154,8 @@ TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }
 
-/// @brief After hold() was called for a cycle, the pool of the started robot has completed this
-/// cycle.
+/// @brief After hold() was called for a cycle, the control systems of the started robot have
+/// completed this cycle.
 /// @verifies FR-78
 TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   startRobot();
@@ -163,9 +164,9 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The second timer ticks from the start on. At each tick, it executes the commands of the
-/// wheels and the steering. The command of a wheel and the command of the steering each
-/// request a sample.
+/// @brief The second timer ticks from the start of the robot on. At each tick, the second timer
+/// executes the commands of the wheels and the steering. The command of a wheel and the command of
+/// the steering each request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();
@@ -180,8 +181,8 @@ TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   EXPECT_TRUE(pins.steering.angle.sample().has_value());
 }
 
-/// @brief The pulses on both pins of the remote control become signals. The reader of the remote
-/// control reads these signals.
+/// @brief The pulses on the two pins of the remote control become the velocity signal and the
+/// direction signal.
 /// @verifies FR-52
 TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   director.construct();

@@ -131,11 +131,11 @@ TYPED_TEST(LeverFunction, FR52_InProportion) {
 /// centre of the stick.
 /// @verifies FR-53
 TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
-  for (std::int32_t width = 1480; width <= 1520; ++width) {
+  for (std::int32_t width = 1500 - 20; width <= 1500 + 20; ++width) {
     EXPECT_EQ(this->function.calculate(Pulse(width)), 0);
   }
-  EXPECT_EQ(this->function.calculate(Pulse(1479)), -126);
-  EXPECT_EQ(this->function.calculate(Pulse(1521)), 126);
+  EXPECT_EQ(this->function.calculate(Pulse(1500 - 21)), -126);
+  EXPECT_EQ(this->function.calculate(Pulse(1500 + 21)), 126);
 }
 
 /// @brief A pulse slightly beyond full deflection counts as full deflection. A pulse far beyond
@@ -250,8 +250,8 @@ TEST(Scaling, FR120_LargeDivisor) {
   EXPECT_EQ(quotient(-5 * kDivisor, kDivisor), -5);
 }
 
-/// @brief If the range in which the value is 0 has the width 0, even the smallest deflection of a
-/// stick gives a value other than 0.
+/// @brief The range in which the value is 0 may have the width 0. Then even the smallest deflection
+/// of a stick gives a value other than 0.
 /// @verifies FR-52
 TEST(Scaling, FR52_LeastDeflection) {
   for (const std::int32_t side : {-1, 0, 1}) {

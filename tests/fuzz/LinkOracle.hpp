@@ -11,8 +11,8 @@ namespace wr::fuzz {
 /// @brief The behaviour of the PC link as docs/protocol.rst states it. The class uses no code of
 /// the firmware.
 ///
-/// The oracle receives the same bytes at the same times as the link. It returns the state that the
-/// link must have.
+/// The oracle receives the same bytes at the same times as the link. The oracle returns the state
+/// that the link must have.
 class LinkOracle {
  public:
   /// @brief Time since start [us].
@@ -58,12 +58,12 @@ class LinkOracle {
 
   /// @brief Returns the payload of the order that can be read at a clock pulse.
   /// @param pulse the clock pulse [us]
-  /// @return 21 bytes, or nothing
+  /// @return the 21 bytes of the payload, or nothing if no order can be read
   [[nodiscard]] std::optional<std::vector<std::uint8_t>> order(Time pulse) const;
 
   [[nodiscard]] bool connected() const { return state_ == State::Connected; }
-  /// @brief Returns whether a stop is in force in this cycle. A stop is also in force in the cycle
-  /// that receives it and its release.
+  /// @brief Returns true if a stop is in force in this cycle. A stop is also in force in the cycle
+  /// that receives both the stop and its release.
   [[nodiscard]] bool stop() const { return stop_ || stopOfCycle_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
 

@@ -18,7 +18,7 @@ inline constexpr std::uint8_t kWelcome = 0x81;
 inline constexpr std::uint8_t kReport = 0x82;
 
 /// @brief A PC that sends valid frames, damaged frames and other bytes. The fuzzer's input selects
-/// them.
+/// the frames and the bytes.
 class PcLine {
  public:
   /// @brief Returns the next bytes of the PC.

@@ -27,7 +27,8 @@ struct States {
   Connected connected;
 };
 
-/// @brief Compares a connection after its cycle with the oracle that received the same bytes.
+/// @brief Compares the state of a connection after a cycle with the state of the oracle that
+/// received the same bytes.
 /// @param connection the connection
 /// @param reader reader of the connection's orders
 /// @param oracle the oracle

@@ -421,10 +421,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size != 0) {
     wr::fuzz::Link link(
         (data[0] & 3U) ==
-        3);  // only a quarter of the inputs use the signed line, because its tags take time
+        3);  // only a quarter of the inputs use the signed line, because its tags need much time
     link.run(std::span(data, size).subspan(1));
     if ((data[0] & 28U) ==
-        0) {  // only an eighth of the inputs, because recover() takes as long as run()
+        0) {  // recover() runs only for an eighth of the inputs, because it takes as long as run()
       link.recover();
     }
   }

@@ -215,7 +215,7 @@ class FuzzedRobot {
     resetNow_ = false;
   }
 
-  // Checks that voltages rise only while the robot is armed and nothing stops it.
+  // Checks that voltages rise only while the robot is armed and nothing stops the robot.
   void checkMotion() {
     const bool free = armedBefore_ && !data().stopped() && !latched();
     bool voltage = false;

@@ -58,8 +58,8 @@ class BoardRobot : public SteppedRobot {
   explicit BoardRobot(std::vector<std::uint8_t> image)
       : BoardRobot(switchBoardOn(std::move(image), testsResets({}))) {}
 
-  /// Runs the board for a duration. If the board has a finding, throws an exception, which ends the
-  /// test.
+  /// Runs the board for a duration. Throws an exception if the board has a finding. The exception
+  /// ends the test.
   void run(nanoseconds duration) {
     if (!board.runUntil(board.now() + duration)) {
       throw std::runtime_error(line.finding().value().text);

@@ -24,7 +24,7 @@ struct Share {
 };
 
 /// @brief The output is high for the fraction of the period that was set, rounded to cycles of the
-/// bus clock. All channels can be fully off and fully on. A value above the limit counts as the
+/// bus clock. All channels can be fully off and fully on. A value beyond a limit counts as this
 /// limit.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
@@ -113,7 +113,7 @@ TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
   EXPECT_FALSE(drivers.board.isOutput('C', 1)) << "the timer must control the pin";
 }
 
-/// @brief A reset ends the pulses. They do not start again without an order.
+/// @brief A reset ends the pulses. The pulses do not start again without an order.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   DriverBoard drivers({.elf = {}, .resetsAreFindings = false});
@@ -140,7 +140,7 @@ TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
     robot.cycle();
   }
   EXPECT_EQ(robot.report().tension[3], 6000);
-  EXPECT_NEAR(robot.board.pwmDuty(kTimer, 3), 0.25, 1e-9);
+  EXPECT_NEAR(robot.board.pwmDuty(kTimer, 3), 6.0 / 24, 1e-9);
 }
 
 }  // namespace

@@ -216,7 +216,8 @@ TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   robot.startUp();
   bool noise = true;
   bool level = false;
-  robot.board.onTime(nanoseconds(2500), [&] {
+  constexpr nanoseconds kHalfPeriod = nanoseconds(seconds(1)) / 200'000 / 2;
+  robot.board.onTime(kHalfPeriod, [&] {
     level = !level;
     for (const Wire& wire : kEdgeInputs) {
       if (noise) {

@@ -101,10 +101,11 @@ TEST(K64WatchdogOnBoardThatHangs, FR70_ResetsAfter300Milliseconds) {
   });
   robot.run(milliseconds(1000));
   ASSERT_EQ(resets.size(), 3U);
+  constexpr milliseconds kTimeout(300);
   nanoseconds start{};
   for (const nanoseconds reset : resets) {
-    EXPECT_GE(reset - start, milliseconds(299));
-    EXPECT_LE(reset - start, milliseconds(302));
+    EXPECT_GE(reset - start, kTimeout - milliseconds(1));
+    EXPECT_LE(reset - start, kTimeout + milliseconds(2));
     start = reset;
   }
 }

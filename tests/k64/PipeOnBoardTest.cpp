@@ -13,7 +13,7 @@ namespace {
 // The counts that the program on the board returns for one pipe. The class Handover in
 // program/drivers.cpp counts them.
 struct Counts {
-  std::uint16_t interruptions;  // times that one side interrupted the access of the other side
+  std::uint16_t interruptions;  // number of interruptions of one side by the other
   std::uint16_t torn;
   std::uint16_t older;
   std::uint16_t newest;

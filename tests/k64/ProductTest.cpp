@@ -25,7 +25,7 @@ constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
 // The firmware image of one product, on its own board. A finding of the board ends the test. The
-// calls of this image are not recorded, because call recordings are only made of the main image
+// calls of this image are not recorded, because calls are recorded only for the firmware image
 // under test.
 class ProductRobot : public SteppedRobot {
  public:
@@ -180,13 +180,13 @@ TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
   };
   ordered(960);
   for (int wheel = 0; wheel < 4; ++wheel) {
-    EXPECT_NEAR(robot.duty(wheel), 0.04, 1e-3) << "wheel " << wheel;
+    EXPECT_NEAR(robot.duty(wheel), 0.96 / 24, 1e-3) << "wheel " << wheel;
   }
   for (int cycle = 0; cycle < 6; ++cycle) {
     ordered(6000);
   }
   for (int wheel = 0; wheel < 4; ++wheel) {
-    EXPECT_NEAR(robot.duty(wheel), 0.25, 1e-3) << "wheel " << wheel;
+    EXPECT_NEAR(robot.duty(wheel), 6.0 / 24, 1e-3) << "wheel " << wheel;
   }
   for (int cycle = 0; cycle < 20; ++cycle) {
     robot.order({.id = 4, .stop = true});
@@ -228,8 +228,8 @@ TEST(ProductWithBluetooth, FR264_EachStartHasAnotherNumber) {
   EXPECT_NE(second >> 32U, second & 0xFFFFFFFFU);
 }
 
-/// @brief The product with Bluetooth follows signed orders that it receives over the second
-/// serial port. The report shows their source.
+/// @brief The product with Bluetooth follows signed orders that it receives over the second serial
+/// port. The report shows Bluetooth as the source of these orders.
 /// @verifies FR-150
 /// @verifies FR-260
 TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
@@ -260,7 +260,7 @@ TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
 }
 
 /// @brief While the robot reads orders of the device, it rejects an order that is repeated, altered
-/// or signed with another key. It reads the next order with the correct key.
+/// or signed with another key. The robot reads the next order with the correct key.
 /// @verifies FR-262
 TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
   RobotWithDevice robot;

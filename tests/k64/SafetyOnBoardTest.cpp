@@ -57,8 +57,8 @@ Played played(const scenario::Scenario& scenario) {
   return result;
 }
 
-// Returns whether a scenario is played twice: one in four of all scenarios, because a drive on the
-// virtual board takes long.
+// Returns true if a scenario is played twice. Only one in four scenarios is played twice, because a
+// drive on the virtual board takes long.
 bool isRepeated(const std::filesystem::path& file) {
   const std::vector<std::filesystem::path> files = allScenarios();
   return (std::ranges::find(files, file) - files.begin()) % 4 == 0;
@@ -220,9 +220,9 @@ const auto kSituations = std::to_array<Situation>({
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
 /// @brief When the enable switch is set to "stop", all wheels brake within 200 ms. This is tested
-/// at six times of the cycle, and in five situations: the PC drives, the PC has missed one cycle,
-/// the PC has missed N cycles, and the remote control drives with and without a connected PC.
-/// Orders of the PC do not end the stop.
+/// at six times of the cycle and in five situations. In three situations, the PC drives, has missed
+/// one cycle, or has missed N cycles. In the other two situations, the remote control drives with
+/// or without a connected PC. Orders of the PC do not end the stop.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();
@@ -280,8 +280,8 @@ void PrintTo(const HeldInterrupt& held, std::ostream* output) {
 
 class InterruptsOfTheSafeRobot : public testing::TestWithParam<HeldInterrupt> {};
 
-/// @brief If the tick of a driving robot is not served for 25 ms, or the edges of its Hall sensors
-/// are not served for 40 ms, the robot resets. The wheels then have no voltage until an operator
+/// @brief A driving robot resets if its tick is not served for 25 ms. It also resets if the edges
+/// of its Hall sensors are not served for 40 ms. The wheels then have no voltage until an operator
 /// arms the robot again.
 /// @verifies FR-308
 TEST_P(InterruptsOfTheSafeRobot, FR308_AnInterruptThatIsNotServedResetsTheRobot) {
@@ -328,9 +328,9 @@ TEST(StartOfTheSafeRobot, FR291_PowerOnWithALowButtonPinReleasesTheStops) {
 }
 
 /// @brief If the external clock starts slowly at power-on, the first start fails, and the watchdog
-/// repeats it. The memory of the stops then has no valid value. Therefore a stop of the PC is in
-/// force, and a protective stop is latched. Another power-on with a slow clock does not release
-/// them.
+/// repeats the start. The memory of the stops then has no valid value. Therefore a stop of the PC
+/// is in force, and a protective stop is latched. Another power-on with a slow clock does not
+/// release these stops.
 /// @verifies FR-290
 /// @verifies FR-291
 TEST(StartOfTheSafeRobot, FR291_EachPowerOnWithASlowClockLatchesAProtectiveStop) {
@@ -349,8 +349,8 @@ TEST(StartOfTheSafeRobot, FR291_EachPowerOnWithASlowClockLatchesAProtectiveStop)
   }
 }
 
-/// @brief The thread of a wheel runs once in a control cycle. It runs twice in the cycle that
-/// detects the cause of a protective stop. First it applies the set-point, and then it halts the
+/// @brief The thread of a wheel runs once in a control cycle. The thread runs twice in the cycle
+/// that detects the cause of a protective stop: it applies the set-point first, and then halts the
 /// wheel. The proven bound of the cycle includes both activations.
 /// @verifies FR-270
 TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {

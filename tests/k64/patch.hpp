@@ -10,7 +10,7 @@ namespace wr::test {
 // erased flash, after the firmware. In the firmware itself, only the vector of the exception is
 // changed.
 
-/// Returns the exception number of an interrupt number.
+/// Converts the number of an interrupt into the number of its exception.
 [[nodiscard]] constexpr std::uint32_t exceptionOf(std::uint32_t interrupt) {
   return 16 + interrupt;
 }
@@ -28,7 +28,7 @@ using Code = std::vector<std::uint16_t>;
 /// Address of the code of the handler.
 inline constexpr std::uint32_t kHandlerAddress = 0x80000;
 
-/// Returns a copy of the firmware image in which this code is the handler of an exception.
+/// Returns a copy of a firmware image in which the given code is the handler of an exception.
 [[nodiscard]] Image withHandler(Image image, std::uint32_t exception, const Code& code);
 
 /// Returns the address of a function of the firmware image under test. Throws std::runtime_error

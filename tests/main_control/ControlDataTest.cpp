@@ -14,7 +14,8 @@ class ControlDataTest : public testing::Test {
   ControlData data;
 };
 
-/// @brief Before the first cycle, all values are zero, and there is no source.
+/// @brief Before the first cycle, there are no set-points, no measured values and no source. The
+/// report shows that the robot is held.
 /// @verifies FR-19
 /// @verifies FR-174
 TEST_F(ControlDataTest, BeginsEmpty) {
@@ -65,7 +66,7 @@ TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
 }
 
 /// @brief The next cycle keeps the set-points, their source and the count of overruns, and clears
-/// all other values.
+/// all other saved values.
 /// @verifies FR-14
 /// @verifies FR-62
 TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
@@ -120,7 +121,7 @@ TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
 }
 
 /// @brief The report contains the reason, the cause and the wheel that a safety function returns.
-/// It shows that the robot is held.
+/// The report also shows that the robot is held.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_TheReasonOfASafetyFunctionIsReported) {
@@ -143,7 +144,7 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
 }
 
 /// @brief The report contains three counts of processor cycles. Each count is the difference
-/// between two values of the cycle counter. The counter may overflow between them.
+/// between two values of the cycle counter. The counter may overflow between these two values.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303

@@ -81,7 +81,8 @@ TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief As soon as set-points are stored, applyControl() passes them to the control systems.
+/// @brief As soon as set-points are stored, applyControl() passes these set-points to the control
+/// systems.
 /// @verifies FR-14
 TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   data.saveSetPoints({.orderId = 77});
@@ -106,8 +107,8 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last. It
-/// holds the control systems.
+/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last. A
+/// waiting cycle after such an order holds the control systems.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_AWaitingCycleDoesNotAcknowledge) {
   data.saveSetPoints({.acknowledge = true});
@@ -157,10 +158,10 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report contains two counts of processor cycles. The first count contains the cycles
-/// in which the processor was awake from the clock pulse of the previous control cycle to the clock
-/// pulse of this control cycle. The second count is for the time from the clock pulse to the start
-/// of the control cycle.
+/// @brief The report contains two counts of processor cycles. The first count begins at the clock
+/// pulse of the previous control cycle and ends at the clock pulse of this control cycle. It does
+/// not include the time in which the processor slept. The second count begins at the clock pulse of
+/// this control cycle and ends when this control cycle starts.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
@@ -176,8 +177,8 @@ TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   EXPECT_EQ(report.reportCycles, 0U);
 }
 
-/// @brief If a clock pulse is lost, the count of the cycles in which the processor was awake begins
-/// at the clock pulse of the previous control cycle.
+/// @brief If a clock pulse is lost, the count of the processor cycles without sleep still begins at
+/// the clock pulse of the previous control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ALostPulseDoesNotShortenTheCount) {
   connect();
@@ -231,7 +232,7 @@ TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
 }
 
 /// @brief If the control systems are first held and then follow set-points in the same cycle, the
-/// report shows that they are not held.
+/// report shows that the systems are not held.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ControlAfterAHoldIsNoHold) {
   data.saveSetPoints({});
@@ -263,7 +264,7 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
 /// @verifies FR-35
 /// @verifies FR-37
 TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
-  constexpr std::size_t kBytesPerCycle = 1152;
+  constexpr std::size_t kBytesPerCycle = 115'200 / 10 / 10;  // 10 bits in a byte, 10 cycles in 1 s
   connect();
   controller.start();
   scenario::Bytes line;
@@ -285,8 +286,8 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief If a cycle is late by one period, the bytes of a serial line without a pause do not fit
-/// into the buffer of the port. The loss is counted, and the connection continues.
+/// @brief A serial line without a pause fills the buffer of the port if a cycle is late by one
+/// period. The bytes that are lost are counted, and the connection continues.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();
@@ -392,9 +393,10 @@ TEST_F(MainControllerTest, FR74_CompletedCycleRefreshesTheWatchdogOnce) {
   EXPECT_FALSE(watchdog.missed());
 }
 
-/// @brief Neither the steps of a cycle nor a clock pulse alone refresh the watchdog.
+/// @brief Before the start of the controller, neither a clock pulse nor the steps of a cycle
+/// refresh the watchdog.
 /// @verifies FR-74
-TEST_F(MainControllerTest, FR74_NoStepAloneRefreshesTheWatchdog) {
+TEST_F(MainControllerTest, FR74_NoRefreshBeforeTheStart) {
   controller.clockPulse();
   controller.read();
   controller.control();

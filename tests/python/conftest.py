@@ -41,11 +41,11 @@ def build() -> Callable[..., None]:
 
 python_programs: list[str] = []  # the Python programs that the running test has started
 opened: set[str] = set()  # the files of the project that the running test has opened
-# A test needs no mark for its own outputs, and for files that pytest and its plugins open.
+# A test needs no mark for its own outputs, nor for files that pytest and its plugins open.
 OWN_FILES = ("build", ".venv", ".hypothesis", ".git")
-SHOWN = 10  # number of names in a message
-# Tests in these folders start programs that read other files. Therefore, their task in
-# tools/tasks.py names the files that they read.
+SHOWN = 10  # greatest number of file names in a message
+# Tests in these folders start programs that read other files. Therefore, the task of these tests in
+# tools/tasks.py names these files.
 START_PROGRAMS = ("client", "commands", "firmware", "programs", "site", "worked_examples")
 
 
@@ -72,8 +72,9 @@ def pytest_runtest_protocol() -> Generator[None, object, object]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, object]:
-    """Fails each test that starts a Python program and has no mark ``runs_tools``, and each test
-    that reads a file of the project and has no mark ``reads`` with this file or its folder.
+    """Fails a test that lacks a mark. A test that starts a Python program needs the mark
+    ``runs_tools``. A test that reads a file of the project needs the mark ``reads`` with this file
+    or its folder. ``undeclared`` returns only files that need this mark.
 
     Without the marks, ./wr test repeats a test only after a change of a file that the test itself
     imports.

@@ -1,5 +1,5 @@
-"""Random texts for the tests of the readers. Each text is made from a valid text by some random
-edits. The seed is the seed of the test run."""
+"""Random texts for the tests of the readers. Each text is a valid text after some random edits. The
+seed is the seed of the test run."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@
 
 namespace wr::test {
 
-/// @brief An analog input. A test ends a conversion when it stores the result of this conversion.
+/// @brief An analog input. A conversion ends when a test stores the result of this conversion.
 class FakeAnalogInput final : public AnalogInput {
  public:
   [[nodiscard]] std::optional<std::uint16_t> sample() override {

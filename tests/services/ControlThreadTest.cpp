@@ -29,7 +29,7 @@ class TestThread final : public ControlThread {
 };
 
 /// @brief The body of a thread, which is the command that the thread runs. The body counts its
-/// activations. In its first activation, it posts its own thread a number of times.
+/// activations. In its first activation, the body posts its own thread a number of times.
 class Body final : public Command {
  public:
   explicit Body(ControlThread& thread, int posts = 0) : thread_(thread), posts_(posts) {}
@@ -117,7 +117,7 @@ TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {
 }
 
 /// @brief If two posts already wait, a third post causes no further activation. The third post
-/// counts as an overrun, but it returns true like the other posts.
+/// counts as an overrun, but returns true like the other posts.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostThatIsNotKeptIsCounted) {

@@ -57,7 +57,7 @@ TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   EXPECT_EQ(pipe.read()->at, Instant(300));
 }
 
-/// @brief A reader never gets a partly written value. It never gets an older value after a newer
+/// @brief A reader never gets a partly written value, and never gets an older value after a newer
 /// value.
 /// @verifies FR-173
 TEST(Pipe, ReadsWholeValuesInOrder) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "services/SystemConstants.hpp"
 #include "steering_control/DirControllerFixture.hpp"
 
 namespace wr::test {
@@ -38,7 +39,7 @@ TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
 }
 
 /// @brief A steering that makes half of the expected motion is not stalled. A steering that makes
-/// less than half of it is stalled. A step is 0.05 degrees.
+/// less than half of this motion is stalled. A step is 0.05 degrees.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
@@ -47,7 +48,7 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
 }
 
 /// @brief A steering that makes half of the expected motion to the right is not stalled. A steering
-/// that makes less than half of it is stalled.
+/// that makes less than half of this motion is stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();
@@ -63,10 +64,11 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
 }
 
 /// @brief Steps whose sum is less than 0.6 degrees do not show whether the steering is stalled. The
-/// observation window therefore lasts until their sum is 0.6 degrees. In this way, a stall of a
-/// slow turn is also detected.
+/// observation window therefore lasts until the sum of the steps is 0.6 degrees. In this way, a
+/// stall of a slow turn is also detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
+  static_assert(SystemConstants::instance().steeringStep() * 12 == Angle(60), "0.6 degrees");
   beginTurn();
   const Instant begin = control.clock.now();
   for (int i = 0; i < 23; ++i) {

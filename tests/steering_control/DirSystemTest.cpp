@@ -93,8 +93,8 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief A cycle collects the values that were present when it sent its order to the steering. A
-/// later tick does not change these values.
+/// @brief A cycle collects the values that were present when the cycle sent its order to the
+/// steering. A later tick does not change these values.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});
@@ -128,8 +128,8 @@ TEST_F(DirSystemTest, FR116_APositionThatIsUnknownIsMissing) {
   EXPECT_EQ(measurements.steering, std::nullopt);
 }
 
-/// @brief The work of a cycle is complete when the steering got an order in this cycle and its last
-/// tick was at most 20 ms ago.
+/// @brief The work of a cycle is complete under two conditions: the steering got an order in this
+/// cycle, and its last tick was at most 20 ms ago.
 /// @verifies FR-117
 TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
   publish({});

@@ -130,7 +130,8 @@ TEST_F(SteeringDeviceTest, FR105_AnEndStopIsReachedWhenItsInputIsHigh) {
   EXPECT_TRUE(device.rightEnd());
 }
 
-/// @brief A motor that turns left stops immediately at the left end stop. It can still turn right.
+/// @brief A motor that turns left stops immediately at the left end stop. The motor can still turn
+/// right.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheLeftEnd) {
   reach(400);
@@ -144,7 +145,8 @@ TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheLeftEnd) {
   EXPECT_LT(device.steps(), atEnd);
 }
 
-/// @brief A motor that turns right stops immediately at the right end stop. It can still turn left.
+/// @brief A motor that turns right stops immediately at the right end stop. The motor can still
+/// turn left.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheRightEnd) {
   reach(-400);

@@ -9,7 +9,8 @@
 
 namespace wr::test {
 
-/// @brief An output that stores its level. It calls its listener at each change from off to on.
+/// @brief An output that stores its level. The output calls its listener at each change from off to
+/// on.
 class FakeOutput final : public DigitalOutput {
  public:
   void set(bool level) override {
@@ -24,8 +25,7 @@ class FakeOutput final : public DigitalOutput {
   std::function<void()> onRise = [] {};
 };
 
-/// @brief The switch of an end stop. It is a contact to ground that opens when the end stop is
-/// reached.
+/// @brief The switch of an end stop: a contact to ground that opens when the end stop is reached.
 class FakeEnd final : public EdgeInput {
  public:
   void start() override {}

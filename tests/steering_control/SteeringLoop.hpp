@@ -35,8 +35,8 @@ struct SteeringPlant {
   bool stalled = false;
 };
 
-/// @brief The converter of the angle sensor, with 12 bits over 80 degrees. It can have noise, a
-/// drift, a stuck value or a broken cable.
+/// @brief The converter of the angle sensor, with 12 bits over 80 degrees. The test can add noise
+/// or a drift to the signal, keep the signal constant, or break the cable.
 class FakeAngleInput final : public AnalogInput {
  public:
   /// @brief Connects the converter to the mechanics whose angle it measures.

@@ -58,7 +58,8 @@ TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
 
 /// @brief The steering reaches each of five angles within 0.2 degrees in one move. It overshoots
 /// the angle by at most 0.1 degrees, and then stays at rest for a minute. In the 5 s after each
-/// order, its rate changes by at most one step/s in each tick, and is at most 500 steps/s.
+/// order, the rate of the motor changes by at most one step/s in each tick, and is at most 500
+/// steps/s.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-103
@@ -143,7 +144,7 @@ TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
 }
 
 /// @brief The ordered angle changes in every cycle, by 10 degrees per second. The steering stays
-/// within 2 degrees of this angle. It is never reported as stalled.
+/// within 2 degrees of this angle. The steering is never reported as stalled.
 /// @verifies FR-101
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
@@ -203,7 +204,7 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
   loop.run(500);
   loop.ordering = false;
-  loop.run(276);  // the last cycle was 24 ms before these ticks
+  loop.run(300 - 24);  // the last cycle was 24 ms before these ticks
   EXPECT_TRUE(loop.powered());
   loop.run(SteeringLoop::kMeasurement);
   EXPECT_FALSE(loop.powered());
@@ -247,7 +248,7 @@ TEST_F(SteeringLoopTest, FR110_ABrokenCableIsAFault) {
 }
 
 /// @brief If the steering is blocked at full rate, at half rate or just before its angle, it is in
-/// fault within 0.5 s, and its motor is off.
+/// fault within 0.5 s. Its motor is then off.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_ABlockedTurnIsFoundWithin500Milliseconds) {
   for (const int blockedAfter : {900, 300, 150, 1300}) {
@@ -295,7 +296,7 @@ TEST_F(SteeringLoopTest, FR101_FR227_APushIsCorrected) {
 }
 
 /// @brief Several pushes of 2 degrees to one side do not cause a fault if there is a minute between
-/// them.
+/// two pushes.
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_PushesAreForgotten) {
   for (const double side : {2.0, -2.0}) {
@@ -338,9 +339,9 @@ TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief The sensor keeps its value from any moment of a turn on. The steering is in fault before
-/// the edge of a wheel has moved 5 cm further. At a radius of 0.27 m these are 10.6 degrees. At
-/// full rate the fault is detected within 320 ms.
+/// @brief The sensor becomes stuck at any moment of a turn. The steering is in fault before the
+/// edge of a wheel has moved 5 cm further. At a radius of 0.27 m, 5 cm are 10.6 degrees. At full
+/// rate the fault is detected within 320 ms.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_AStuckSensorIsFoundBeforeFiveCentimetres) {
   constexpr int kFullRate = 1200;  // time from the order until the motor turns at full rate, ms

@@ -76,8 +76,8 @@ inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& pa
   return stuffed(withCrc(std::move(body)));
 }
 
-/// @brief Splits bytes on the serial line into bodies, each with its CRC. Zero bytes between them
-/// are ignored.
+/// @brief Splits bytes on the serial line into bodies, each with its CRC. Zero bytes between two
+/// bodies are ignored.
 inline std::vector<Bytes> bodies(const Bytes& line) {
   std::vector<Bytes> found;
   Bytes body;

@@ -58,7 +58,7 @@ void debugIfAsked(emulator::VirtualBoard& board) {
   }
 }
 
-// All recordings must belong to the same firmware image, because they contain addresses.
+// All recordings must belong to the same firmware image, because recordings contain addresses.
 bool isRecorded() {
   return imageFile() == WR_RECORDED_IMAGE;
 }

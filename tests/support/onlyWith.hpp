@@ -6,8 +6,8 @@
 
 namespace wr::test {
 
-/// @brief Records in the test results that a test is only for one product. All other tests of
-/// the firmware image also run with the image of the default variant.
+/// @brief Records in the test results that a test is only for one product. All other tests of the
+/// firmware image also run with the image of `weeding_robot_paper`.
 /// @param product name of the product
 inline void onlyWith(const std::string& product) {
   testing::Test::RecordProperty("only", product);

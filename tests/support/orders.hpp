@@ -10,7 +10,8 @@ namespace wr::test {
 
 using OrderBytes = std::array<std::uint8_t, SerialReader::kOrderLength>;
 
-/// @brief Returns the payload of an order. It is built byte by byte, as the protocol demands.
+/// @brief Returns the payload of an order. The payload is built byte by byte, as the protocol
+/// demands.
 inline OrderBytes orderBytes(std::uint16_t id, std::int16_t steering, std::uint8_t quantity,
                              std::int16_t value, std::uint8_t commands = 0,
                              std::uint32_t sentAt = 0) {

@@ -21,7 +21,7 @@ inline std::vector<std::filesystem::path> allScenarios() {
   return files;
 }
 
-/// @brief Returns true if a scenario is only for the paper's design. In these scenarios, safety
+/// @brief Returns true if a scenario is only for the paper's design. In such a scenario, safety
 /// functions would stop the robot, or limit its acceleration or its current.
 /// @param file file of the scenario
 inline bool isOfThePaperAlone(const std::filesystem::path& file) {

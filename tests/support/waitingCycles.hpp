@@ -4,7 +4,7 @@
 
 namespace wr::test {
 
-/// @brief Number N of waiting cycles in the paper.
+/// @brief The number N of failed reads in a row that lead to the last waiting state.
 inline constexpr int kWaitingCycles = SystemConstants::instance().waitingCycles();
 
 }  // namespace wr::test

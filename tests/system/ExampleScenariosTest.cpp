@@ -38,8 +38,8 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
 }
 
 /// @brief The order is a step from 0 rpm to 150 rpm, with sensor noise. From 2 s after the order
-/// on, the error of the velocity is below 2 %. From 3 s after the order on, it is below 1 %. The
-/// overshoot is less than 10 %.
+/// on, the error of the velocity is below 2 %. From 3 s after the order on, this error is below 1
+/// %. The overshoot is less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
@@ -53,15 +53,15 @@ TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
 }
 
-/// @brief While the slope grows from flat to 10 % downhill in 2 s, and on this slope, a wheel with an
-/// order of 150 rpm is never faster than 165 rpm. On a real slope this change lasts 3.7 s.
+/// @brief The slope grows from flat to 10 % downhill in 2 s. During this time and after it, a wheel
+/// with an order of 150 rpm is never faster than 165 rpm. On a real slope, this change lasts 3.7 s.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
 }
 
-/// @brief From 1 s after an order, the current is within 6 % of the order: 5 % for its mean, and the
-/// ripple of the cogging.
+/// @brief From 1 s after an order on, the error of the current is at most 6 % of the order. These 6
+/// % include 5 % for the mean of the current, and the ripple that the cogging of the motor causes.
 /// @verifies FR-85
 TEST(ClosedLoopOfRobot, FR85_CurrentSettles) {
   play("current_step");
@@ -100,7 +100,7 @@ TEST(ClosedLoopOfRobot, FR101_SteeringArrivesAndStays) {
   play("steering");
 }
 
-/// @brief The robot drives with pulses of the remote control. Without pulses, it stops.
+/// @brief The robot drives with pulses of the remote control. Without pulses, the robot stops.
 /// @verifies FR-52
 /// @verifies FR-56
 TEST(ClosedLoopOfRobot, FR52_RemoteControlDrives) {
@@ -120,7 +120,7 @@ TEST(ClosedLoopOfRobot, FR21_StopOrderStopsARobotAtFullSpeed) {
   play("stop_order_at_full_speed");
 }
 
-/// @brief A wheel is switched off if its Hall sensors or its current sensor fail. The other wheels
+/// @brief A wheel gets no voltage if its Hall sensors or its current sensor fail. The other wheels
 /// continue.
 /// @verifies FR-91
 TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {

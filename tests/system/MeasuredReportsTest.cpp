@@ -42,8 +42,8 @@ TEST_F(MeasuredReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
   EXPECT_EQ(robot.report().tension[0], 0);
 }
 
-/// @brief A value whose sensor is broken is marked as missing and is 0. The other values stay
-/// valid.
+/// @brief If the angle sensor is broken, the angle is marked as missing and is 0. The other values
+/// stay valid.
 /// @verifies FR-62
 TEST_F(MeasuredReportsOfRobot, FR62_MissingValuesAreMarked) {
   robot.connect();
@@ -89,9 +89,9 @@ TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   }
 }
 
-/// @brief The report shows that the overcurrent trip of one wheel has acted. It shows that the
-/// trips of the other wheels have not acted. This test is not for robots with safety functions,
-/// because these functions limit the current before the trip acts.
+/// @brief The report shows that the overcurrent trip of one wheel has acted. The report also shows
+/// that the trips of the other wheels have not acted. This test is not for robots with safety
+/// functions, because these functions limit the current before the trip acts.
 /// @verifies FR-67
 TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   onlyWith("weeding_robot_paper");
@@ -129,8 +129,8 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
 }
 
 /// @brief From the start of the firmware on, each rejected edge is included in the count of its
-/// wheel. A wheel at rest gets a pulse of 30 us in each ms. The first edge counts as a step of the
-/// wheel. Each later edge reverses the direction too soon.
+/// wheel. A Hall sensor of a wheel at rest has a short pulse in each ms. The first edge counts as a
+/// step of the wheel. Each later edge reverses the direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

@@ -21,7 +21,7 @@ inline constexpr int kN = 4;
 inline constexpr std::int64_t kPeriod = 100'000;
 inline constexpr std::int64_t kLifetime = 200'000;
 
-/// The required behaviour of the robot. It was written from the requirements, without the
+/// The required behaviour of the robot. This class was written from the requirements, without the
 /// firmware's code. Times are in microseconds.
 struct Reference {
   int state = kWorking;

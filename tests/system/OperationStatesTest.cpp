@@ -19,7 +19,7 @@ class OperationStatesOfRobot : public testing::Test {
 };
 
 /// @brief After the start, the robot is in the state Working and in the mode RC. Without any order,
-/// the N-th read sets WaitingN.
+/// the N-th failed read sets WaitingN.
 /// @verifies FR-10
 TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
   SteppedRobot robot;
@@ -33,7 +33,7 @@ TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
   EXPECT_EQ(robot.report().mode, kRc);
 }
 
-/// @brief The first failed read sets the waiting state.
+/// @brief The first failed read sets the state Waiting.
 /// @verifies FR-15
 TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
   robot.silentCycle();

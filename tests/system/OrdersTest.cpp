@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 
@@ -22,6 +23,7 @@ class OrdersOfRobot : public testing::Test {
     ASSERT_EQ(robot.report().mode, kRc);
   }
 
+  static constexpr std::chrono::milliseconds kCycle{100};
   SteppedRobot robot;
 };
 
@@ -67,7 +69,8 @@ TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
   robot.silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
   EXPECT_EQ(robot.report().mode, kRc);
-  robot.arriveBeforePulse(robot.pc.order({.id = 30}), std::chrono::milliseconds(99));
+  constexpr std::chrono::milliseconds kAge(199);
+  robot.arriveBeforePulse(robot.pc.order({.id = 30}), kAge - kCycle);
   robot.cycle();
   EXPECT_EQ(robot.report().mode, kPc);
   robot.silentCycle();
@@ -80,7 +83,8 @@ TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
   connectAndFail(kWaitingCycles);
-  robot.arriveBeforePulse(robot.pc.order({.id = 30}), std::chrono::milliseconds(1));
+  constexpr std::chrono::milliseconds kAge(201);
+  robot.arriveBeforePulse(robot.pc.order({.id = 30}), kAge - 2 * kCycle);
   robot.cycle();
   EXPECT_EQ(robot.report().mode, kRc);
   robot.silentCycle();

@@ -47,7 +47,7 @@ TEST(TortureComparisonTest, EachMemberCounts) {
   }
 }
 
-/// @brief When one of the two runs is shorter, they differ at its end.
+/// @brief When one of the two runs is shorter, the runs differ at the end of the shorter run.
 TEST(TortureComparisonTest, AShorterRunDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft}, {kEntered}), 1U);
   EXPECT_EQ(firstDifference({}, {kEntered}), 0U);

@@ -57,8 +57,8 @@ constexpr int mixedPairs() {
   return (0 + ... + mixed<Types, Types...>());
 }
 
-/// @brief Each unit can be combined only with itself. It cannot be combined with a plain number.
-/// All pairs of units are tested.
+/// @brief Each unit can be combined only with itself, and not with a plain number. All pairs of
+/// units are tested.
 /// @verifies NFR-11
 TEST(Quantity, NFR11_NoTwoUnitsMix) {
   EXPECT_EQ((mixedPairs<Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle,

@@ -20,7 +20,7 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 // ---- link to the PC ----------------------------------------------------------------------------
 
 /// @brief A Hello is answered with a Welcome. The Welcome contains the session, the cycle period,
-/// the constant N of the operation states, and the cause of the reset.
+/// the number N of failed reads that lead to the last waiting state, and the cause of the reset.
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();
@@ -77,8 +77,8 @@ TYPED_TEST(Behaviour, CountsBadFrames) {
   EXPECT_FALSE(report.orderRead());
 }
 
-/// @brief A PC that is silent for a second is disconnected. It gets no report until it confirms
-/// again.
+/// @brief A PC that is silent for a second is disconnected. Then the PC gets no report until it is
+/// connected again.
 TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   this->robot.commandByPc();
   for (int i = 1; i < 9; ++i) {
@@ -119,7 +119,8 @@ TYPED_TEST(Behaviour, BeginsHeldInTheModeRc) {
 }
 
 /// @brief Failed reads lead through the waiting states to Reconnecting. In the waiting states, the
-/// robot follows the last set-points. In Reconnecting, it is held. An order leads back to Working.
+/// robot follows the last set-points. In Reconnecting, the robot is held. An order leads back to
+/// Working.
 TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   const auto order = this->robot.velocity(300);
   this->robot.commandByPc(order);
@@ -200,8 +201,8 @@ TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   EXPECT_EQ(this->robot.report().source, kRc);
 }
 
-/// @brief A stop order and an order that releases the stop come before the same cycle. The robot is
-/// held in this cycle, and no longer in the next cycle.
+/// @brief A stop order and an order that releases the stop arrive before the same cycle. The robot
+/// is held in this cycle, and is not held in the next cycle.
 TYPED_TEST(Behaviour, StopHoldsInTheCycleThatReceivesIt) {
   this->robot.commandByPc();
   this->robot.order({.id = 9, .stop = true});
@@ -224,7 +225,8 @@ TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
 
 // ---- the wheel ---------------------------------------------------------------------------------
 
-/// @brief After 2.5 s, the mean velocity over 2 s is within 2 percent of the order.
+/// @brief From 2.5 s after the order on, the mean velocity over 2 s is within 2 percent of the
+/// order.
 TYPED_TEST(Behaviour, ReachesAVelocity) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
@@ -246,7 +248,7 @@ TYPED_TEST(Behaviour, AppliesATension) {
   EXPECT_TRUE(this->robot.line.pins.wheels[0].enable.isOn());
 }
 
-/// @brief After 1 s, the current is within 5 percent of the order.
+/// @brief 1 s after the order, the current is within 5 percent of the order.
 TYPED_TEST(Behaviour, ReachesACurrent) {
   const scenario::PcOrder order{.id = 4, .wheels = {{{2, 6000}}}};
   this->robot.commandByPc(order);
@@ -254,7 +256,7 @@ TYPED_TEST(Behaviour, ReachesACurrent) {
   EXPECT_NEAR(this->robot.report().current[0], 6000, 300);
 }
 
-/// @brief A wheel changes its orientation only when it is slow.
+/// @brief The orientation of a wheel changes only while the wheel is slow.
 TYPED_TEST(Behaviour, SlowsDownBeforeItReverses) {
   const auto forwards = this->robot.velocity(800);
   const auto backwards = this->robot.velocity(-800);
@@ -287,7 +289,7 @@ TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A wheel is stopped if it has voltage and its Hall sensors have no edges. A hold does not
+/// @brief A wheel is stopped if it has voltage, but its Hall sensors have no edges. A hold does not
 /// end this stop.
 TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);
@@ -396,8 +398,8 @@ scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
           .stop = between(1, 8) == 1};
 }
 
-/// @brief After the PC has begun to send orders, both robots get the same bytes. They send the same
-/// answers, for any order and any movement of the wheel.
+/// @brief After the PC has begun to send orders, both robots get the same bytes. Both robots then
+/// send the same bytes, for any order and any movement of the wheel.
 TEST(BothDesigns, SendTheSameBytes) {
   std::mt19937 random(seed());
   SideBySide both;

@@ -96,9 +96,9 @@ TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
   EXPECT_LE(greatest, 1530);
 }
 
-/// @brief The robot drives from flat ground onto a downhill slope of 10 %. In 3.7 s its wheelbase
-/// passes the beginning of the slope. In this time and after it, the velocity of the wheel is at
-/// most 165 rpm. Then the velocity settles.
+/// @brief The robot drives from flat ground onto a downhill slope of 10 %. In 37 cycles its
+/// wheelbase passes the beginning of the slope. In this time and after it, the velocity of the
+/// wheel is at most 165 rpm. Then the velocity settles.
 /// @verifies FR-84
 TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   plant.load = kRolling;
@@ -115,8 +115,8 @@ TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   EXPECT_NEAR(plant.present().count(), 1500, 15);
 }
 
-/// @brief After 1 s, while the wheel accelerates, the error of the current is at most 5 % of the
-/// order.
+/// @brief From 1 s after the order on, while the wheel accelerates, the error of the current is at
+/// most 5 % of the order.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   plant.load = kRolling;
@@ -128,7 +128,8 @@ TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   }
 }
 
-/// @brief A new current order is also reached within 1 s when the current brakes the wheel.
+/// @brief If a new current order brakes the wheel, the error of the current is at most 0.1 A after
+/// 1 s.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   run(currentOf(3000), 14);
@@ -137,7 +138,8 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
-/// @brief While a current brakes a wheel, its error is at most 0.2 A.
+/// @brief 1 s after an order of a current that brakes the wheel, the error of the current is at
+/// most 0.2 A.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentOfADeceleratingWheel) {
   for (const std::int16_t order : {std::int16_t{-500}, std::int16_t{-1000}}) {
@@ -157,10 +159,10 @@ TEST_F(ClosedLoopTest, FR85_CurrentOfADeceleratingWheel) {
   }
 }
 
-/// @brief After 1 s, the error of the current is at most the greater of two values: 5 % of the
-/// order, and 0.1 A. This is tested over the whole range of currents, in both directions, for any
-/// supply, winding and motor constant. Friction consumes 97 % of the torque. The wheel therefore
-/// stays slow, and the supply is sufficient.
+/// @brief From 1 s after the order on, the error of the current is at most the greater of two
+/// values: 5 % of the order, and 0.1 A. This is tested over the whole range of currents, in both
+/// directions, for the extreme values of supply, winding and motor constant. Friction consumes 97 %
+/// of the torque. The wheel therefore stays slow, and the supply is sufficient.
 /// @verifies FR-85
 TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   for (const double supply : {21.0, 24.0, 29.0}) {
@@ -202,8 +204,9 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   EXPECT_NEAR(plant.present().count(), 3000, 30);
 }
 
-/// @brief The supply is not sufficient for the first current order. The second current is reached
-/// within 5 % after 1 s, with an overshoot of less than 10 %.
+/// @brief The supply is not sufficient for the first current order. The second current order is
+/// lower. From 1 s after this order on, the error of the current is at most 5 %. The overshoot is
+/// less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   plant.load = 1.455;  // this load needs 3 A
@@ -220,9 +223,8 @@ TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   }
 }
 
-/// @brief With a load that needs 6.8 A to 8 A, the supply voltage is too low for the first ordered
-/// velocity. The velocity after the second order has an overshoot of less than the greater of 10 %
-/// and 3 rpm.
+/// @brief With each of three loads, the supply voltage is too low for the first ordered velocity.
+/// The velocity after the second order has an overshoot of less than the greater of 10 % and 3 rpm.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   for (const double load : {3.3, 3.6, 3.9}) {
@@ -317,9 +319,10 @@ WheelPlant plantOf(const Variant& variant) {
   return plant;
 }
 
-/// @brief A wheel settles in 3 s with less than 30 % overshoot. The error of its mean velocity is
-/// at most the greater of 1 % and 0.5 rpm. This is tested over the whole range of velocities, in
-/// both directions, with any supply, inertia, winding and motor constant.
+/// @brief After a step from rest, a wheel settles in 3 s with less than 30 % overshoot. The error
+/// of its mean velocity is at most the greater of 1 % and 0.5 rpm. This is tested over the whole
+/// range of velocities, in both directions, with the extreme values of supply, inertia, winding,
+/// motor constant and rolling resistance.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   for (const Variant& variant : variants()) {
@@ -338,8 +341,8 @@ TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   }
 }
 
-/// @brief With simulated Hall sensors, a wheel settles in 3 s with less than 30 % overshoot from 50
-/// rpm on. At 5 and 20 rpm it settles in 5 s with less than 9 rpm overshoot.
+/// @brief With simulated Hall sensors, a step from rest to 50 rpm or more settles in 3 s with less
+/// than 30 % overshoot. A step to 5 rpm or 20 rpm settles in 5 s with less than 9 rpm overshoot.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsWithHallSensors) {
   for (const Variant& variant : variants()) {
@@ -373,9 +376,9 @@ TEST(VelocityLoop, FR223_StepsWithHallSensors) {
   }
 }
 
-/// @brief Steps between velocities, and reversals, settle within 5 s. A reversal may need 2 s more
-/// than a step from rest, because the wheel must first become slow. A step to 5 rpm settles within
-/// 8 s.
+/// @brief A step from one velocity to another settles within 5 s, also when it reverses the wheel.
+/// This limit is 2 s longer than for a step from rest, because a wheel must become slow before it
+/// reverses. A step to 5 rpm settles within 8 s.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {

@@ -20,8 +20,8 @@ void expectShared(const CoupledWheels& robot) {
   EXPECT_NEAR(robot.tension(0), others, std::abs(others) * 0.1);
 }
 
-/// @brief Wheel 0 has no Hall edges for four cycles. Beginning 2.9 s after the end of this gap, its
-/// voltage stays within 10 % of the voltage of the other wheels.
+/// @brief Wheel 0 has no Hall edges for four cycles. Beginning 29 cycles after the end of this gap,
+/// its voltage stays within 10 % of the voltage of the other wheels.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_WheelsDoNotFightAfterLostEdges) {
   for (const int velocity : {500, 1000, -1000}) {

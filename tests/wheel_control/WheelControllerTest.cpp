@@ -22,8 +22,8 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief In the cycle that reads an order, the output already has the ordered voltage. The error
-/// is at most the greater of 0.5 % and 6 mV.
+/// @brief In the cycle that reads an order of up to 12 V, the output already has the ordered
+/// voltage. The error is at most the greater of 0.5 % and 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   for (const std::int16_t tension :
@@ -151,8 +151,9 @@ TEST_F(WheelControllerTest, FR90_UnmeasuredWheelGetsNoTension) {
 /// @brief A halt lowers the voltage by 2.4 V per cycle, and then short-circuits the wheel.
 /// @verifies FR-88
 TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
+  constexpr int kFall = 2400;  // [mV per cycle]
   control(tensionOf(6000));
-  for (const int left : {3600, 1200, 0, 0}) {
+  for (const int left : {6000 - kFall, 6000 - 2 * kFall, 0, 0}) {
     controller.halt();
     EXPECT_EQ(controller.applied(), Tension(left));
     EXPECT_EQ(output(), Tension(left));
@@ -185,9 +186,8 @@ TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   EXPECT_TRUE(orientation.isOn());
 }
 
-/// @brief A wheel that does not move counts as a wheel without motion feedback after 6 V for 0.75
-/// s, 3 V for 1.5 s or 12 V for 0.375 s. These times are rounded up to whole cycles. The wheel is
-/// then stopped step by step.
+/// @brief A wheel that does not move counts as a wheel without motion feedback after 6 V for 8
+/// cycles, 3 V for 15 cycles or 12 V for 4 cycles. The wheel is then stopped step by step.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   struct Case {
@@ -220,8 +220,8 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
 
 /// @brief If the load keeps a wheel at rest, its motor draws the full current of its voltage. If
 /// the current is more than half of the full current, only a sixteenth of a voltage up to 14 V is
-/// counted, and only an eighth of a higher voltage. An order of up to 3.2 V is always counted
-/// fully.
+/// counted. Of a higher voltage, only an eighth is counted. An order of up to 3.2 V is always
+/// counted fully.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   struct Case {
@@ -247,8 +247,9 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   }
 }
 
-/// @brief Only for an order of voltage, a voltage of up to 3.2 V is always counted fully. For an
-/// order of current or velocity, a sixteenth is counted if the load keeps the wheel at rest.
+/// @brief Only for an order of voltage, a voltage of up to 3.2 V is always counted fully. At
+/// 3.201 V, or for an order of current or velocity, a sixteenth is counted if the load keeps the
+/// wheel at rest.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelWithoutAVoltageOrderHasTime) {
   struct Case {
@@ -260,7 +261,8 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelWithoutAVoltageOrderHasTime) {
   for (const auto& [setPoint, velocity, tension, cycles] :
        {Case{currentOf(2000), Velocity(), 3000, 241},
         Case{velocityOf(500), Velocity(500), 2618, 276},
-        Case{tensionOf(3000), Velocity(), 3000, 15}}) {
+        Case{tensionOf(3000), Velocity(), 3000, 15}, Case{tensionOf(3200), Velocity(), 3200, 15},
+        Case{tensionOf(3201), Velocity(), 3201, 225}}) {
     ControlledWheel one;
     one.control(setPoint, velocity, Current(2000));
     int needed = 0;
@@ -298,7 +300,7 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
 /// wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
-  constexpr std::int32_t kLimit = 45000;  // [mV cycles]
+  constexpr std::int32_t kLimit = 4500 * 10;  // 4.5 V s [mV cycles]: a second has ten cycles
   constexpr std::int16_t kUsual = 5000;
   constexpr int kUsualCycles = 7;
   const auto stand = [](ControlledWheel& one, std::int32_t tension) {
@@ -577,8 +579,8 @@ TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A demand of less than 0.5 V against the orientation never causes a late reversal. The
-/// same is true without a demand.
+/// @brief A demand of 499 mV against the orientation never causes a late reversal. The same is
+/// true without a demand.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {
@@ -587,7 +589,8 @@ TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief After an overcurrent trip, no voltage is applied. Control then begins without memory.
+/// @brief In the cycle of an overcurrent trip, no voltage is applied. The next control step begins
+/// without memory.
 /// @verifies FR-89
 TEST_F(WheelControllerTest, FR89_DriverOffAppliesNothing) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -614,8 +617,8 @@ TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief Two calls that are more than 50 ms apart belong to two cycles: the second call ends the
-/// time in which the current decays, and the motor brakes. After 50 ms or less the driver stays
+/// @brief Two calls that are more than 50 ms apart belong to two cycles. The second call then ends
+/// the time in which the current decays, and the motor brakes. After 50 ms or less the driver stays
 /// off.
 /// @verifies FR-221
 TEST_F(WheelControllerTest, FR221_CallsOfTwoCycles) {

@@ -50,7 +50,7 @@ TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
 }
 
 /// @brief The thread executes the orders of a cycle when the scheduler runs the thread. It does not
-/// execute them earlier. Each cycle completes.
+/// execute them earlier. After the execution, the cycle is complete.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_ThreadExecutesTheOrders) {
   system.start();
@@ -129,7 +129,8 @@ TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
   EXPECT_EQ(outputs.tensions[1], Tension(88));
 }
 
-/// @brief A cycle does not use values of the previous cycle. A current without samples is missing.
+/// @brief If a cycle has no current samples for 200 ms, the current is reported as missing, and the
+/// wheel is stopped.
 /// @verifies FR-93
 TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   system.start();

@@ -33,7 +33,8 @@ class Chunk:
 
 def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
     """Returns the chunks of a campaign. A longer campaign with the same seed begins with the chunks
-    of a shorter campaign. Only the last chunk of the shorter campaign may have fewer cases."""
+    of a shorter campaign. Only the last chunk of the shorter campaign may have fewer cases than the
+    same chunk of the longer campaign."""
     if count < 1 or count > size * SEEDS:
         raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")
     number = -(-count // size)

@@ -20,7 +20,7 @@ class Kind:
     name: str
     unit: str  # name of a case
     size: int  # number of cases of a chunk
-    usual: int  # number of cases of a campaign, if the user gives none
+    usual: int  # number of cases of a campaign without the option --count
     # presets, and the targets that are built in each preset before the campaign
     targets: tuple[tuple[str, tuple[str, ...]], ...]
     files: tuple[Path, ...]  # files that a chunk needs; the first file is the program

@@ -13,7 +13,7 @@ from elftools.elf.elffile import ELFFile
 
 from traceability.sources import files_below
 
-Extent = TypeVar("Extent", bound=tuple[Any, ...])  # begins with an address and the end
+Extent = TypeVar("Extent", bound=tuple[Any, ...])  # begins with the first address and the end
 NOWHERE = "other"  # name for padding, libraries and tables of the compiler
 _ADDRESS = 0x03  # DW_OP_addr
 _WRAPPERS = {"DW_TAG_typedef", "DW_TAG_const_type", "DW_TAG_volatile_type"}

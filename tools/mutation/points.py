@@ -82,8 +82,8 @@ def compiler_arguments(root: Path) -> list[str]:
 def find_points(
     root: Path, unit: str, files: list[str], wanted: set[str] | None = None
 ) -> dict[str, list[Point]]:
-    """Returns for each file the points in the bodies of the requested functions, in the order of
-    the text. By default, all functions are searched."""
+    """Returns the points in the bodies of the requested functions, by file and in the order of the
+    text. By default, all functions are searched."""
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
     finder.units(tree.cursor)

@@ -30,6 +30,7 @@ from traceability.checks import (
     stack_checks,
     state_machine_checks,
     swap_checks,
+    test_checks,
     time_checks,
     tree_checks,
     tuned_checks,
@@ -51,13 +52,13 @@ FAMILIES = (
     *(board_checks.check, paper_checks.check, architecture_checks.check, execution_checks.check),
     *(stack_checks.check, time_checks.check, state_machine_checks.check, proof_checks.check),
     *(tree_checks.check, requirement_checks.check, id_checks.check, number_checks.check),
-    *(protocol_checks.check, safety_checks.check, scenario_checks.check),
+    *(protocol_checks.check, safety_checks.check, scenario_checks.check, test_checks.check),
 )
 
 
 def run_checks(model: Model, facts: Facts) -> Report:
-    """Returns the report with all findings, sorted. It does not include findings about links of the
-    site, because the site is built later."""
+    """Returns the report with the sorted findings of all checks except the checks of the links of
+    the site. The site is built later."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
     all_findings = [finding for family in families for finding in family(model, facts)]
     clauses, broken = pattern_checks.decide(model, facts)

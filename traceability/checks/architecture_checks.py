@@ -10,7 +10,7 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 
-# kinds of the elements that act: their modules have connections
+# kinds of the elements whose modules must be in a connection or in a group
 ACTING = ("controller", "process", "sensor", "event")
 PHYSICAL = "physical"
 # kind of a connection, end of the connection, kind of the element at this end
@@ -51,7 +51,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds elements whose modules contradict the groups and the connections."""
+    """Finds modules that are in no connection and no group, or in several elements. Also finds
+    connections with a wrong end, and processes without a physical connection."""
     connected = {name for each in model.connections for name in (each.source, each.target)}
     connected.update(name for group in model.groups for name in group.modules)
     acting = [element for element in model.architecture if element.kind in ACTING]
@@ -77,7 +78,8 @@ def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _ends(model: Model, kind: str, end: str, owner: str, facts: Facts) -> Iterator[Finding]:
-    """Finds connections of a kind whose end is not a module of an element of the kind ``owner``."""
+    """Finds connections of the kind ``kind`` that have a wrong module at the end ``end``. This
+    module must be a module of an element of the kind ``owner``."""
     elements = [element for element in model.architecture if element.kind == owner]
     modules = {name for element in elements for name in element.modules}
     ends = {getattr(each, end): each for each in model.connections if each.kind == kind}

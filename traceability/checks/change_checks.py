@@ -11,7 +11,7 @@ from traceability.reading.change_texts import Particular, Recipe
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 
-# placeholders in the text of a step, which the model replaces by names
+# placeholders that the model replaces by names in the text of a step
 STANDING = {"derives", "edits", "id"}
 
 
@@ -60,7 +60,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[str, str]
             if role not in roles[name]:
                 yield role, f"{role} is not a role of {name}"
         for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
-            yield step, f"the model replaces no placeholder {{{word}}} in a step"
+            yield step, f"a step contains {{{word}}}, but the model has no such placeholder"
 
 
 def _particular(

@@ -24,7 +24,7 @@ from traceability.schema import ExecutionContext, Finding, Place
 from traceability.sources import DESIGN, SRC
 
 MASKED = "interrupts masked"  # name of a protection in design/execution.toml
-WRITES_MASKED = "writes with interrupts masked"  # another such name
+WRITES_MASKED = "writes with interrupts masked"  # name of another protection
 LOCK = "InterruptLock"  # class whose objects mask the interrupts
 MASKS = {f"{LOCK}::{LOCK}", "closeInterrupts"}  # functions that mask the interrupts
 DECLARED = Place("design/execution.toml", 1)

@@ -1,5 +1,5 @@
 """module-file and module-preprocessor: every file belongs to a part of the design, and uses the
-preprocessor only to include files."""
+preprocessor only to include files. doc-lock: the lock files contain the demanded packages."""
 
 from __future__ import annotations
 
@@ -7,18 +7,21 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+from packaging.requirements import Requirement
+
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import ClassFact
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, files_below
+from traceability.sources import DESIGN, files_below, text_of
 
 # Files that are not C++: descriptions of folders, linker scripts, and settings of the K64 build.
 # They need no module.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
 NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
+LOCKED = re.compile(r"^([\w.-]+)==(\S+)", re.MULTILINE)
 DIRECTIVE = re.compile(r"\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*(\w*)(.*)")
 
 
@@ -28,6 +31,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     yield from _loose(facts)
     yield from _preprocessor(facts.root)
     yield from _idle(facts)
+    yield from _locks(facts.root)
 
 
 def _finding(place: Place, text: str) -> Finding:
@@ -117,3 +121,17 @@ def _preprocessor(root: Path) -> Iterator[Finding]:
             continue
         text = f"#{match[1]} is neither an include of a named file nor #pragma once"
         yield Finding(place, "module-preprocessor", text)
+
+
+def _locks(root: Path) -> Iterator[Finding]:
+    """Finds packages that setup/*.in demands, and whose lock file has another version or no
+    version."""
+    for file in sorted((root / "setup").glob("*.in")):
+        locked: dict[str, str] = dict(LOCKED.findall(text_of(file.with_suffix(".lock"))))
+        for place, line in lines_below(root, [str(file.relative_to(root))], ()):
+            if demand := line.partition("#")[0].strip():
+                package = Requirement(demand)
+                version = locked.get(package.name.lower(), "no version")
+                if version not in locked.values() or not package.specifier.contains(version):
+                    text = f"the lock file has {version} of {package.name}"
+                    yield Finding(place, "doc-lock", text)

@@ -39,7 +39,8 @@ def _change(
         elif not _plays(model, facts, change, kit, name):
             parts = " or ".join(change.derives or change.altered)
             role = f"{name} has no role in {change.application}"
-            yield f"{role}: it neither derives from {parts} nor uses {parts}"
+            uses = "" if change.derives else f", and does not use {parts}"
+            yield f"{role}: it does not derive from {parts}{uses}"
     if not made.classes and not _touches(model, change, made):
         yield f"the folder of the change edits none of {', '.join(change.altered)}"
     targets = {test.target for test in made.tests}

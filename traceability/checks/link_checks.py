@@ -283,7 +283,7 @@ def _targets(root: Path) -> set[str]:
 
 
 def _sources(model: Model) -> dict[str, Place]:
-    """Returns for each generated page the place of the source from which it is generated."""
+    """Returns a map from each generated page to the place of the source of this page."""
     places = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
     places |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
     places |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}

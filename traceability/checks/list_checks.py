@@ -90,7 +90,7 @@ def _totals(root: Path) -> dict[str, int]:
 
 
 def _stated(lines: list[str]) -> list[str]:
-    """Returns the words for numbers in the last sentence."""
+    """Returns the words for numbers in the last sentence of the last paragraph."""
     paragraph = reversed(list(takewhile(str.strip, reversed(lines))))
     sentence = SENTENCE.split(" ".join(map(str.strip, paragraph)))[-1]
     return [word.lower() for word in WORD.findall(sentence)]

@@ -123,7 +123,8 @@ def _assertions(model: Model, facts: Facts) -> Iterator[Finding]:
             bodies = [body for name in reached for body in facts.robot.own_bodies(name)]
             found = {name for body in bodies for name in _asserted(facts, body)}
             for name in sorted(promised - found):
-                text = f"@errors of {whole} names {name}, but no called function has this assertion"
+                said = f"@errors of {whole} names {name}"
+                text = f"{said}, but neither the method nor a called function has this assertion"
                 yield Finding(method.place, "module-errors", text)
 
 

@@ -121,7 +121,7 @@ def _constants(facts: Facts) -> Iterator[Finding]:
 
 
 def _tests(model: Model, root: Path) -> Iterator[Finding]:
-    """Finds names of tests, and filters of tests, that no test has."""
+    """Finds names of tests that do not exist, and filters that match no test."""
     suites = {test.suite for test in model.tests.values()}
     for place, line in lines_below(root, IN_PAGES, PAGES):
         if line.lstrip().startswith("+"):  # an added line of an example change
@@ -144,7 +144,7 @@ def _derivations(facts: Facts) -> Iterator[Finding]:
         for match in DERIVES.finditer(text):
             name, base = match.groups()
             if {name, base} <= facts.classes.keys() and base not in facts.bases_of(name):
-                said = f"the text states that {name} derives from {base}, but it does not"
+                said = f"the text states that {name} derives from {base}, but {name} does not"
                 place = place_at(file, text, match.start())
                 yield Finding(place, "doc-name", said, "write the name of the base class")
 
@@ -229,8 +229,9 @@ def _functions(model: Model, words: Words, comments: list[tuple[Place, str]]) ->
         module = words.facts.written_in.get(place.file, "")
         for name in FUNCTION.findall(text):
             if name not in of_module.get(module, every):
-                where = f"{module} and its uses do" if module in of_module else "the code does"
-                says = f"the text names {name}(), which {where} not have"
+                used = f"neither {module} nor a module that it uses"
+                where = f"{used} has" if module in of_module else "the code does not have"
+                says = f"the text names {name}(), which {where}"
                 yield Finding(place, "doc-name", says, "write the name that the code has now")
 
 

@@ -102,8 +102,8 @@ def _specification(
 
 
 def _is_stated(stated: Quantity, constants: list[Quantity]) -> bool:
-    """Returns whether a constant has the quantity of a text. Only a count can be a constant without
-    a unit, and only if no constant has the unit of the count."""
+    """Returns whether a constant has the quantity of a text. For a count, a constant without a unit
+    is sufficient if no constant has the unit of the count."""
     if stated.kind in COUNTS and not any(one.kind == stated.kind for one in constants):
         return any(is_same(stated, one) for one in constants)
     return stated in constants
@@ -121,7 +121,7 @@ def _texts(module: Module) -> Iterator[tuple[Place, str, str]]:
 
 def _numbers(text: str) -> dict[str, Quantity]:
     """Returns the numbers with a unit in a text, and the limits of its ranges. Left out are
-    assumptions, 100 %, and numbers that are units, such as 0.01 degree."""
+    assumptions, 100 %, and numbers of at most one smallest unit, such as 0.01 degree."""
     stated = stated_numbers(_UNIT_IN_BRACKETS.sub("", _ASSUMPTION.sub("", text)))
     quantities = stated | limits_of_range(text)
     return {name: one for name, one in quantities.items() if one.amount > 1 and one != WHOLE}
@@ -140,7 +140,7 @@ def _requirements(model: Model, facts: Facts) -> Iterator[Finding]:
         linked = links[requirement.id].constants if requirement.id in links else {}
         for number in stated[requirement.id].keys() - linked.keys():
             if f"{requirement.id} {number}" not in without:
-                text = f"{requirement.id} states {number}, but no constant is linked with it"
+                text = f"{requirement.id} states {number}, but no constant has a link to {number}"
                 yield Finding(requirement.place, "req-number", text)
     for entry in links.values():
         yield from _linked(entry, stated.get(entry.requirement, {}), facts)
@@ -194,8 +194,8 @@ def wrong_bounds(model: Model) -> Iterator[Finding]:
 
 
 def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds limits in design/closed_loop.toml that their requirement does not state. The limit of
-    an error can also be a percentage of the target that the requirement states."""
+    """Finds limits in design/closed_loop.toml that their requirement does not state. If the metric
+    is an error, the requirement can state its limit as a percentage of the key ``target``."""
     if not (facts.root / DECLARED).is_file():
         return
     places = {scenario.name: scenario.place for scenario in model.closed_loop}

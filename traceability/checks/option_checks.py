@@ -40,7 +40,7 @@ FIX = "name a command that ./wr --help lists"
 
 @dataclass
 class _Options:
-    """The options of each command and of each program, and the options of all of them."""
+    """The options of each command and of each program."""
 
     commands: dict[str, set[str]]
     programs: dict[str, set[str]]

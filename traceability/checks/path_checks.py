@@ -39,8 +39,8 @@ def missing_paths(root: Path) -> Iterator[Finding]:
 
 
 def _below(root: Path) -> re.Pattern[str]:
-    """Returns the pattern of a path that begins with a folder of the project. It leaves out parts
-    of longer paths, and paths with a part that represents several names."""
+    """Returns the pattern of a path that begins with a folder of the project. The pattern does not
+    match parts of longer paths, or paths with a part that represents several names."""
     folders = [path.name for path in root.iterdir() if path.is_dir()]
     tops = "|".join(re.escape(name) for name in folders if name not in NO_SOURCES)
     return re.compile(rf"(?<![\w./~$:{{}}<>*\\@-])((?:{tops})/[\w./-]*\w/?)(?![\w*{{(<$%])")

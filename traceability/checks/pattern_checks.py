@@ -17,9 +17,9 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# The roles of the classes whose comments may contain @patternapp, which states why the pattern is
-# applied. Usually the comment of the abstract class (for example the Strategy) contains the tag. If
-# the pattern is applied several times to one abstract class, each subclass has its own tag.
+# The roles of the classes whose comments may contain @patternapp. This tag declares a pattern
+# application. Usually the comment of the abstract class (for example the Strategy) contains the
+# tag. If the pattern is applied several times to one abstract class, each subclass has its own tag.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 # The roles that a subclass can have. The role Decorator is in this list and in ABSTRACTIONS,
 # because a Decorator derives from its Component and also has subclasses.

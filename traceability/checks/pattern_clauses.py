@@ -304,7 +304,7 @@ def changed_outside(shape: Shape, allowed: set[str], operation: str, base: str) 
     for body in shape.facts.syntax.bodies:
         for call in body.calls:
             if call.target in (operation, unresolved) and shape.user(body) not in allowed:
-                yield call.place, f"{body.id} changes the {base} from outside"
+                yield call.place, f"{body.id}, outside the Context and its states, changes {base}"
 
 
 def decorator_holds(shape: Shape) -> Broken:

@@ -51,8 +51,8 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
 
 
 def _wrong_types(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tuple[str, str]]:
-    """Yields for each frame with a wrong type: a pattern that matches its line, and the text of
-    the finding."""
+    """Yields a pattern and the text of a finding for each frame with a wrong type. The pattern
+    matches the line of the frame."""
     for frame in table.get("frame", []):
         name, kind = str(frame.get("name")), frame.get("type")
         right = numbers.get(f"FrameType::{name}", kind)
@@ -62,8 +62,8 @@ def _wrong_types(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tup
 
 
 def _wrong_values(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tuple[str, str]]:
-    """Yields for each value with a wrong number: a pattern that matches its line, and the text of
-    the finding."""
+    """Yields a pattern and the text of a finding for each value with a wrong number. The pattern
+    matches the line of the value."""
     for enumeration in table.get("enumeration", []):
         firmware = str(enumeration.get("firmware", ""))
         for value in enumeration.get("values", []):
@@ -72,12 +72,12 @@ def _wrong_values(table: dict[str, Any], numbers: dict[str, int]) -> Iterator[tu
             right = next((numbers[one] for one in named if one in numbers), number)
             if right != number:
                 pattern = rf'\b{number}, *name *= *"{re.escape(str(name))}"'
-                yield pattern, f"{name} of {firmware} is {right}, not {number}"
+                yield pattern, f"{name} has the number {right} in {firmware}, not {number}"
 
 
 def _unnamed_causes(table: dict[str, Any], root: Path) -> Iterator[tuple[str, str]]:
-    """Yields for each cause of a stop without a text in the client: a pattern that matches its
-    line, and the text of the finding."""
+    """Yields a pattern and the text of a finding for each cause of a stop that has no text in the
+    client. The pattern matches the line of the cause."""
     named = re.search(r"^CAUSES = \{(.*?)^\}", text_of(root / REASONS), re.DOTALL | re.MULTILINE)
     keys = set(re.findall(r'^    "([^"]+)":', named[1], re.MULTILINE)) if named else set()
     for enumeration in table.get("enumeration", []) if named else ():
@@ -128,7 +128,7 @@ def not_in_body(body: bytes, text: str, layouts: dict[int, Layout]) -> Iterator[
             right = (float(amount) * (-1 if side == "right" else 1), unit) in with_unit
         elif of_word:
             right = number in (*of_word, ".".join(of_word))
-        else:  # For example "wheel 2" or an address: a value, or the end of the name of a value.
+        else:  # An address, or the 2 in "wheel 2", is a value or the end of the name of a value.
             shown = str(int(number, 16)) if number.startswith("0x") else number
             right = any(
                 str(value) == shown or (value and name.endswith(number))

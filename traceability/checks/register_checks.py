@@ -191,8 +191,8 @@ def _borrowed(facts: Facts) -> Iterator[Finding]:
 
 
 def _given(facts: Facts) -> Iterator[Finding]:
-    """Finds functions and public members by which a module gives other modules access to a
-    register."""
+    """Finds functions and public members by means of which other modules can access a register of a
+    module."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
     table.add(f"result {CLASS}::at")

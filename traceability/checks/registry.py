@@ -66,6 +66,8 @@ WHY = {
     "the longest cycle.",
     "req": "A requirement counts as fulfilled only if the code, the tests and the test results "
     "show that it is fulfilled.",
+    "test": "People read the brief of a test instead of its code. The brief must describe the test "
+    "that was executed.",
     "suspect": "A verdict is valid only for the texts that were judged. The checks compare the "
     "present texts with the baseline, and find the texts that have changed.",
     "hazard": "The safety case leads from each hazard to tests that ran. If a link in this chain "
@@ -94,9 +96,9 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
         "a parameter. Each tag is defined in this project. Each link has a target. If the sentence "
         "before a list on a page states the number of the items, the list has this number of "
-        "items. If a text states how many hazards, safety goals, assumptions of use, products, "
-        "modules, design patterns, applications, state machines, or scenarios of the paper there "
-        "are, the project has this number of them.",
+        "items. If a text states the number of all hazards, safety goals, assumptions of use, "
+        "products, modules, design patterns, applications, state machines, or scenarios of the "
+        "paper, this number is right.",
         _TEXT_BLIND,
         "correct the comment or the page as the message explains.",
     ),
@@ -110,6 +112,14 @@ _FIXED = [
         "correct the number, or write the unit of the constant in square brackets next to it.",
     ),
     Check(
+        "doc-lock",
+        "The lock files contain the demanded packages",
+        "For each package that setup/python.in or setup/strictdoc.in demands, the lock file "
+        "contains a permitted version.",
+        "The check does not examine whether the lock file contains packages that nobody demands.",
+        "make the lock file again, as the comment at the head of the file describes.",
+    ),
+    Check(
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
@@ -121,8 +131,8 @@ _FIXED = [
         "docs/client.rst is complete. mypy finds no wrong name, parameter or type in the Python "
         "examples on the pages. A function that a comment of a module names without a class, such "
         "as start(), is in the files of the module, or is a method of a module that it uses. "
-        "`paper-stale` checks the names in design/concordance.toml, and "
-        "`pattern-change` the names in design/changes.toml.",
+        "`paper-stale` checks the names in design/concordance.toml. `pattern-change` checks the "
+        "names in design/changes.toml.",
         "The check does not find names that are also English words, such as the class Wheel. It "
         "does not find a name whose meaning has changed. In a Python example, it does not find "
         "wrong names of packages other than the client.",
@@ -135,7 +145,7 @@ _FIXED = [
         "and no other keys. No required text is empty. No name has two entries. Each review has a "
         "date.",
         "The check cannot judge whether an entry is true. The other checks compare the entries "
-        "with the code. They do not run while a file cannot be read.",
+        "with the code. Most of them do not run while a file cannot be read.",
         "correct the line, or the name of the key.",
     ),
     Check(
@@ -151,7 +161,8 @@ _FIXED = [
     Check(
         "module-folder",
         "Each logic module has a function and a secret",
-        "The module.dox of every folder states @brief, @function and @secret.",
+        "The module.dox of every folder states @brief, @function and @secret. The @secret differs "
+        "from the other two texts. No two folders have the same @secret.",
         _TEXT_BLIND,
         "write the missing paragraph in the module.dox of the folder.",
     ),
@@ -167,7 +178,7 @@ _FIXED = [
         "module-secret",
         "Each design module has exactly one secret",
         "The comment above every design module has exactly one @secret, which differs from the "
-        "@function. No two modules have the same @secret.",
+        "@function and the @brief. No two modules have the same @secret.",
         "The check cannot judge whether the code really hides the stated change from the other "
         "modules.",
         "write @secret above the class, and state the one likely change that only this module "
@@ -264,13 +275,13 @@ _FIXED = [
     Check(
         "change-tuned",
         "Each tuned constant is declared",
-        "The check assumes in two cases that the value of a constant depends on SystemConstants: "
-        "the name or the comment of the constant mentions control cycles or ticks; or the constant "
-        "is a time or a number of bytes in a requirement whose rationale counts cycles, as in "
-        '"for three cycles". Then the code must compute the value from SystemConstants, or '
-        "design/tuned.toml must declare the dependence. Each constant and each source line in this "
-        "file exists. The page about a change of SystemConstants lists the computed and the "
-        "declared values.",
+        "The check assumes in two cases that the value of a constant depends on SystemConstants. "
+        "In the first case, the name or the comment of the constant mentions control cycles or "
+        "ticks. In the second case, the constant is a time or a number of bytes in a requirement "
+        'whose rationale counts cycles, as in "for three cycles". In both cases, the code computes '
+        "the value from SystemConstants, or design/tuned.toml declares the dependence. Each "
+        "constant and each source line in design/tuned.toml exists. The page about a change of "
+        "SystemConstants lists the computed and the declared values.",
         "The check does not find a value that depends on another constant if neither the name, nor "
         "the comment, nor the rationale of its requirement shows the dependence. It reads no "
         "source file outside src and extensions.",
@@ -374,8 +385,9 @@ _FIXED = [
         "sim/emulator includes a file of the design, because a driver and the model of its device "
         "must not contain the same mistake. The programs of tests/k64/program and "
         "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
-        "In src, `uses-allowed` checks which modules use src/k64. No other file of src "
-        "and extensions names a driver or the microcontroller, also not in a comment.",
+        "In src, `uses-allowed` checks which modules use src/k64. In src and extensions, no file "
+        "outside the folders of the K64 names a driver or the microcontroller, not even in a "
+        "comment.",
         "The check does not find the same wrong number in a driver and in the model of the device.",
         "write the numbers from the manual of the microcontroller, or test the firmware image on "
         "the virtual K64.",
@@ -389,7 +401,8 @@ _FIXED = [
         "symbol at the address of a register. Only src/k64/Register.hpp converts a number to an "
         "address, or names a volatile object. No module passes a register to another module. No "
         "offset leads from one block of registers to another block. Assembler instructions are "
-        "only in the drivers, and only those of the start-up code access memory.",
+        "only in the drivers. Of these instructions, only the instructions of the start-up code "
+        "access memory.",
         "If a block has several owners, the check does not detect which channel or pin each owner "
         "uses. It does not follow an offset that is computed elsewhere. It does not detect that a "
         "register has an effect on another block.",
@@ -438,8 +451,8 @@ _FIXED = [
         "The architecture names modules that exist and are connected",
         "Every module that design/architecture.toml names in an element, a group or a connection "
         "exists. Every connector that a connection names exists as an element. A module of a "
-        "controller, process, sensor or event is in a connection or a group, and is a module of "
-        "only one of them. Each command goes from a module of a controller to a module of a "
+        "controller, process, sensor or event is in a connection or a group, and belongs to only "
+        "one of these elements. Each command goes from a module of a controller to a module of a "
         "process. Each physical connection begins at a module of a process, and ends at a module "
         "of a sensor. Each process has a physical connection.",
         "The check cannot judge whether two connected modules belong to the same element.",
@@ -462,9 +475,9 @@ _FIXED = [
         "Contexts, pipes and protections are declared",
         "Every handler in the vector table belongs to one context of design/execution.toml, "
         "and a call enables its interrupt line. Each handler, thread body and shared member that "
-        "design/execution.toml names exists. The start calls the idle program. The interrupt "
-        "lines of a context have the declared priority of the context. Each pipe of the robot has "
-        "a name.",
+        "design/execution.toml names exists. The program after a reset calls the idle program. The "
+        "interrupt lines of a context have the declared priority of the context. Each pipe of the "
+        "robot has a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
@@ -490,8 +503,8 @@ _FIXED = [
     Check(
         "exec-loop",
         "Each loop is bounded",
-        "Each loop is a `for` with a condition. For each function with another kind of loop, "
-        "design/justified.toml states why this loop ends, or why it is endless.",
+        "Each loop is a `for` with a condition, or its function is in design/justified.toml. The "
+        "entry of this function states why the loop ends, or why it is endless.",
         "The check does not prove that the condition of a `for` becomes false.",
         "count the iterations in the head of the loop, or state in design/justified.toml why the "
         "loop ends.",
@@ -522,9 +535,10 @@ _FIXED = [
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
-        "the threads of two wheels. It does not read the calls with which the start starts the "
-        "timers and sensors after it has enabled the interrupts. It does not read members of data "
-        "types, but the members in which modules store these data types.",
+        "the threads of two wheels. It does not read the calls with which the program after a "
+        "reset starts the timers and sensors when the interrupts are already enabled. It does not "
+        "read members of data types. Instead, it reads the members in which modules store values "
+        "of these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -532,9 +546,10 @@ _FIXED = [
         "Each indirect call of the firmware image is known",
         "The compiler lists the indirect calls of the firmware image. The possible targets of each "
         "of these calls are known in one of two ways. A builder passed the object whose virtual "
-        "method is called, or design/stack.toml declares the targets.",
-        "The check reads only the firmware image of weeding_robot, and only if this image was "
-        "built from the present sources.",
+        "method is called, or design/stack.toml declares the targets. The compiler reported the "
+        "stack frame of each function of the project.",
+        "The check reads only the firmware image of weeding_robot. It reports nothing if this "
+        "image was not built from the present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
     ),
     Check(
@@ -594,9 +609,11 @@ _FIXED = [
         "Each state machine names only parts that exist",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application. Each event refers to an operation of the State. The "
-        "states, the event and the requirement of each transition exist. A method of the old state "
-        "or of the new state serves the requirement. An operation of the event, or a method of the "
-        "action, serves it, too. Each event occurs in a transition. If a state "
+        "states, the event and the requirement of each transition exist. A method serves a "
+        "requirement if its @satisfies names the requirement or if the tree of the requirement "
+        "contains the method. Two methods serve the requirement of a transition: a method of the "
+        "old or of the new state, and an operation of the event or a method of the action. Each "
+        "event occurs in a transition. If a state "
         "has several transitions at the same event, guards distinguish these transitions. If a "
         "transition contains a number with a unit, such as 2 s, a requirement of the transition "
         "states the same number.",
@@ -632,7 +649,7 @@ _FIXED = [
     Check(
         "fsm-seen",
         "Each transition occurs in a test",
-        "Each transition occurred in a test on the host that passed. The recorded calls of the "
+        "Each transition occurred in a passing test on the host. The recorded calls of the "
         "test show the transition: the Context calls the operation of the old state, and then "
         "calls methods of the new state. Of all states, only the new state has all these methods. "
         "For each requirement that a transition names, a test of the requirement makes the "
@@ -705,8 +722,8 @@ _FIXED = [
         "secret-open",
         "No access except through the interface",
         "No module has public variables. Each friend of a module is nested in this module. No "
-        "operation returns a reference with which a caller can change a number of the module. No "
-        "source file declares a name that another file defines.",
+        "operation returns a reference or a pointer with which a caller can change a number of the "
+        "module. No source file declares a name that another source file defines.",
         "The check does not find an operation that returns a reference to a whole object inside "
         "the module, such as an object that a builder contains.",
         "make the data private and add an operation to the module.",
@@ -752,8 +769,8 @@ _FIXED = [
         "The order and the number of calls match the tree",
         "The body of each parent makes the calls in the order of the tree. If a node has no mark, "
         "one statement without a condition calls the method of the node. The mark ? means a call "
-        "under a condition, or after a condition that may return. The mark * means a call in a "
-        "loop or by several statements.",
+        "under a condition, or a call after a return under a condition. The mark * means a call in "
+        "a loop or by several statements.",
         "The check does not detect which condition guards the call, or the order of calls in "
         "different iterations of a loop.",
         "restore the code, or correct the order or the mark in the tree.",
@@ -790,11 +807,12 @@ _FIXED = [
         "req-attribute",
         "Requirements have level, product and method",
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
-        "names of products that exist. A product is named if it contains all modules that satisfy "
-        "the requirement. If it contains none of these modules, it is not named. The requirement "
+        "names of products that exist. The @product of a requirement FR-n names each product that "
+        "contains all modules that satisfy the requirement. It names no product that contains none "
+        "of these modules. Every requirement "
         "has one @method of verification: test, analysis, measurement or inspection. If the method "
         "is test, the @verifies of a test names the requirement. If the method is measurement or "
-        "analysis, the requirement has @evidence, or the @verifies of a test names it.",
+        "analysis, the requirement has @evidence.",
         "The check cannot judge whether the method suits the requirement. It does not find parts "
         "that are not verified although the requirement has no @partly.",
         "write the attribute, or correct its value.",
@@ -802,12 +820,14 @@ _FIXED = [
     Check(
         "module-number",
         "Numbers of specifications agree with the code",
-        "Each number with a unit in the comment of a module or of its methods, and each limit of a "
-        "range such as '[mV], 0 to 24000', is the value of a constant of the module, of a module "
-        "that it uses or of SystemConstants, or a number in the text or the rationale of a "
-        "requirement that the module satisfies.",
+        "The check reads each number with a unit in the comment of a module or of its methods, and "
+        "each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states the "
+        "same number. The constant belongs to the module, to a module that it uses, or to "
+        "SystemConstants. The module satisfies the requirement. The number is in the text or in "
+        "the rationale of the requirement.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
-        "sentence that begins with 'Assumption:'.",
+        "sentence that begins with 'Assumption:'. It leaves out 100 % and numbers of at most one "
+        "smallest unit, such as 0.01 degree.",
         "correct the number, or name the constant in the comment instead of the number.",
     ),
     Check(
@@ -818,13 +838,24 @@ _FIXED = [
         "constant or the formula has this value. design/requirement_numbers.toml also lists the "
         "numbers for which the code has no constant, with the reason. If the @evidence of a "
         "requirement has a bound other than 0, the requirement states this number. If a metric in "
-        "design/closed_loop.toml names a requirement, its limit is a number of this requirement, "
-        "or the percentage of the target that the requirement states.",
+        "design/closed_loop.toml names a requirement, this requirement states the limit of the "
+        "metric. If the metric is an error, the requirement can state the limit as a percentage of "
+        "the target.",
         "The check leaves out 0, 1 and two without a unit. A formula may differ by 0.5 % from the "
         "number in the text, because the text is rounded. The check cannot judge whether the "
         "linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
         "design/requirement_numbers.toml.",
+    ),
+    Check(
+        "test-number",
+        "Numbers in the brief of a test are in its code",
+        "Each number with a physical unit in the brief of a C++ test is a number in the test, in "
+        "the other code of its file, in its fixtures or in a scenario that it plays. It can also "
+        "be the value of a constant that one of them names.",
+        "The check cannot judge whether the number belongs to the sentence. It does not compare "
+        "counts, such as cycles or edges.",
+        "correct the brief or the test.",
     ),
     Check(
         "req-source",
@@ -891,7 +922,7 @@ _FIXED = [
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
-        "check also verifies that no test found any of these changes.",
+        "check also verifies that a mutant made each of these changes, and that no test found it.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
@@ -926,9 +957,9 @@ _FIXED = [
     ),
     Check(
         "req-name",
-        "A test whose name contains the id of a requirement verifies it",
+        "A test whose name begins with the id of a requirement verifies the requirement",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
-        "The check does not read tests without an id in the name.",
+        "The check does not read tests whose names do not begin with an id.",
         "write the tag @verifies above the test, or rename the test.",
     ),
     Check(
@@ -990,9 +1021,9 @@ _FIXED = [
         "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
         "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
         "parts of its reaction, the reaction time is the value of this formula of constants, "
-        "rounded up by at most 10 %. Both times end when the "
-        "safe state is reached, or when the halt begins that leads to it. The scenarios of a goal "
-        "without known exceptions accept no reaction that is later than the fault-tolerant time.",
+        "rounded up by at most 10 %. The fault-tolerant time and the reaction time end when the "
+        "safe state is reached, or when the halt begins that leads to it. If a goal has no known "
+        "exceptions, its scenarios accept no reaction that is later than the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It does not find a formula with the velocity of the robot if the goal declares "
         "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
@@ -1016,9 +1047,9 @@ _FIXED = [
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
         "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
-        "least one hazard lists the file. Each of these hazards has a safety goal that the file "
-        "names. A test plays the scenario, and this test passed on each target for which it is "
-        "built.",
+        "least one hazard lists the file. Each hazard that lists the file has a safety goal that "
+        "the file names. A test plays the scenario, and this test passed on each target for which "
+        "it is built.",
         "The check does not find faults without a scenario. If a scenario no longer names one of "
         "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
         "occurs in the scenarios that it lists. It ignores test results that are older than the "
@@ -1073,10 +1104,10 @@ _FIXED = [
         "suspect-design",
         "Texts without a requirement are as in the baseline",
         "These texts are unchanged since the baseline: the sentences in the files of design/ and "
-        "changes/, the numbers and names in the pages of docs/ and in the README, and the bodies "
-        "and specifications that no requirement names. Reasons, deviations, steps and answers are "
-        "examples of sentences in design/. In docs/bring_up.rst and docs/hazards.rst, the whole "
-        "text is unchanged.",
+        "changes/, the numbers and names in the pages of docs/ and in the README, the code of "
+        "sim/plant and sim/scenario, and the constants, bodies and specifications on which no "
+        "requirement depends. Reasons, deviations, steps and answers are examples of sentences in "
+        "design/. In docs/bring_up.rst and docs/hazards.rst, the whole text is unchanged.",
         "The check cannot judge whether the texts are right. On other pages, it does not find "
         "changes that leave the numbers and names as they are.",
         "compare the text with the code, then run ./wr review --baseline design.",
@@ -1168,8 +1199,9 @@ _FIXED = [
         "can contain. Each word of a scenario on this page exists, and each fault in its table has "
         "the right number of arguments. Each number with a unit in a comment of a scenario is a "
         "value in the lines of this scenario, or a value in a requirement that the comment names. "
-        "A time can also be the difference of two times, and a percentage the difference of two "
-        "values. A test of the firmware names each file of sim/scenario/examples.",
+        "A time can also be the difference of two times. A percentage can also be the difference "
+        "of two values. Any other number can also be in the middle of an expected range. A test of "
+        "the firmware names each file of sim/scenario/examples.",
         "The check does not decide whether this test plays the file. It does not find a value that "
         "another line of the scenario also has. It does not read a number that follows the word "
         "about.",
@@ -1178,14 +1210,16 @@ _FIXED = [
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target. Every path that begins with a folder of the "
-        "project exists, in a page, a requirement, a comment, a text of design/ or another text. "
-        "Each command of ./wr that a page names exists with its options. An option without a "
-        "command is an option of a command or a program that the page names. If an option has a "
-        "list of values, a value behind the option is in this list. The products, programs and "
-        "firmware images of the build, folders of the build, used pins and keys that a page names "
-        "exist too. If a page or an answer names a signal or a connector directly next to a pin, "
-        "src/k64/pins.hpp lists them for this pin. Pages and help texts insert the exit codes.",
+        "Every reference in docs/ has a target. The check reads pages, requirements, comments, "
+        "texts of design/ and other texts. If a path in such a text begins with a folder of the "
+        "project, the path exists. Each command of ./wr that a page names exists with its "
+        "options. An option without a command is an option of a command or a program that the "
+        "page names. If an option has a list of values, a value behind the option is in this "
+        "list. Each product, program, firmware image, folder of the build, pin and key that a "
+        "page names exists too. The file src/k64/pins.hpp contains each of these pins. The README "
+        "of a port can also name the pins of this port. If a page or an answer names a signal or "
+        "a connector directly next to a pin, src/k64/pins.hpp lists them for this pin. Pages and "
+        "help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "

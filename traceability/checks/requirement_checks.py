@@ -84,7 +84,8 @@ def _attributes(model: Model) -> Iterator[Finding]:
         if requirement.method not in METHODS:
             wrong.append(f"no valid @method ({', '.join(METHODS)})")
         elif not _has_way(requirement):
-            wrong.append(f"the @method {requirement.method} but no test and no evidence")
+            way = "test" if requirement.method == "test" else "@evidence"
+            wrong.append(f"the @method {requirement.method}, but no {way}")
         if not requirement.products:
             wrong.append("no @product (all, or names of products)")
         unknown = set(requirement.products) - {"all", *PRODUCTS}
@@ -117,11 +118,8 @@ def _wrong_products(requirement: Requirement) -> list[str]:
 
 
 def _has_way(requirement: Requirement) -> bool:
-    if requirement.method == "test":
-        return bool(requirement.verified_by)
-    return requirement.method == "inspection" or bool(
-        requirement.evidence or requirement.verified_by
-    )
+    ways = {"test": requirement.verified_by, "inspection": ["a person"]}
+    return bool(ways.get(requirement.method, requirement.evidence))
 
 
 def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -164,8 +162,8 @@ def _without(model: Model) -> Iterator[Finding]:
 
 
 def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public methods that no code of the firmware calls, unless design/justified.toml lists
-    them."""
+    """Finds public methods that no code of the firmware calls and that design/justified.toml does
+    not list."""
     called = {
         target
         for body in facts.syntax.bodies
@@ -188,7 +186,7 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     for entry in entries:
         for name in entry.names:
             if name not in spare:
-                text = f"{name} is not a public method without a caller"
+                text = f"{name} needs no justification: it has a caller, or is no public method"
                 yield Finding(entry.place, "req-justified", text)
 
 
@@ -283,8 +281,8 @@ def unmet(
     """Finds metrics of requirements (@evidence) that were not measured or do not meet their bound.
 
     ``others`` are the findings of the other checks. If one of these findings already shows the
-    problem, it is not reported again. Examples are a metric that counts findings, and a metric that
-    was not measured because the results are stale.
+    problem, the problem is not reported again. Examples are a metric that counts findings, and a
+    metric that was not measured because the results are stale.
     """
     checks = {finding.check for finding in others}
     for requirement in model.requirements.values():

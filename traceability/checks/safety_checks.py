@@ -97,7 +97,7 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(_at(facts, goal), "hazard-time", text)
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
             time, computed = f"{goal.time:g} s", f"{goal.computed:.3g} s"
-            text = f"the time of {goal.id} is {time}, but its formula gives {computed}"
+            text = f"the time of {goal.id} is {time}, but the value of its formula is {computed}"
             yield Finding(_at(facts, goal), "hazard-time", text)
         parts = value_of(goal.parts, model.constants) if goal.parts else 1000 * goal.reaction
         if parts is None:
@@ -130,7 +130,7 @@ def _velocities(model: Model, facts: Facts) -> Iterator[Finding]:
             greatest = turns * 2 * math.pi * radius.number
             if abs(goal.velocity - greatest) > TOLERANCE * greatest:
                 text = (
-                    f"the formula of {goal.id} contains {velocity} m/s, but the greatest ordered "
+                    f"{goal.id} declares a velocity of {velocity} m/s, but the greatest ordered "
                     f"velocity is {greatest:.2f} m/s"
                 )
                 fix = "calculate the formula and the time of the goal again"
@@ -176,8 +176,12 @@ def _scenarios(model: Model) -> Iterator[Finding]:
         existing = model.safety.goals.keys() & scenario.goals
         for hazard in listing if existing else ():
             if existing.isdisjoint(hazard.goals):
-                text = f"{scenario.name} and {hazard.id}, which lists it, have no goal in common"
-                fix = "name a goal of the hazard in the scenario, or remove it from the hazard"
+                said = f"{hazard.id} lists the scenario {scenario.name}"
+                text = f"{said}, but the hazard and the scenario have no goal in common"
+                fix = (
+                    "name a goal of the hazard in the scenario, or remove the scenario from the "
+                    "hazard"
+                )
                 yield Finding(where, check, text, fix)
         if not listing:
             text = f"no hazard lists the scenario {scenario.name}"

@@ -57,7 +57,8 @@ WHEN = re.compile(r"(?:at|from|to|every) (\d+)")
 INTEGER = re.compile(r"(?<![\w.])\d+(?![\w.])")
 RANGE = re.compile(r"between (-?\d+) (-?\d+)")
 CITED = re.compile(r"\bN?FR-\d+\b")
-# A range of an expectation is about a number if its ends differ from it by at most this share.
+# A number is in the middle of an expected range if each end of the range differs from the number by
+# at most this share of the number.
 NARROW = Fraction(1, 8)
 Amount = tuple[str, Fraction]  # the kind of a quantity, and its amount in the unit of the scenario
 
@@ -70,7 +71,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     texts = {name: requirement.text for name, requirement in model.requirements.items()}
     for file, scenario in texts_below(facts.root, (FOLDER,), (".scenario",)):
         for line, number in missing_numbers(scenario, texts):
-            text = f"the comment states {number}, but no line of the scenario has this value"
+            said = f"the comment states {number}"
+            text = f"{said}, but no line of the scenario and no named requirement has this value"
             yield Finding(Place(file, line), "doc-scenario", text)
 
 
@@ -141,7 +143,7 @@ def _wrong_faults(root: Path) -> Iterator[Finding]:
 
 def missing_numbers(scenario: str, requirements: dict[str, str]) -> Iterator[tuple[int, str]]:
     """Yields the numbers with a unit in the comments of a scenario that are neither in its lines
-    nor in a requirement that its comments name. Each number comes with its line."""
+    nor in a requirement that its comments name. Each result consists of the line and the number."""
     parts = [line.partition("#") for line in scenario.splitlines()]
     has_value = _Values([code for code, _, _ in parts])
     comment, starts = "", []
@@ -176,9 +178,9 @@ class _Values:
         self._ranges = [(low, high) for low, high in ends]
 
     def __contains__(self, amount: Amount) -> bool:
-        """Returns whether a line has the value. A line also has a time if it is the difference of
-        two times, a percentage if two numbers differ by it, and a value in the middle of an
-        expected range."""
+        """Returns whether a line has the value. Three other values count too: a time that is the
+        difference of two times, a percentage by which two numbers differ, and a value in the
+        middle of an expected range."""
         kind, number = amount
         if number in self._numbers:
             return True

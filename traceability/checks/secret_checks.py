@@ -149,10 +149,10 @@ def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
             outside = other.number > 1 and not hidden.allows(other.place.file)
             if outside and other.number in numbers and _is_similar(hidden.name, other.name):
                 text = (
-                    f"{other.name} has the value and a similar name of {hidden.name}, "
-                    f"which is a secret of {hidden.owner}"
+                    f"{other.name} has the same value as {hidden.name} and a similar name, but "
+                    f"{hidden.name} is a secret of {hidden.owner}"
                 )
-                fix = f"call an operation of {hidden.owner}, or give the constant a different name"
+                fix = f"call an operation of {hidden.owner}, or use a different name here"
                 yield Finding(other.place, "secret-hidden", text, fix)
 
 

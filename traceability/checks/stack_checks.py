@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
-from traceability.model.stack import DECLARED
 from traceability.reading.graphs import descendants
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place, StackProof
@@ -38,7 +37,6 @@ def _self_calls(facts: Facts) -> Iterator[Finding]:
 
 
 def _calls(proof: StackProof) -> Iterator[Finding]:
-    fix = f"call an object that a builder passes, or declare the call in {DECLARED}"
     for function, place in proof.unresolved:
         yield Finding(place, "stack-call", f"the target of this call in {function} is unknown")
     if proof.untold:

@@ -230,8 +230,8 @@ def _out_of_order(rows: list[Transition], changes: list[Change]) -> Iterator[Fin
 
 
 def _differs(row: Transition, change: Change) -> bool:
-    """Returns true if the change in the code has a condition and the declared transition ``row``
-    has none, or the other way round.
+    """Returns true if only one of two has a condition: the change in the code, or the declared
+    transition ``row``.
 
     An event with a time, such as "after 2 s", counts as a condition of the transition. A guard
     about the state of another machine ("in ...") is not compared, because the code that calls the
@@ -378,7 +378,8 @@ def _is_in(body: BodyFact, place: Place) -> bool:
 def _guarded(row: Transition, change: Change) -> Finding:
     made = "on some paths only" if change.sometimes else "on every path"
     declared = "a guard" if row.guard else "no guard"
-    text = f"{words(row)} has {declared}, but {change.source}::{change.operation} makes it {made}"
+    maker = f"{change.source}::{change.operation}"
+    text = f"{words(row)} has {declared}, but {maker} makes this transition {made}"
     return Finding(change.place, "fsm-code", text)
 
 

@@ -34,7 +34,7 @@ OTHERS = {
 STATEMENT = re.compile(r"[^;]+")
 _INNER = r"\((?:[^;(){}]|\([^;(){}]*\))*\)"  # the arguments of a call, which may contain a call
 _VALUE = rf"([^,;(){{}}]*(?:{_INNER})?)"
-MEMBER = re.compile(rf"\.(\w+) = {_VALUE}(?=[,}}])")  # of an aggregate
+MEMBER = re.compile(rf"\.(\w+) = {_VALUE}(?=[,}}])")  # a member of an aggregate
 OBJECT = re.compile(rf"(?<![\w.>:])(\w+)[({{]{_VALUE}[,)}}]")  # a variable, or a member of a class
 PATH = re.compile(r"(?:\w+(?:\.|->))*(\w+?)_?")
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+")

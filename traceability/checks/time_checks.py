@@ -46,7 +46,7 @@ def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
     for context, recording, requests, ms in model.times.too_often:
         text = (
             f"the recording {recording} contains {requests} interrupts of {context} in {ms:.3f} "
-            "ms, which is more than declared"
+            f"ms, but {DECLARED_IN} permits fewer"
         )
         lines = lines_below(facts.root, (str(DECLARED_IN),), ())
         place = [place for place, line in lines if line == f'context = "{context}"'][-1]
@@ -54,8 +54,8 @@ def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _low_bounds(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds loops over an array whose bound is lower than the number of elements. If a loop reads
-    only the first elements, its bound can be lower if it is a formula or a name."""
+    """Finds loops over an array with a bound that is lower than the number of elements. A bound
+    that is a formula or a name can be lower if its loop reads only the first elements."""
     values = {
         name: constant.number
         for name, constant in model.constants.items()

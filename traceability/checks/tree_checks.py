@@ -49,7 +49,7 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
             direct = child.kind == "call"
             kind, fix = ("a post", "with") if direct else ("a call", "without")
             text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
-            yield Finding(child.place, "tree-static", text, f"write it {fix} 'post '")
+            yield Finding(child.place, "tree-static", text, f"write this node {fix} 'post '")
         elif child.reachable is False and node.resolved and child.resolved:
             verb = "posts" if child.kind == "post" else "calls"
             call = f"{node.label} never {verb} {child.label}"

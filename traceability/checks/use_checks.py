@@ -164,8 +164,8 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
 
 
 def _apart(facts: Facts) -> Iterator[Finding]:
-    """Finds modules that name each other although design/uses.toml demands that they are
-    separate."""
+    """Finds modules that name another module although design/uses.toml demands that the two
+    modules are separate."""
     pairs = {
         pair
         for rule in facts.declared.apart
@@ -207,7 +207,7 @@ def _idle_cycles(model: Model, facts: Facts) -> Iterator[Finding]:
             first = cycle.modules[0]
             both = module in descendants(first, graph) and first in descendants(module, graph)
             if not both:
-                text = f"{module} is in no cycle with {first}"
+                text = f"no cycle of uses contains {module} and {first}"
                 yield Finding(cycle.place, "uses-unused", text)
         for module in cycle.modules:
             if module.split("/")[0] != cycle.within:

@@ -45,7 +45,7 @@ def _fields(record: Any) -> dict[str, Any]:
 
 
 def _verdict(record: object, report: Report) -> dict[str, Any]:
-    """Returns the additional fields that the JSON object of a record takes from the report."""
+    """Returns the fields from the report that are added to the JSON object of a record."""
     fields: dict[str, Any] = {}
     match record:
         case Model():

@@ -24,7 +24,7 @@ from traceability.model.report import Report
 
 CSV, NEEDS, REQIF = "requirements.csv", "needs.json", "requirements.reqif"
 PROJECT = "weeding_robot"
-# ReqIF demands a date. A fixed date is used, because equal models must give equal files.
+# ReqIF demands a date. A fixed date is used, because equal models must have equal files.
 EPOCH = "1970-01-01T00:00:00+00:00"
 NAMESPACE = "http://www.omg.org/spec/ReqIF/20110401/reqif.xsd"
 NEED_TYPES = {REQUIREMENT: "req", TEST: "test", METHOD: "impl"}

@@ -18,8 +18,8 @@ from traceability.reading.results import read_record
 from traceability.reading.traces import nodes_of
 
 FOLDER = Path("build/revisions")
-# If more than twice this number of words in a row is unchanged, only this number of words is shown
-# at the beginning and at the end of the unchanged words.
+# A long row of unchanged words is shortened: only this number of words is shown at its beginning
+# and at its end. A row is long if it has more than twice this number of words.
 WORDS = 8
 
 

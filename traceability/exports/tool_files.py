@@ -57,7 +57,7 @@ FILES = (
     ToolFile(
         junit_tests.NAME,
         "The results of the tests in the JUnit format. Each test has a property for each "
-        "requirement that it verifies.",
+        "requirement that it verifies. A result of older sources counts as skipped.",
         lambda _root, model, report: junit_tests.junit_text(model, report),
     ),
     ToolFile(

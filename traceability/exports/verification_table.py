@@ -60,8 +60,8 @@ class Measurement:
 class VerifiedRequirement:
     """A requirement with its verdict and with the results from which the verdict follows.
 
-    ``tests`` contains for each test the result on each target. ``coverage`` contains for each
-    target the executed lines of the methods.
+    ``tests`` contains for each test the result on each target. A result of older sources ends with
+    ", stale". ``coverage`` contains for each target the executed lines of the methods.
     """
 
     id: str
@@ -140,7 +140,7 @@ def row(model: Model, report: Report, requirement: Requirement) -> VerifiedRequi
         ],
         satisfied_by=requirement.satisfied_by,
         tests={
-            name: {binding: result.result for binding, result in model.tests[name].results.items()}
+            name: {binding: result.words for binding, result in model.tests[name].results.items()}
             for name in requirement.verified_by
         },
         tree=[CheckedNode(node.label, node.reachable, node.executed) for node in nodes],

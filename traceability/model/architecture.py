@@ -36,7 +36,7 @@ def is_outside(connection: Connection) -> bool:
 
 def pipe_between(model: Model, connection: Connection) -> list[str]:
     """Returns two methods: a method of the source module that writes a pipe, and a method of the
-    target module that reads the same pipe. Returns an empty list without such a pipe."""
+    target module that reads the same pipe. Returns an empty list if there is no such pipe."""
     for pipe in model.pipes:
         writers = [writer for writer in pipe.writers if writer.startswith(f"{connection.source}::")]
         readers = [reader for reader in pipe.readers if reader.startswith(f"{connection.target}::")]
@@ -47,9 +47,9 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
     """Returns a chain of calls from the source module of a connection to its target module, as a
-    list of methods. The chain contains the methods in ``through``, and is the shortest between two
-    of them. Returns an empty list without such a chain. A call of ``ControlThread::post`` is
-    followed to the command that the thread executes later."""
+    list of methods. The chain contains the methods in ``through``. Between two of these methods,
+    the chain is as short as possible. Returns an empty list if there is no such chain. A call of
+    ``ControlThread::post`` is followed to the command that the thread executes later."""
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
     starts = sorted(own - {begin + connection.source})
@@ -67,7 +67,7 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 
 def shortest(facts: Facts, starts: list[str], stop: str) -> list[str]:
     """Returns the shortest chain of calls from one of the methods ``starts`` to ``stop``, which is
-    a method or a module. Returns an empty list without such a chain."""
+    a method or a module. Returns an empty list if there is no such chain."""
     before: dict[str, str] = dict.fromkeys(starts, "")
     work = list(before)
     while work:

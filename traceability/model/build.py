@@ -344,7 +344,8 @@ def _with_calls(model: Model, facts: Facts) -> Model:
     functions: dict[str, schema.Function] = {}
     # (method, file of its function body, first source line of this body) -> calls in the body
     made: dict[tuple[str, str, int], list[schema.Call]] = {}
-    # method -> its callers -> the abstract method that the caller calls, if its object is not known
+    # method -> its callers -> the abstract method that the caller calls, if the object of this call
+    # is not known
     callers: dict[str, dict[str, str]] = {}
     for body in facts.syntax.bodies:
         calls = [_call(call, body, facts) for call in body.calls]
@@ -576,9 +577,9 @@ def _covered(module: schema.Module, coverage: Coverage) -> schema.Module:
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
-    """Returns true for each source line of the K64 drivers that the tests on the virtual K64
-    executed, and false for each missed line. Returns None if these tests did not run with the
-    present sources.
+    """Returns a value for each source line of the K64 drivers: true if the tests on the virtual K64
+    executed the line, and otherwise false. Returns None if these tests did not run with the present
+    sources.
     """
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None

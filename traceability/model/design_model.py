@@ -24,7 +24,7 @@ class Model:
     version: str
     sources_hash: str
     # target on which tests run -> ``sources_hash`` if its last test results belong to the present
-    # sources, "other sources" if they belong to other sources, None without test results
+    # sources, "other sources" if they belong to other sources, None if there are no test results
     results_hashes: Mapping[str, str | None]
     logic_modules: Mapping[str, schema.LogicModule] = field(default_factory=dict)
     modules: Mapping[str, schema.Module] = field(default_factory=dict)

@@ -67,7 +67,7 @@ def module_of(body: BodyFact, model: Model) -> str:
 
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
-    """Returns for each part (``Type::part``) two sets of modules. The modules in the first set
+    """Returns two sets of modules for each part (``Type::part``). The modules in the first set
     write the part. The modules in the second set read the part."""
     users: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:
@@ -86,7 +86,7 @@ def message_fields(model: Model, facts: Facts) -> list[MessageField]:
     """Returns the fields of the messages, in the order in which they are declared."""
     parts = parts_of(FIELDS, facts)
     widths: dict[str, str] = {}
-    # (name of a message field, "write") -> modules that write the field; in the same way for "read"
+    # (name of a message field, "write" or "read") -> modules that write or read the field
     users: dict[tuple[str, str], dict[str, None]] = {}
     tables: dict[str, list[str]] = {}  # data member -> names of message fields that it contains
     for flow in facts.syntax.flows:

@@ -101,9 +101,9 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Returns the interrupt lines that have a handler but are enabled by no call in the firmware:
-    number of the interrupt line -> name of the handler. Of each list of handlers in the vector
-    table, only the first interrupt line is examined."""
+    """Returns a map from the number of an interrupt line to the name of its handler. The map
+    contains the interrupt lines that no call in the firmware enables. Of each list of handlers in
+    the vector table, only the first interrupt line is examined."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]
@@ -113,7 +113,7 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 
 def line_priorities(facts: Facts) -> dict[int, str]:
-    """Returns for each interrupt line the name of the constant that contains its priority. This
+    """Returns a map from each interrupt line to the name of the constant with its priority. This
     constant is an argument of the call that enables the interrupt line."""
     priorities = _enabling(facts)
     # A loop in the firmware enables interrupt lines that no constant names. Such a line has the
@@ -127,8 +127,9 @@ def line_priorities(facts: Facts) -> dict[int, str]:
 
 
 def _enabling(facts: Facts) -> dict[int, str]:
-    """Returns the priorities of those interrupt lines that a call of ``K64Thread::enable`` names by
-    a constant: number of the interrupt line -> name of the constant with its priority."""
+    """Returns a map from the number of an interrupt line to the name of the constant with its
+    priority. The map contains the interrupt lines that a call of ``K64Thread::enable`` names by a
+    constant."""
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:

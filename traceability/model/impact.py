@@ -143,7 +143,7 @@ class Impacts:
             if requirement.place.file == path:
                 impact.requirements.append(Reached(requirement.id, 0, f"is written in {path}"))
             elif tree is not None and tree.place.file == path:
-                impact.requirements.append(Reached(requirement.id, 0, "its tree is declared there"))
+                impact.requirements.append(Reached(requirement.id, 0, f"its tree is in {path}"))
         for test in model.tests.values():
             if test.place.file == path:
                 impact.tests.append(Reached(test.id, 0, f"is written in {path}"))
@@ -227,7 +227,7 @@ class Impacts:
 
 
 def first_of_each(elements: Iterable[Reached]) -> list[Reached]:
-    """Returns the first record of each affected element, which has its shortest distance."""
+    """Returns the first record of each affected element. This record has the shortest distance."""
     first: dict[str, Reached] = {}
     for item in elements:
         first.setdefault(item.id, item)
@@ -239,7 +239,7 @@ def by_distance(elements: Iterable[Reached]) -> list[Reached]:
 
 
 def overriding_modules(model: Model) -> dict[str, list[str]]:
-    """Returns for each abstract method the modules that override it."""
+    """Returns a map from each abstract method to the modules that override it."""
     methods = [(module.name, m) for module in model.modules.values() for m in module.methods]
     modules: dict[str, list[str]] = {m.id: [] for _, m in methods if m.kind == "pure"}
     for name, method in methods:

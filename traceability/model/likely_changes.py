@@ -1,10 +1,10 @@
-"""Finds for each pattern application the work of its likely change, and the modules that this
-change does not edit.
+"""Finds the work that the likely change of each pattern application needs, and the modules that
+this change does not edit.
 
-``design/changes.toml`` contains for each pattern the steps of its likely change and the role of the
-new class. The modules to edit, the affected requirements and the affected tests are found in the
-code. If a module names the existing classes that have the role of the new class, the module must
-also name the new class. Other modules need not name the new class."""
+For each pattern, ``design/changes.toml`` contains the steps of its likely change and the role of
+the new class. The modules to edit, the affected requirements and the affected tests are found in
+the code. If a module names the existing classes that have the role of the new class, the module
+must also name the new class. Other modules need not name the new class."""
 
 from __future__ import annotations
 

@@ -3,7 +3,8 @@
 A block is a sequence of instructions of which either all or none are executed. The linear program
 has a variable for each transition from a block to another block. The variable is the number of
 times that a path uses the transition. This method is the implicit path enumeration of Li and Malik.
-The solver also permits fractions for these numbers. The computed maximum is then never too low."""
+The solver also permits fractions for these numbers. Therefore, the computed maximum can be too
+high, but never too low."""
 
 from __future__ import annotations
 

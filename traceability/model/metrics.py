@@ -218,9 +218,9 @@ def recorded_metric(proofs: schema.Proofs) -> dict[str, Any]:
 
 
 def _proven_times(proof: schema.TimeProof | None, drives: Published | None) -> dict[str, Any]:
-    """Returns the upper bounds of the times of a cycle without and with noise at all inputs and of
-    the times of the paths, and the ratios of the bounds of a cycle to the longest measured
-    times."""
+    """Returns upper bounds of times: of a cycle without noise, of a cycle with noise at all inputs,
+    of each path, and of a lock of the interrupts. Also returns two ratios: each bound of a cycle,
+    divided by the longest measured time of this cycle."""
     if proof is None or not proof.proven:
         return {}
     outcomes = drives.result["outcomes"] if drives else {}
@@ -251,8 +251,8 @@ def _is_executed(requirement: schema.Requirement) -> bool:
 
 
 def safety(case: schema.SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
-    """Counts the safety goals and the fault scenarios, and how many of them this run verified. Also
-    returns the number of existing lines that were edited for safety functions."""
+    """Counts the safety goals and the fault scenarios, in all and those that this run verified.
+    Also returns the number of existing lines that were edited for safety functions."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())
     return {

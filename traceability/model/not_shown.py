@@ -11,6 +11,7 @@ from typing import Any
 from urllib.parse import urlencode
 
 from traceability.model.design_model import Model
+from traceability.model.made_changes import proven
 from traceability.model.metrics import METHODS
 from traceability.model.report import Report
 from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
@@ -82,6 +83,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
         *_sources(model),
         *(_build(model.build) if model.build else ()),
         *_requirements(model, report),
+        *_missing_runs(model),
         *_measurements(model),
         *_earlier_runs(model),
     ]
@@ -144,6 +146,11 @@ def _build(build: BuildEvidence) -> Iterator[NotShown]:
             f"{_count(len(build.failed), 'Python test')} of the tools, the client and the "
             f"pages failed: {', '.join(build.failed)}."
         )
+    if folders := [folder for folder, counts in build.tool_tests.items() if counts is None]:
+        texts.append(
+            "The Python tests in these folders of tests/python were not run with these sources: "
+            f"{', '.join(folders)}."
+        )
     if counts := build.long_tests.values():
         texts.append(
             "The long tests of the tools (./wr test --long) are not part of this build: "
@@ -190,8 +197,8 @@ def _requirements(model: Model, report: Report) -> Iterator[NotShown]:
         )
     if only_host := sum(targets_of(model, each) == [HOST] for each in requirements):
         yield NotShown(
-            f"The tests of {_count(only_host, 'requirement')} run only on the host, and not on the "
-            f"{VIRTUAL_K64}.",
+            f"The tests of {_count(only_host, 'requirement')} passed only on the host. No test of "
+            f"these requirements passed on the {VIRTUAL_K64}.",
             "requirements",
             urlencode({"binding": ONLY.format(HOST)}),
         )
@@ -202,6 +209,43 @@ def targets_of(model: Model, requirement: Requirement) -> list[str]:
     tests = [model.tests[name] for name in requirement.verified_by]
     passed = {target for test in tests for target in test.gave("passed")}
     return [target for target in model.results_hashes if target in passed]
+
+
+def _missing_runs(model: Model) -> Iterator[NotShown]:
+    """Returns the results that this build lacks, and the examples of changes and the ports whose
+    tests did not all pass. ``_sources`` lists missing test results of a target."""
+    coverage = model.measured.get("coverage.line")
+    results = (
+        (coverage, "The coverage of all tests was not measured", "requirements"),
+        (model.board_lines, "The executed lines of the drivers were not measured", "virtual_k64"),
+        (model.driver_faults, "The faults seeded in the drivers were not run", "virtual_k64"),
+        (model.bench, "The times of the control cycle were not measured", "bench"),
+        (model.stack, "The longest times and the largest stack were not calculated", "execution"),
+        (model.proofs.results, "The properties of the state machines were not proved", "proofs"),
+    )
+    for result, words, page in results:
+        if result is None:
+            yield NotShown(f"{words} with these sources.", page)
+    loops = model.closed_loop
+    if unplayed := sum(not {HOST, VIRTUAL_K64} <= loop.runs.keys() for loop in loops):
+        yield NotShown(
+            "Number of scenarios for the control performance that were not run on both targets "
+            f"with these sources: {unplayed} of {len(loops)}.",
+            "closed_loop",
+        )
+    made = [change.made for change in model.changes.values() if change.made]
+    if unproven := len(made) - sum(map(proven, made)):
+        yield NotShown(
+            "Number of examples of likely changes that did not pass all tests with these sources, "
+            f"or were not tested: {unproven} of {len(made)}.",
+            "changes",
+        )
+    if ports := [name for name, port in model.ports.items() if not port.passed]:
+        yield NotShown(
+            "These ports to other devices did not pass all tests with these sources, or were not "
+            f"tested: {', '.join(ports)}.",
+            "changes",
+        )
 
 
 def _measurements(model: Model) -> Iterator[NotShown]:
@@ -263,8 +307,8 @@ def _earlier_runs(model: Model) -> Iterator[NotShown]:
     if goals := [name for name, text in exceptions.items() if OLD_DRIVES in text]:
         yield NotShown(
             "This build did not repeat the long series of drives with faults "
-            "(tests/python/programs/test_random_drives.py). Known exceptions of "
-            f"{', '.join(goals)} state the commits of their last run.",
+            "(tests/python/programs/test_random_drives.py). The known exceptions of "
+            f"{', '.join(goals)} state the commits of the last run.",
             "safety",
         )
     for name, (text, page) in CAMPAIGNS.items():

@@ -39,7 +39,8 @@ def serving_methods(model: Model) -> set[str]:
 
 
 def methods_without(model: Model) -> list[tuple[Module, Method]]:
-    """Returns each public method of a design module if the method serves no requirement."""
+    """Returns the public methods of the design modules. Methods that serve a requirement are left
+    out."""
     serving = serving_methods(model)
     return [
         (module, method)

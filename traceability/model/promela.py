@@ -57,7 +57,7 @@ def whole(
 
 
 def observed(robot: str) -> dict[str, set[str]]:
-    """Returns for each observing variable the names in the expression that sets it."""
+    """Returns a map from each observing variable to the names in the expression that sets it."""
     body = robot.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}

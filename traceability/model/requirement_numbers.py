@@ -102,7 +102,7 @@ def bare_numbers(text: str) -> dict[str, Quantity]:
 
 
 def number_in(text: str) -> Fraction:
-    """Returns the number at the beginning of a text, which is in digits or a word."""
+    """Returns the number at the beginning of a text. The number is in digits or is a word."""
     first = text.removeprefix("N = ").partition(" ")[0]
     return Fraction(_IN_WORDS.get(first) or first)
 

@@ -3,8 +3,8 @@ the control cycle, and the time from an input to its effect.
 
 Each bound includes the time of the interrupts that can occur before the response. The computation
 assumes that each interrupt occurs as often as it can. Each bound also includes the longest time for
-which code of a lower priority blocks the interrupts. Such code runs at most once before the
-response, because each code of a lower priority then waits."""
+which code of a lower priority blocks the interrupts. This time is added only once. After the block,
+code of a lower priority waits until the response."""
 
 from __future__ import annotations
 
@@ -212,8 +212,9 @@ def with_responses(contexts: Iterable[TimeBound], locked: int = 0) -> list[TimeB
 
 def cycle_response(contexts: Iterable[TimeBound], locked: int = 0, *, noise: bool) -> float:
     """Returns the number of processor cycles from the clock pulse until the main thread has
-    finished its work. The cycles of the interrupts in this time are included, and the cycles
-    ``locked``, for which the idle program can block the interrupts before."""
+    finished its work. This number includes the cycles of the interrupts in this time. It also
+    includes ``locked``: the cycles for which the idle program can block the interrupts at the clock
+    pulse."""
     all_bounds = list(contexts)
     own = locked + sum(bound.cycles for bound in all_bounds if bound.entries is None)
     interrupts = [bound for bound in all_bounds if bound.entries is not None]
@@ -298,9 +299,9 @@ def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noi
 def too_many(
     bound: TimeBound, handlers: Sequence[str], recording: Recording
 ) -> tuple[int, float] | None:
-    """Returns the first requests of an interrupt in a recording that are more than its bound
-    permits: their number, and the time [ms] from the first to the last of them. Returns None if
-    there are no such requests."""
+    """Finds the first requests of an interrupt in a recording that are more than its bound permits.
+    Returns the number of these requests, and the time [ms] from the first to the last of them.
+    Returns None if there are no such requests."""
     if bound.entries is None:
         return None
     waits = {bound.context: min((bound.response_ms or 0.0) * CLOCK, float(MOST_ROUNDS * CLOCK))}

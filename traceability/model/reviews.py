@@ -364,8 +364,8 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
         if who & authors(root, text.place):
             place = f"{text.place.file}:{text.place.line}"
             yield (
-                f"{review.reviewer} wrote lines of {text.kind} {text.name} ({place}), but only "
-                "another person can review it; let such a person run ./wr review"
+                f"{review.reviewer} wrote lines of {text.kind} {text.name} ({place}), and authors "
+                "of a text cannot review it; let another person run ./wr review"
             )
             break
 

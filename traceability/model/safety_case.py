@@ -130,7 +130,7 @@ def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Itera
 
 
 STATES = {
-    "failed": "failed",
+    "failed": "not verified: a test failed",
     "stale": "verified by results that are older than the sources",
     "suspect": "suspect: a text on which its verdict depends changed since the baseline",
     "unverified": "not verified in this run",

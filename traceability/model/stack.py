@@ -67,9 +67,10 @@ def read_declared(root: Path, facts: Facts) -> Declared:
 
 
 def objects_in_chains(classes: set[str], facts: Facts) -> dict[str, int]:
-    """Returns the greatest number of objects in a chain, for the classes of the chains and for
-    their base classes. A chain contains at most one object of each class. A base class with a
-    subclass outside the chains is left out."""
+    """Returns a map from each class to the greatest number of its objects in a chain, with the
+    objects of its subclasses. The classes are those of the chains, and their base classes. A chain
+    contains at most one object of each class. A base class with a subclass outside the chains is
+    left out."""
     objects = dict.fromkeys(classes, 1)
     for base, subclasses in facts.subclasses.items():
         concrete = [name for name in subclasses if not facts.classes[name].abstract]
@@ -79,9 +80,9 @@ def objects_in_chains(classes: set[str], facts: Facts) -> dict[str, int]:
 
 
 def later_classes(robot: References, first: str, last: str) -> dict[str, frozenset[str]]:
-    """Returns the classes of all later objects in a chain, for each class of the chain. In a chain,
-    the constructor of each object gets the next object. Returns no class if ``first`` does not
-    lead to ``last``."""
+    """Returns a map from each class of a chain to the classes of all later objects in the chain. In
+    a chain, the constructor of each object gets the next object. Returns no class if ``first`` does
+    not lead to ``last``."""
     classes = reached_from([first], robot.arguments)
     later = {name: reached_from(robot.arguments(name), robot.arguments) for name in classes}
     chain = {name for name in classes if name == last or last in later[name]}
@@ -259,8 +260,8 @@ class Prover:
         return symbols
 
     def _methods(self, body: str, call: CallFact, way: Sequence[tuple[str, int]]) -> list[str]:
-        """Returns the methods that a virtual call in a body may execute, for all classes of which
-        the object of the body may be."""
+        """Returns the methods that a virtual call in a body may execute, for all classes that the
+        object of the body may have."""
         robot = self.facts.robot
         kind = self._kind_of(body, way)
         kinds = robot.constructed & {kind, *self.facts.subclasses.get(kind, [])}

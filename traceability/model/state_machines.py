@@ -81,8 +81,8 @@ def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
 
 
 def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
-    """Returns for each Context the method that changes the present state. This method assigns a
-    member that refers to a State. A Context without such a method is left out."""
+    """Returns a map from each Context to its method that changes the present state. This method
+    assigns a member that refers to a State. A Context without such a method is left out."""
     holders: dict[str, str] = {}
     for context in contexts:
         fields = {
@@ -356,7 +356,7 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
 
 
 def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[Seen]]:
-    """Returns for each recording the changes of state that it shows."""
+    """Returns a map from each recording to the changes of state that the recording shows."""
     names = {a: m for a, m in traces.symbols.items() if watcher.concerns(m)}
     runners = traces.addresses(watcher.runners.keys())
     turning = {a for a, m in names.items() if watcher.turns(m)}

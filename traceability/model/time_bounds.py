@@ -224,8 +224,8 @@ class Times:
         compiler has inlined the called method at the same place.
 
         The compiled code compares the target of the call with the method that the compiler expects.
-        If both are equal, the inlined code is executed, and otherwise the call. If no other method
-        is possible, the call is never executed."""
+        If both are equal, the inlined code is executed. Otherwise, the call is executed. If no
+        other method is possible, the call is never executed."""
         function = self.prover.graph.get(code.symbol)
         for one in block.instructions:
             place = self._place(one.address)
@@ -359,9 +359,9 @@ class Times:
             yield FlowFact(factors, most)
 
     def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
-        """Returns for each counter the copies of its source line in the compiled code. Each copy is
-        a list of blocks. Each inlined call of a function has its own copies of the function's
-        source lines.
+        """Returns a map from each counter to the copies of its source line in the compiled code.
+        Each copy is a list of blocks. Each inlined call of a function has its own copies of the
+        function's source lines.
 
         If a source line consists only of inlined calls, its copy contains the blocks of these
         calls."""

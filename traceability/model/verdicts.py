@@ -52,7 +52,7 @@ def _reasons(
     for evidence in requirement.evidence:
         reasons += reasons_of_evidence(evidence, measured.get(evidence.figure))
     if requirement.by_calls and not requirement.satisfied_by:
-        reasons.append("no method satisfies it")
+        reasons.append("no method satisfies this requirement")
     if not requirement.evidence and not requirement.verified_by:
         reasons.append("no test verifies this requirement")
     for result, words in (("failed", "failed"), ("skipped", "skipped"), (None, "did not run")):
@@ -61,9 +61,10 @@ def _reasons(
             if tests:
                 reasons.append(f"{words} on the {binding}: {', '.join(tests)}")
     if requirement.tree is None:
-        return [*reasons, "it has no tree of invocations"] if requirement.by_calls else reasons
+        without = "this requirement has no tree of invocations"
+        return [*reasons, without] if requirement.by_calls else reasons
     nodes = nodes_of(requirement.tree)
     reasons += [f"no call reaches {node.label}" for node in nodes if not node.reachable]
     if not requirement.runs:
-        reasons.append("no passing test executed its tree")
+        reasons.append("no passing test executed the tree of invocations")
     return reasons

@@ -101,7 +101,7 @@ class CallFact:
     sometimes: bool = False
     repeated: bool = False  # True if the call is in a loop.
     # Offset of the end of the call in the file. If calls are sorted by this offset, the calls in
-    # the arguments of a call come before the call itself.
+    # the arguments of a call are before the call itself.
     end: int = 0
     # operands of the conditions that the code evaluates before the call (see conditions.py)
     asked: list[str] = field(default_factory=list)

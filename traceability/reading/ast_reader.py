@@ -94,7 +94,7 @@ _CONSTANTS = {
 
 
 class Reader:
-    """A walk through the syntax tree of one translation unit, which stores the facts about the
+    """A walk through the syntax tree of one translation unit. The walk stores the facts about the
     requested files."""
 
     def __init__(self, root: Path, files: set[str]) -> None:

@@ -185,8 +185,8 @@ def spread(values: Sequence[float], digits: int) -> Spread:
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
-    """Returns the longest time from an interrupt request to the start of the handler, and the name
-    of this interrupt, for each priority."""
+    """Returns two results for each priority: the longest time from an interrupt request to the
+    start of the handler, and the name of this interrupt."""
     requested = [(int(number), latency) for number, latency in raw.items() if latency["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
     longest = {}
@@ -261,8 +261,8 @@ def owner(frames: Frames) -> tuple[str, str]:
 
 
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
-    """Returns for each instruction the functions that contain it. The innermost inlined function is
-    the first."""
+    """Returns a map from each instruction to the functions that contain it. The innermost inlined
+    function is the first."""
     return {
         address: [
             (function, place.rsplit(":", 1)[0])

@@ -39,7 +39,8 @@ def read_stretches(root: Path) -> list[Stretch]:
 
 
 def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
-    """Returns for each file and source line whether an instruction of this line was executed.
+    """Returns a value for each source line of each file: true if an instruction of the line was
+    executed.
 
     ``executed`` may end after the last executed half-word. Half-words without a bit were not
     executed."""

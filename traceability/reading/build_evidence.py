@@ -10,10 +10,10 @@ from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from traceability.reading.image_record import read_image
 from traceability.reading.lint_record import read_exemptions, read_lint
 from traceability.reading.products import PRODUCTS, image_of
-from traceability.reading.results import RESULTS, RUNS, read_object
+from traceability.reading.results import RESULTS, RUNS, TASKS, read_object
+from traceability.reading.task_record import BENCH, CLOSED_LOOP, COVERAGE, IMAGES, is_fresh
 from traceability.reading.tool_tests import (
     failed_tests,
     long_tests,
@@ -21,7 +21,7 @@ from traceability.reading.tool_tests import (
     repeated_tests,
     results_of,
 )
-from traceability.schema import BuildEvidence, FileHash, TestRun
+from traceability.schema import HOST, BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
 # If the version of one of these programs changes, a firmware image, a verdict, a page or the result
@@ -45,7 +45,14 @@ PACKAGES = (
 )
 INPUTS = ("setup/python.lock", "setup/strictdoc.lock", "setup/debian.txt", "CMakePresets.json")
 SOURCES = "firmware, simulator and their tests"
-OF_RESULTS = ("bench.json", "closed_loop.json", "coverage.json", "products.json")
+# Result file -> the tasks whose inputs must not have changed since the task wrote the file.
+OF_RESULTS = {
+    **{f"{name}.json": (TASKS[target],) for target, name in RUNS.items()},
+    "bench.json": (BENCH,),
+    "closed_loop.json": (CLOSED_LOOP,),
+    "coverage.json": (TASKS[HOST], COVERAGE),
+    "products.json": (IMAGES,),
+}
 NUMBER = re.compile(r"\d+\.\d+[\w.+-]*")
 
 
@@ -59,7 +66,7 @@ def read_build(root: Path) -> BuildEvidence:
         processors=os.cpu_count() or 1,
         tools=dict(_versions()),
         runs={target: run for target, name in RUNS.items() if (run := read_run(root, name))},
-        hashes=_hashes(root),
+        hashes=read_hashes(root),
         lint=read_lint(root),
         tool_tests=tool_tests,
         failed=[name for folder in ran for name in failed_tests(root / results_of(folder))],
@@ -126,8 +133,8 @@ def _package(name: str) -> str:
 
 
 def read_run(root: Path, name: str) -> TestRun | None:
-    """Returns the time of the first test in a run, and the seeds of the run. Returns None without
-    results."""
+    """Returns the time of the first test in a run, and the seeds of the run. Returns None if there
+    are no results."""
     record = read_object(root / RESULTS / f"{name}.json")
     cases = [case for suite in record.get("testsuites", []) for case in suite["testsuite"]]
     if not cases:
@@ -136,17 +143,19 @@ def read_run(root: Path, name: str) -> TestRun | None:
     return TestRun(date, sorted({case["seed"] for case in cases if "seed" in case}))
 
 
-def _hashes(root: Path) -> list[FileHash]:
-    """Returns the hashes of those files that exist. Firmware images are listed only if they were
-    built from the present sources."""
-    results = (*(f"{run}.json" for run in RUNS.values()), *OF_RESULTS)
-    images = [str(image_of(product, ".bin")) for product in PRODUCTS] if read_image(root) else []
+def read_hashes(root: Path) -> list[FileHash]:
+    """Returns the hashes of those files that exist. A firmware image or a result is listed only if
+    it belongs to the present sources."""
     listed = [
-        *(("image", name) for name in images),
-        *(("input", name) for name in INPUTS),
-        *(("result", str(RESULTS / name)) for name in results),
+        *(("image", image_of(product, ".bin"), (IMAGES,)) for product in PRODUCTS),
+        *(("input", Path(name), ()) for name in INPUTS),
+        *(("result", RESULTS / name, tasks) for name, tasks in OF_RESULTS.items()),
     ]
-    hashes = [FileHash(kind, name, file_hash(root / name)) for kind, name in listed]
+    hashes = [
+        FileHash(kind, str(path), file_hash(root / path))
+        for kind, path, tasks in listed
+        if all(is_fresh(root, task) for task in tasks)
+    ]
     return [
         FileHash("input", SOURCES, source_hash(root)),
         *(item for item in hashes if item.sha256),

@@ -154,7 +154,7 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
 
 
 def table_bytes(elf: Path) -> dict[str, int]:
-    """Returns for each class the size of its virtual method table in bytes."""
+    """Returns a map from each class to the size of its virtual method table in bytes."""
     listed = output_of("arm-none-eabi-nm", "--print-size", "--demangle", elf)
     return {name: int(size, 16) for size, name in TABLE.findall(listed)}
 

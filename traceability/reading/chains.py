@@ -149,7 +149,7 @@ def _places(name: str, recording: Recording, after: int, outer: Step | None) -> 
 def _field_places(
     field_name: str, recording: Recording, direction: str, named: str, after: int
 ) -> Iterator[Step]:
-    """Yields for each frame of the named kind the event of the first byte of the named field."""
+    """Yields an event for each frame of the named kind: the first byte of the named field."""
     kind, _, name = named.partition(".")
     field_ = LAYOUTS[kind].of(name)
     number = HEAD + field_.offset

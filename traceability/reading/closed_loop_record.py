@@ -132,8 +132,8 @@ def time_column(name: str) -> str:
 
 
 def is_valid(row: dict[str, str], name: str) -> bool:
-    """Returns whether a value is valid. A report has one bit for each measured value and for each
-    applied voltage, which shows whether the value is valid. Other values are always valid."""
+    """Returns whether a value is valid. For each measured value and each applied voltage, a bit of
+    the report shows whether the value is valid. Other values are always valid."""
     wheel = int(name[-1]) if name[-1].isdigit() else 0
     bits = {
         f"velocity{wheel}": ("measured", 3 * wheel),

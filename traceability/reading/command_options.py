@@ -1,4 +1,4 @@
-"""Reads the commands of ./wr, the programs of the simulator, the options of each, and the values
+"""Reads the commands of ./wr and the programs of the simulator, with their options and the values
 of the options."""
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ def _python(root: Path, part: str) -> Iterator[tuple[Path, str]]:
 
 
 def _imported(tree: ast.Module) -> dict[str, str]:
-    """Returns the name of the defining file, for each name that a file imports."""
+    """Returns a map from each name that a file imports to the name of the file that defines it."""
     return {
         alias.asname or alias.name: (node.module or "").rpartition(".")[2]
         for node in ast.walk(tree)

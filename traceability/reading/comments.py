@@ -167,8 +167,8 @@ def comment_blanked(text: str) -> str:
 
 
 def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
-    """Yields for each ``//`` and ``/* */`` comment: the line number, true if there is code before
-    the comment on this line, and the text."""
+    """Yields three results for each ``//`` and ``/* */`` comment: the line number, true if there is
+    code before the comment on this line, and the text."""
     line, at = 1, 0
     for token in TOKENS.finditer(text):
         written = token["comment"]

@@ -25,7 +25,8 @@ class Difference:
 @dataclass(frozen=True)
 class Comparison:
     """Two commits and the differences between them. ``unmeasured`` lists the commits without
-    recorded results. If it is not empty, verdicts, findings, sizes and metrics are not compared."""
+    recorded results. If there are such commits, verdicts, findings, sizes and metrics are not
+    compared."""
 
     first: str
     second: str

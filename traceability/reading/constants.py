@@ -19,8 +19,8 @@ DIGITS_OF_FLOAT = 7  # significant decimal digits of the type float
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """Returns the names by which a text can refer to a constant: ``Class::name`` for a constant of
-    a class, and otherwise ``name`` and ``File::name``."""
+    """Returns the names by which a text can refer to a constant. A constant of a class has the name
+    ``Class::name``. Any other constant has the names ``name`` and ``File::name``."""
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]
@@ -70,7 +70,7 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[float, str] | None:
-    """Returns the value of an expression and its unit. The unit is taken from the type, or from the
+    """Returns the value of an expression and its unit. The unit is that of the type, or that of the
     factory function that the expression calls. If neither of them has a unit, the unit is empty."""
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated_number(value)

@@ -244,7 +244,7 @@ def _machines(root: Path, entries: Entries, declared: Declared) -> None:
         machine = _machine(Place(str(path.relative_to(root)), 1), path, entries)
         if machine is not None and machine.id in declared.machines:
             text = f"{declared.machines[machine.id].place.file} already has a machine {machine.id}"
-            fix = "give each machine a different id"
+            fix = "use a different id for each machine"
             entries.problems.append(Problem(machine.place, text, fix))
         elif machine is not None:
             declared.machines[machine.id] = machine

@@ -246,9 +246,9 @@ class FlowReader:
 
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the types on which a decision in the statement depends: each class if addresses of its
-    objects are compared, and each enumeration if the number of an enumerator is compared, is an
-    index, or is the condition of a switch."""
+    """Yields the types on which a decision in the statement depends. A type is a class if the
+    statement compares addresses of its objects. A type is an enumeration if the number of one of
+    its enumerators is compared, is an index, or is the condition of a switch."""
     children = list(cursor.get_children())
     if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
         if operator_of(cursor, children[0]) in COMPARISONS:

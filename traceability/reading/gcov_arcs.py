@@ -65,7 +65,7 @@ class Graph:
     lines: dict[int, list[Line]] = field(default_factory=dict)  # block -> source lines
 
     def solve(self, counters: tuple[int, ...]) -> list[int]:
-        """Returns for each arc how often the program took it."""
+        """Returns the number of times that the program took each arc."""
         given = iter(counters)
         taken: list[int | None] = [next(given, 0) if arc.counted else None for arc in self.arcs]
         leaving, entering = self._sides()

@@ -13,9 +13,9 @@ NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\s+", re.DOTALL)  # comments and white
 
 
 def last_changes(root: Path) -> dict[str, str]:
-    """Returns for each file the date and the hash of the last commit that changed it. The file of
-    the newest commit is the first. A merge changes a file that differs from the file in all its
-    parents. Returns an empty dictionary without git."""
+    """Returns the date and the hash of the last commit that changed each file. The file of the
+    newest commit is the first. A merge counts as a change of a file only if the file differs from
+    the same file in all parents of the merge. Returns an empty dictionary if git fails."""
     found: dict[str, str] = {}
     log = git(root, "log", "-c", "--format=%x00%cs %h", "--name-only")
     for entry in filter(None, log.split("\0")):

@@ -45,7 +45,7 @@ class Bounds:
 
     def at(self, place: Place) -> Bound | None:
         """Returns the bound that is declared for the loop or the call on a source line. Returns
-        None without a valid bound."""
+        None if there is no valid bound."""
         lines = self._lines(place[0])
         if not 0 < place[1] <= len(lines):
             return None

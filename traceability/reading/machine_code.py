@@ -32,8 +32,8 @@ VENEER = re.compile(r"^_+(?P<name>\w+)_veneer$")
 
 @dataclass
 class Instruction:
-    """A machine instruction. ``cycles`` does not include the additional cycles of a taken jump, or
-    the cycles of a called function."""
+    """A machine instruction. ``cycles`` does not include the additional cycles of a taken jump to
+    another block, or the cycles of a called function."""
 
     address: int
     name: str

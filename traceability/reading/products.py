@@ -52,8 +52,8 @@ def listed(root: Path) -> list[Product]:
 
 
 def functions_of(root: Path) -> dict[str, frozenset[str]]:
-    """Returns the names of the products that have a function, for each function that a user sees.
-    These products contain the module of the function."""
+    """Returns a map from each function that a user sees to the names of the products with this
+    function. These products contain the module of the function."""
     table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
     return {
         function: frozenset(product.name for product in listed(root) if module in product.has)

@@ -22,7 +22,7 @@ class Published:
     """The published result of the last run of a command."""
 
     command: str
-    commit: str  # empty without git
+    commit: str  # empty if git is not available
     date: str  # YYYY-MM-DD
     result: Mapping[str, Any]
 

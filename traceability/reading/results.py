@@ -106,8 +106,8 @@ def cost_of(root: Path, run_name: str) -> Path:
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """Returns how many times longer the tests took with recordings than without. Returns None if
-    one of the two runs used other sources than ``sources``."""
+    """Returns the time of the tests with recordings divided by their time without recordings.
+    Returns None if one of the two runs used other sources than ``sources``."""
     costs = [read_object(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(cost.get("sources") != sources for cost in costs):
         return None
@@ -116,7 +116,7 @@ def read_recording_factor(root: Path, sources: str) -> float | None:
 
 
 def run_hash(root: Path, binding: str) -> str:
-    """Returns the hash of the result file of the last test run. Each run gives another hash,
+    """Returns the hash of the result file of the last test run. Each run has another hash,
     because the file contains times."""
     return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
 

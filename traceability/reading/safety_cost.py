@@ -97,9 +97,9 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """Returns the correction that names the file. If there is none, returns the correction that
-    names a folder above the file; if there are several, the innermost of these folders counts.
-    Returns None if no correction names the file or a folder above it."""
+    """Returns the correction that names the file. If no correction names the file, returns the
+    correction that names the innermost folder above the file. Returns None if no correction names
+    the file or a folder above it."""
     matching = [
         (len(path), correction)
         for correction in corrections

@@ -18,7 +18,7 @@ RECORD = RESULTS / "drift.json"
 SOURCES = (
     *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs"),
     *("traceability", "tools", "client", "README.md", "CONTRIBUTING.md"),
-    *("CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake"),
+    *("CMakeLists.txt", "CMakePresets.json", "setup"),
 )
 
 

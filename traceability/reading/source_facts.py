@@ -93,7 +93,7 @@ class Facts:
 
     @functools.cached_property
     def folders(self) -> dict[str, Comment]:
-        """Returns for each folder the comment with ``@dir``, which describes the folder."""
+        """Returns a map from each folder to the comment with ``@dir`` that describes the folder."""
         comments = self.comments.below(DESIGN)
         return {comment.of("dir")[0].argument: comment for comment in comments if comment.of("dir")}
 
@@ -360,7 +360,7 @@ class References:
 
     @functools.cached_property
     def _into(self) -> dict[str, list[str]]:
-        """Returns for each place the sources of all flows into the place."""
+        """Returns a map from each place to the sources of all flows into the place."""
         into: dict[str, list[str]] = {}
         for flow in self.facts.syntax.flows:
             if self.contains(flow.file):
@@ -383,7 +383,7 @@ class References:
     def wired_targets(self, call: CallFact, owner: str) -> list[str]:
         """Returns the methods that a call in a method of the class ``owner`` may execute. The
         object of the calling method has the class ``owner`` or a subclass. Returns an empty list if
-        no object to which the reference in the call may refer is known."""
+        no object is known for the reference in the call."""
         if call.virtual and call.on and not self.objects(call.on, call.target.rpartition("::")[0]):
             return []
         family = [owner, *self.facts.subclasses.get(owner, [])]

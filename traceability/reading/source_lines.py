@@ -15,7 +15,7 @@ def texts_below(
     root: Path, names: Iterable[str], suffixes: tuple[str, ...]
 ) -> Iterator[tuple[str, str]]:
     """Yields the path relative to ``root`` and the text of each file below the given folders. The
-    files come in the order of files_below()."""
+    files have the order of files_below()."""
     for path in files_below(root, names, suffixes):
         yield str(path.relative_to(root)), path.read_text(encoding="utf-8")
 

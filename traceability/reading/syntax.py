@@ -39,7 +39,7 @@ READERS = (
 
 def read_syntax(root: Path, cache: Path) -> Syntax:
     """Returns the facts about all files of the design. Only translation units with changed files
-    are parsed. The other facts come from the cache."""
+    are parsed. The other facts are read from the cache."""
     cache.mkdir(parents=True, exist_ok=True)
     hashes: dict[str, str] = {}
     units = translation_units(root)

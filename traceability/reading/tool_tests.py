@@ -72,7 +72,7 @@ def long_tests(root: Path) -> dict[str, int]:
 
 
 def _long(file: Path) -> Iterator[bool]:
-    """Returns for each test function of a file whether it contains a long test."""
+    """Yields a value for each test function of a file: true if the function has a long test."""
     tree = ast.parse(file.read_text(encoding="utf-8"))
     assigned = [ast.unparse(node) for node in tree.body if isinstance(node, ast.Assign)]
     whole = any(text.startswith("pytestmark = ") and LONG_MARK in text for text in assigned)

@@ -23,7 +23,8 @@ BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-
 
 
 def translation_units(root: Path) -> dict[str, list[str]]:
-    """Returns for each translation unit the files about which its syntax tree gives facts."""
+    """Returns a map from each translation unit to the files about which its syntax tree gives
+    facts."""
     paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
     files = [str(path.relative_to(root)) for path in paths]
     units: dict[str, list[str]] = {}
@@ -50,8 +51,8 @@ def clang_arguments(board: bool) -> list[str]:
 
 
 def _board_folders() -> list[str]:
-    """Returns the folders in which the K64 compiler searches for system headers. The list of
-    folders comes from the compiler itself."""
+    """Returns the folders in which the K64 compiler searches for system headers. The
+    compiler itself prints the list of these folders."""
     answer = subprocess.run(
         [BOARD_COMPILER, *BOARD_FLAGS, "-E", "-x", "c++", "-v", "/dev/null"],
         capture_output=True,

@@ -6,8 +6,8 @@
 namespace wr::can {
 namespace {
 
-// The tests do not use the numbers of the firmware. Therefore a wrong number in the firmware makes
-// the tests fail.
+// The tests define these numbers themselves, and do not use the constants of the firmware.
+// Therefore a wrong number in the firmware makes the tests fail.
 constexpr std::uint16_t kToRobot = 0x101;
 constexpr std::uint16_t kFromRobot = 0x102;
 constexpr std::size_t kMost = 8;  // greatest number of bytes in a frame

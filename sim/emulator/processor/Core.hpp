@@ -223,7 +223,7 @@ class Core {
   bool slowFlash_;
   bool codeIsSlow_ = false;  ///< the executed memory is flash
   bool branched_ = false;
-  Instruction none_{};  ///< instruction outside of the executed memory
+  Instruction none_{};  ///< not decoded; for each address outside of the executed memory
   ExecutedCode* executed_ = nullptr;
   std::uint32_t* lowestStack_ = nullptr;
   std::function<void(std::uint32_t)> blockCall_;

@@ -334,7 +334,8 @@ void Float::compare(std::uint32_t a, std::uint32_t b, bool quietIsInvalid) {
       fpscr_ |= kInvalid;
     }
   } else {
-    // Magnitudes have the same order as their bits without the sign, read as integers.
+    // The bits of a number without its sign bit are an integer. These integers have the same order
+    // as the magnitudes of the numbers.
     const auto order = [](const Number& number) {
       const std::int64_t magnitude = number.kind == Kind::Zero ? 0 : number.bits & ~kSign;
       return number.negative ? -magnitude : magnitude;

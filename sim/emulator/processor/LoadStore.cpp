@@ -51,8 +51,8 @@ template <typename Value, Place kPlace>
   }
 }
 
-// Loads a number. A separate function contains the accesses that need further function calls, so
-// that a direct access does not save registers for these calls.
+// Loads a number. The accesses that need further function calls are in a separate function.
+// Therefore a direct access does not save registers for these calls.
 template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;

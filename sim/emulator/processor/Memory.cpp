@@ -85,7 +85,7 @@ void Memory::forget(const Area& area, std::uint32_t address, std::uint32_t size)
   if (area.instructions == nullptr) {
     return;
   }
-  // A changed half-word may be the second half of an instruction that begins before it.
+  // A changed half-word may be the second half of an instruction that begins one half-word earlier.
   const std::uint32_t first = (address - area.address) / 2;
   const std::uint32_t last = (address - area.address + size - 1) / 2;
   for (std::uint32_t half = first == 0 ? 0 : first - 1; half <= last; ++half) {

@@ -85,8 +85,8 @@ void smlaw(Core& core, const Instruction& in) {
   core.registers.r[in.d] = narrowed(core, productWithHalf(core, in) + wide(addend(core, in)));
 }
 
-/// Returns the sum or the difference of two products. Each product has one half of each operand as
-/// factor.
+/// Returns the sum or the difference of two products. The factors of each product are one half of
+/// the first operand and one half of the second operand.
 template <bool kSubtracts>
 std::int64_t dual(const Core& core, const Instruction& in) {
   const Registers& x = core.registers;

@@ -99,7 +99,7 @@
       event.preventDefault();
       return;
     }
-    /* a letter key opens a view only while the name of a module, its view keys or its card have the focus */
+    /* a letter key opens a view only while the name of a module, its view keys or its card has the focus */
     const name = target.dataset.m || (group && group.dataset.vk) || (inCard && inCard.dataset.m);
     const view =
       name &&

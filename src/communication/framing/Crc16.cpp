@@ -29,8 +29,8 @@ consteval Table remainders() {
 
 constexpr Table kRemainders = remainders();
 
-// Returns a table of CRC remainders. `other` is the table for a byte before n more bytes. The
-// result is the table for a byte before n + 1 more bytes.
+// Returns a table of CRC remainders. `other` is the table for a byte that n more bytes follow. The
+// result is the table for a byte that n + 1 more bytes follow.
 consteval Table beforeByte(const Table& other) {
   Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {

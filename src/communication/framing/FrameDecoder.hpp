@@ -53,7 +53,8 @@ class FrameDecoder final {
   [[nodiscard]] Frame frame() const;
 
  private:
-  /// @brief Checks the collected bytes after the zero byte that ends a frame was received.
+  /// @brief Checks the collected bytes of a frame. The caller calls this function after the zero
+  /// byte that ends the frame.
   /// @param coded number of bytes before the zero byte, at least 1
   /// @return Whole, UnknownVersion or Damaged
   /// @satisfies FR-41

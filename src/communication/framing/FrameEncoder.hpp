@@ -25,7 +25,8 @@ class FrameEncoder final {
   /// @param frame type, sequence number and payload of at most kMaxPayload bytes
   /// @return the bytes to send, including the zero byte that ends the frame; valid until the next
   /// call
-  /// @errors Assertion FrameTooLarge when the payload has more than kMaxPayload bytes.
+  /// @errors If the payload has more than kMaxPayload bytes, the program ends with the assertion
+  /// FrameTooLarge.
   /// @isr{no}
   /// @satisfies FR-40
   /// @satisfies FR-176

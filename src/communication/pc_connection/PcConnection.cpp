@@ -14,7 +14,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kMaxBytesPerService = 1216;  // more than arrive in one control cycle
+constexpr std::size_t kMaxBytesPerService = 1216;  // more bytes than arrive in one cycle
 constexpr std::uint8_t kMaxSequenceStep = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload,
@@ -67,8 +67,8 @@ void PcConnection::service() {
     }
     left -= received;
     receive(received);
-    // If the storage is smaller than before, the bytes neither ended a frame nor filled the
-    // storage. Then the port has no more bytes.
+    // If the storage is now smaller than before, the bytes neither ended a frame nor filled the
+    // storage. The read stopped for another reason: the port has no more bytes.
     more = decoder_.storage().size() >= storage.size();
   }
   counts_.lostBytes = port_.lostBytes();

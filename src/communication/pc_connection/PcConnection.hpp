@@ -36,8 +36,9 @@ class PcConnection final {
   PcConnection(const PcConnection&) = delete;
   PcConnection& operator=(const PcConnection&) = delete;
 
-  /// @brief Sets the clock pulse of the cycle. The age of an order and the silence of the PC are
-  /// measured up to this time.
+  /// @brief Sets the time of the clock pulse of the cycle. The age of an order is measured up to
+  /// this time. After the last frame of the cycle, the silence of the PC is measured up to this
+  /// time too.
   /// @param clockPulse clock pulse of the cycle
   /// @isr{no}
   /// @satisfies FR-20
@@ -46,7 +47,8 @@ class PcConnection final {
 
   /// @brief Serves the link: reads at most 1216 received bytes, and lets the state of the
   /// connection handle each frame. Then checks the time limits, measured up to the clock pulse, and
-  /// sends a Welcome if a Hello requested it. The caller calls this function once in each cycle.
+  /// sends a Welcome if a Hello requested a Welcome. The caller calls this function once in each
+  /// cycle.
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37
@@ -162,8 +164,8 @@ class PcConnection final {
   /// @satisfies FR-243
   void noteAccepted(const Frame& frame);
 
-  /// @brief Checks whether a sequence number is 1 to 127 greater, modulo 256, than the newest
-  /// accepted number.
+  /// @brief Checks whether a sequence number is newer than the newest accepted number, that is,
+  /// greater by 1 to 127, modulo 256.
   /// @satisfies FR-243
   [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
 
@@ -213,7 +215,7 @@ class PcConnection final {
   std::uint8_t session_ = 0;  // session number of the newest Welcome
   std::optional<std::uint8_t> offered_;
   std::uint8_t newest_ = 0;    // sequence number of the newest accepted frame
-  bool begun_ = false;         // the zero byte before the first frame was sent
+  bool begun_ = false;         // the zero byte that precedes the first frame was sent
   std::uint8_t nextSent_ = 0;  // sequence number of the next frame to send
 };
 

@@ -11,8 +11,8 @@
 namespace wr {
 
 /// @brief Reader of the newest order of the remote control.
-/// @function Builds each order from two signals of the remote control: velocity and direction. The
-/// remote control cannot order a stop.
+/// @function Builds each order from two signals of the remote control: velocity and direction.
+/// These two signals cannot order a stop.
 /// @secret The rules by which the two signals of the remote control form a complete order.
 /// @role{serializer, Concrete Reader}
 class BufferReader final : public Reader {
@@ -31,7 +31,7 @@ class BufferReader final : public Reader {
   /// @satisfies FR-56
   [[nodiscard]] bool available() const override;
 
-  /// @brief Returns false, because the remote control cannot order a stop.
+  /// @brief Returns false, because the two signals cannot order a stop.
   /// @return false
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;

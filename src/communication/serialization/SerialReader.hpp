@@ -12,7 +12,8 @@ namespace wr {
 
 /// @brief Reader of the newest order of the PC.
 /// @function Stores the newest order of the PC until the order is read, replaced, dropped or too
-/// old. Latches a stop until a later order releases the stop, at least for the present cycle.
+/// old. Latches a stop until a later order releases the stop. The stop lasts at least until the
+/// present cycle ends.
 /// @secret The storage of the newest order: raw bytes, which are decoded when the order is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {
@@ -70,8 +71,8 @@ class SerialReader final : public Reader {
   [[nodiscard]] bool available() const override;
 
   /// @brief Checks whether a stop of the PC is in force.
-  /// @return true until an order of the PC releases the stop; also true in the whole cycle that
-  /// received the stop
+  /// @return true from the stop order until an order of the PC releases the stop, and at least
+  /// until the end of the cycle that received the stop order
   /// @isr{no}
   /// @satisfies FR-21
   /// @satisfies FR-240
@@ -89,8 +90,8 @@ class SerialReader final : public Reader {
   bool finish() override;
 
  private:
-  /// @brief The bytes of an order, the time at which its last byte was received, and whether the
-  /// order is still unread.
+  /// @brief The bytes of an order, the time at which its last byte was received, and a flag that is
+  /// true while the order is unread.
   struct Kept {
     std::array<std::uint8_t, kOrderLength> bytes{};
     Instant at{};

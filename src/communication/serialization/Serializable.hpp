@@ -6,8 +6,9 @@
 namespace wr {
 
 /// @brief An object that can be read from a source or written to a destination.
-/// @function Reads an order from any source, and writes a report to any destination. A derived class
-/// overrides the operation of each direction in which it is transferred. The other operation fails.
+/// @function Reads an order from any source, and writes a report to any destination. A derived
+/// class overrides the operation for each direction in which its objects are transferred. An
+/// operation that is not overridden fails.
 /// @secret The fields of an object, and the size and the sequence of these fields.
 /// @role{serializer, Serializable}
 ///

@@ -15,8 +15,8 @@ enum class ArgumentId : std::uint8_t {
   Scale,    ///< number by which the raw value is multiplied
   Divisor,  ///< number by which the product is divided
   Offset,   ///< value of Raw for which the result is 0
-  Lowest,   ///< least accepted value of Raw or of the result; the function defines which
-  Highest   ///< greatest accepted value of Raw or of the result
+  Lowest,   ///< least accepted value of Raw, or in some functions of the result
+  Highest   ///< greatest accepted value of Raw, or in some functions of the result
 };
 
 /// @brief Values of the arguments of a calculation, by name. Each value may be missing.
@@ -75,7 +75,7 @@ class ArgumentValues {
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
-/// @why All functions need the same few arguments, and each function needs additional arguments.
+/// @why All functions need the same few arguments. Each function also needs additional arguments.
 /// Each group of additional arguments is a Decorator around the basic arguments. Thus each function
 /// receives only the arguments that it needs.
 /// @changes A function may need a new argument, or no longer need an argument. The other functions

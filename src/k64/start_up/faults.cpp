@@ -26,7 +26,7 @@ extern const std::uint32_t stackTop[];
                              onStack ? frame[kProgramCounter] : 0);
 }
 
-/// @brief Ends the program after the call of a pure virtual function, by means of an undefined
+/// @brief Ends the program after the call of a pure virtual function: executes an undefined
 /// instruction, which causes a fault.
 // The ABI of the compiler defines the name of this function.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): a name of the ABI

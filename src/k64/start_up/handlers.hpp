@@ -39,18 +39,21 @@ void rearLeftThreadInterrupt();
 /// @brief Runs the thread of the rear right wheel.
 void rearRightThreadInterrupt();
 
-/// @brief Runs one tick, because a period of the tick timer has passed.
+/// @brief Runs one tick. The hardware calls this function when a period of the tick timer has
+/// passed.
 void tickTimerInterrupt();
 
-/// @brief Serves the Hall sensors, because at least one of them has an edge.
+/// @brief Serves the Hall sensors. The hardware calls this function when at least one sensor has an
+/// edge.
 void hallSensorInterrupt();
 
-/// @brief Starts a control cycle, because a period of the cycle timer has passed. Each product
-/// defines this handler.
+/// @brief Starts a control cycle. The hardware calls this function when a period of the cycle timer
+/// has passed. Each product defines this handler.
 void cycleTimerInterrupt();
 
-/// @brief Serves the signals of the remote control, because at least one of them has an edge. If a
-/// product does not define this handler, the interrupt ends its firmware.
+/// @brief Serves the signals of the remote control. The hardware calls this function when at least
+/// one signal has an edge. If a product does not define this handler, the interrupt ends its
+/// firmware.
 void remoteControlInterrupt();
 
 /// @brief Serves the second serial port, which has received a byte, lost a byte, or has space for a

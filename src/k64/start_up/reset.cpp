@@ -27,7 +27,7 @@ namespace {
 }
 
 // This function must not call a function that is not in RAM yet, for example a library function.
-// The linker script forbids such a call: NOCROSSREFS_TO makes it an error.
+// The linker script forbids such a call: NOCROSSREFS_TO makes the call an error.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);

@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief A mode that extends another mode.
 ///
-/// @function Forwards each call to the wrapped mode. A subclass overrides the operations that it
-/// extends.
+/// @function Forwards each call except changeMode() to the wrapped mode. A subclass defines
+/// changeMode(), and overrides the operations that it extends.
 ///
 /// @secret The operations that are forwarded to the wrapped mode unchanged.
 ///

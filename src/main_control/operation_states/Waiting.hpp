@@ -6,8 +6,7 @@
 
 namespace wr {
 
-/// @brief The state after the first failed reads. The robot still follows its set-points. The state
-/// counts further failed reads.
+/// @brief The state after the first failed reads. The robot still follows its set-points.
 ///
 /// @function Counts failed reads. When their number reaches a limit, sets the next state. When a
 /// message arrives, sets the state Working. Meanwhile the control systems follow the set-points

@@ -10,7 +10,7 @@ namespace wr {
 /// the state Working. If no message arrives in this cycle, starts the search for another source.
 /// Meanwhile the control systems follow the set-points that were read last.
 ///
-/// @secret The action that follows when the last wait brings no message.
+/// @secret The reaction to a missing message in the last waiting state.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}

@@ -9,10 +9,10 @@
 
 namespace wr {
 
-/// @brief Record of the samples of a current. Sum and number include all samples since start, and
-/// both can overflow. A reader subtracts an earlier record from a later record. The differences are
-/// correct for at most ValueCollector::kMaxSamples samples, if the difference of the sums is read
-/// as a signed number.
+/// @brief Record of the samples of a current. Sum and number include all samples after the samples
+/// for the zero of the sensor. Both can overflow. A reader subtracts an earlier record from a later
+/// record. The differences are correct for at most ValueCollector::kMaxSamples samples. The
+/// difference of the sums is a signed number.
 /// @datatype
 struct CurrentRecord {
   std::uint32_t sum =
@@ -22,8 +22,8 @@ struct CurrentRecord {
 };
 
 /// @brief A collector of the samples of a wheel's current.
-/// @function Measures the zero of the sensor at start. Adds up the samples for the thread of the
-/// wheel. Executes a command as soon as the current is too high.
+/// @function Measures the zero of the sensor at start, that is, its output without current. Adds up
+/// the samples for the thread of the wheel. Executes a command as soon as the current is too high.
 /// @secret The zero of the sensor, which is subtracted from each sample, and the limit beyond which
 /// the motor must be switched off.
 /// @hides{ValueCollector::kGroupSize}
@@ -40,8 +40,8 @@ class ValueCollector final {
   /// @brief Number of samples between two writes of the record.
   static constexpr std::uint32_t kGroupSize = 8;  // [samples]
 
-  /// @param overcurrent is executed in the interrupt, at the fifth successive sample that is too
-  /// high and at each further successive sample that is too high
+  /// @param overcurrent command that is executed in the interrupt at the fifth successive sample
+  /// that is too high, and then at each later sample until a sample is not too high
   /// @param timebase returns the time of a sample
   ValueCollector(Command& overcurrent, const Timebase& timebase);
 

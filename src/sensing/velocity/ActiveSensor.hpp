@@ -23,7 +23,7 @@ class ActiveSensor final {
   ActiveSensor(const ActiveSensor&) = delete;
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
-  /// @brief Executes the command once, which records the present levels of both sensors. Then
+  /// @brief Executes the command once. The command records the present levels of both sensors. Then
   /// enables the interrupts of both sensors.
   /// @isr{no}
   /// @satisfies FR-120

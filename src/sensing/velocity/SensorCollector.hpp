@@ -24,7 +24,7 @@ struct HallRecord {
 /// @function Determines the direction of each edge, and passes edge and direction to a collector of
 /// instants. Counts separately the edges that a turning wheel cannot cause. Passes the whole record
 /// from the interrupt to the thread of the wheel.
-/// @secret The sequence of levels of a turning wheel, and which edges are implausible.
+/// @secret The sequence of levels of a turning wheel, and the definition of an implausible edge.
 /// @role{hall-interrupt, Receiver}
 class SensorCollector final {
  public:

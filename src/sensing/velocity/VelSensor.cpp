@@ -38,8 +38,8 @@ static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond,
 // A wheel without an edge for this time counts as being at rest.
 constexpr Microseconds kStandstill = milliseconds(500);
 
-// Returns the number of edges between two counts. The counts can overflow. Their difference cannot
-// overflow, because it is small.
+// Returns the number of edges between two counts. A count can overflow. The result is correct even
+// then, because the number of edges is small.
 std::int32_t difference(std::int32_t later, std::int32_t earlier) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(later) -
                                    static_cast<std::uint32_t>(earlier));

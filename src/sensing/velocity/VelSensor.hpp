@@ -32,13 +32,14 @@ class VelSensor final {
 
   /// @brief Reads the record of the edges, measures the velocity and writes the velocity to the
   /// pipe. If edges occurred since the previous measurement, the velocity is a number of edges
-  /// divided by a time. The number is the new forward edges minus the new backward edges. The time
-  /// is the time from the last edge of the previous measurement to the newest edge. If the wheel
-  /// was at rest at the previous measurement, half an edge is subtracted from the number, and the
-  /// time is the time since the previous measurement. If no new edge occurred, the velocity is the
-  /// previous velocity. The velocity is limited to the velocity at which the next edge would occur
-  /// exactly now. Because of this limit, a falling velocity does not jump when an edge occurs at
-  /// the moment of the measurement. The velocity is 0 when no edge occurred for 500 ms.
+  /// divided by a time. This number is the number of new forward edges minus the number of new
+  /// backward edges. This time is the time from the last edge of the previous measurement to the
+  /// newest edge. If the wheel was at rest at the previous measurement, the magnitude of the number
+  /// is reduced by half an edge, and the time is the time since the previous measurement. If no new
+  /// edge occurred, the velocity is the previous velocity. The velocity is limited to the velocity
+  /// at which the next edge would occur exactly now. Because of this limit, a falling velocity does
+  /// not jump when an edge occurs at the moment of the measurement. The velocity is 0 when no edge
+  /// occurred for 500 ms.
   /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases:
   /// (1) The function rejects the velocity. (2) More than 3 edges of the cycle were unclear. (3)
   /// One of the last two velocities that were written was 30 rpm or more, and unclear edges and

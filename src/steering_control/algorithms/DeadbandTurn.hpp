@@ -8,8 +8,8 @@ namespace wr {
 /// time.
 ///
 /// @function Starts to turn at the full rate when the position differs from the target by more than
-/// the dead band. Brakes early, because the steering must be slow when it arrives. Stops just
-/// before the target. The noise of the position alone does not start a turn.
+/// the dead band. Brakes early, because the steering must be slow when it reaches the target. Stops
+/// just before the target. The noise of the position alone does not start a turn.
 ///
 /// @secret The widths of the dead band, and the curve along which the steering brakes.
 /// @hides{DeadbandTurn::kDeadband}
@@ -31,10 +31,10 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @brief Computes the target speed of the motor. If the motor turns towards the target, this
   /// speed is 0 in two cases: the steering is at most kArrived away from the target, or the present
   /// speed is above the braking curve. If the motor does not turn towards the target, this speed is
-  /// 0 when the steering is at most kDeadband away from the target. In all other cases it is the
-  /// full rate towards the target. For each distance to the target, the braking curve contains the
-  /// speed above which the motor must brake. Because the acceleration of the motor is limited, its
-  /// speed stays close to this curve.
+  /// 0 when the steering is at most kDeadband away from the target. In all other cases this speed
+  /// is the full rate towards the target. For each distance to the target, the braking curve
+  /// contains the speed above which the motor must brake. Because the acceleration of the motor is
+  /// limited, its speed stays close to this curve.
   /// @satisfies FR-101
   /// @satisfies FR-102
   /// @satisfies FR-103

@@ -25,7 +25,7 @@ class SteeringAlgorithm {
   /// @param position present angle [0.01 degree], positive to the left
   /// @param now present speed of the motor [steps/s], -500 to 500, positive to the left
   /// @return target speed of the motor [steps/s], -500 to 500, positive to the left; if the motor
-  /// is at rest, 0 means that the steering has arrived
+  /// is at rest, 0 means that the steering has reached its target
   /// @isr{yes}
   [[nodiscard]] virtual StepRate turn(Angle target, Angle position, StepRate now) = 0;
 

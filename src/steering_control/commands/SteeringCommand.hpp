@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief An action on the steering that the controller orders without naming the steering device.
-/// @function Lets the steering controller order an action that may need a rate.
+/// @function Lets the steering controller order an action that may need a speed of the motor.
 /// @secret The element of the steering on which a command acts.
 /// @role{steering-commands, Command}
 ///
@@ -13,8 +13,8 @@ namespace wr {
 /// @why Switching the steering on or off, and setting its turn, need actions on several elements.
 /// The controller executes command objects. Therefore the controller does not depend on these
 /// elements.
-/// @changes The actions of a command may change, and so may the elements on which it acts. A new
-/// command may be needed.
+/// @changes The actions of a command may change. The elements on which a command acts may change. A
+/// new command may be needed.
 class SteeringCommand {
  public:
   SteeringCommand(const SteeringCommand&) = delete;

@@ -15,8 +15,8 @@ class DirController;
 /// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
 /// @why The work of the steering controller depends on the state of the steering. Each state is a
 /// module. Therefore one module contains all rules of one state.
-/// @changes The actions of a state may change, and so may its transitions. A new state may be
-/// needed, such as a state that looks for the middle position after start.
+/// @changes The actions of a state and its transitions may change. A new state may be needed, such
+/// as a state that looks for the middle position after start.
 class DirState {
  public:
   DirState(const DirState&) = delete;

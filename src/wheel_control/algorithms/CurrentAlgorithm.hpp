@@ -12,7 +12,7 @@ namespace wr {
 ///
 /// @function Computes the voltage that drives the current through the winding. Adds the voltage
 /// that the turning motor induces against this current. A regulator corrects the error of this
-/// model.
+/// computed voltage.
 ///
 /// @secret The model of the motor's winding, and the rule that predicts the velocity of the motor.
 ///

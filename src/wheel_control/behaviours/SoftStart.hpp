@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief The behaviour that limits the rise of the voltage of a wheel.
 ///
-/// @function Extends another behaviour: limits how much the magnitude of the voltage rises in a
-/// cycle. A lower magnitude is applied at once.
+/// @function Extends another behaviour: limits the rise of the magnitude of the voltage in a cycle.
+/// A lower magnitude is applied at once.
 ///
 /// @secret The greatest rate at which the voltage of a wheel rises.
 ///

@@ -21,8 +21,8 @@ class HaltWheel final : public WheelOrder {
   HaltWheel(WheelController& controller, Wheel& wheel);
 
   /// @brief Stops the wheel. If the release of faults is ordered, ends the latched faults of the
-  /// controller. In this case also ends an overcurrent trip, if the measured velocity of the wheel
-  /// is valid and below 40 rpm.
+  /// controller. The same order ends an overcurrent trip if the measured velocity of the wheel is
+  /// valid and below 40 rpm.
   /// @param work contains the order to release; receives the applied voltage and the faults of the
   /// wheel
   /// @satisfies FR-88

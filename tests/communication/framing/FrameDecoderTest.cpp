@@ -17,8 +17,8 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief Passes bytes of the serial line to the decoder, in several reads. Each read ends with a
-/// zero byte or fills the decoder's storage.
+/// @brief Passes bytes of the serial line to the decoder, in several reads. Each read except the
+/// last read ends with a zero byte or fills the decoder's storage.
 /// @return all results of the decoder that are not Nothing
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
@@ -153,7 +153,8 @@ TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsNotDamaged) {
   EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 0)), ElementsAre(Decoded::UnknownVersion));
 }
 
-/// @brief After dropped bytes of any kind, the next frame is detected.
+/// @brief After a damaged frame, a frame that is too long, or a frame of another version, the next
+/// frame is detected.
 /// @verifies FR-48
 TEST(FrameDecoder, FR48_TheFrameAfterADroppedOneIsFound) {
   const Bytes good = test::lineBytes(2, 3, {4});
@@ -173,8 +174,8 @@ TEST(FrameDecoder, FR48_TheFrameAfterADroppedOneIsFound) {
   }
 }
 
-/// @brief After random bytes and a zero byte, the next frame is always detected. At most 2 of 2000
-/// random sequences are accepted as a frame.
+/// @brief After random bytes and a zero byte, the next frame is always detected. In 2000 random
+/// sequences of bytes, at most 2 frames are accepted.
 /// @verifies FR-41
 /// @verifies FR-48
 TEST(FrameDecoder, FR48_FindsItsPlaceInRandomBytes) {

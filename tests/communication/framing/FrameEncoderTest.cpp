@@ -14,8 +14,8 @@ namespace {
 using test::Bytes;
 using testing::ElementsAreArray;
 
-/// @brief A frame begins with version, type and sequence number. It ends with the CRC, low byte
-/// first.
+/// @brief A frame begins with version, type and sequence number. The frame ends with the CRC, low
+/// byte first.
 /// @verifies FR-40
 TEST(FrameEncoder, FR40_MakesAFrameAsTheProtocolSays) {
   FrameEncoder encoder;

@@ -122,7 +122,8 @@ TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
 }
 
 /// @brief The firmware answers a Hello with one Welcome. The Welcome contains the session, the
-/// protocol version, the build id, the cycle period, the constant N and the data of the start.
+/// firmware version, the build id, the cycle period, the number N of failed reads that lead to the
+/// last waiting state, the data of the start, the accepted protocol versions and the schema hash.
 /// @verifies FR-30
 /// @verifies FR-76
 /// @verifies FR-246
@@ -161,7 +162,8 @@ TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   }
 }
 
-/// @brief In each state, each Hello is answered. Each answer has a new session number.
+/// @brief In each state of the connection, each Hello is answered. Each answer has a new session
+/// number.
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR30_EachHelloIsAnsweredWithANewSession) {
   send(kHello);
@@ -186,7 +188,7 @@ TEST_F(PcConnectionTest, FR30_TheSessionIsNeverZero) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief A Confirm of the offered session connects the PC.
+/// @brief A Confirm of the session in the newest Welcome connects the PC.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_TheRightConfirmConnects) {
   send(kHello);
@@ -311,7 +313,7 @@ TEST_F(PcConnectionTest, FR31_AHelloWithoutAWelcomeEndsTheOffer) {
 }
 
 /// @brief A Confirm still connects the PC if its last byte arrives 1 s after the clock pulse of the
-/// cycle that sent the Welcome. A later cycle may read the Confirm.
+/// cycle that sent the Welcome. The cycle that reads the Confirm may begin after this 1 s.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
   send(kHello);
@@ -384,9 +386,9 @@ TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief The silence lasts from the last byte of the last accepted frame to the last byte of the
-/// next frame. It does not depend on the cycles that read these frames. After 1 s of silence, the
-/// connection has ended, and the next frame is unexpected.
+/// @brief The silence of the PC lasts from the last byte of the last accepted frame to the last
+/// byte of the next frame. The silence does not depend on the cycles that read these frames. After
+/// 1 s of silence, the connection has ended, and the next frame is unexpected.
 /// @verifies FR-33
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
@@ -402,8 +404,8 @@ TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief At a clock pulse, the silence is measured from the last byte of the last accepted frame.
-/// It is not measured from the cycle that read the frame.
+/// @brief At a clock pulse, the silence is measured from the last byte of the last accepted frame,
+/// not from the cycle that read this frame.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheSilenceBeginsWithTheLastByte) {
   handshake();
@@ -577,8 +579,8 @@ TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
 }
 
 /// @brief An order is stale when its sequence number is equal to the number of the last accepted
-/// frame, or to one of the 128 numbers before it. A stale order is dropped and counted. An order
-/// with one of the next 127 numbers is new.
+/// frame, or to one of the 128 numbers before this number. A stale order is dropped and counted. An
+/// order with one of the next 127 numbers is new.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   for (int ahead = 0; ahead < 256; ++ahead) {

@@ -207,7 +207,7 @@ TEST(CycleCosts, DifferInEachCount) {
   test::expectDifference(&CycleCosts::report, 1U, &CycleCosts::awake, 1U, &CycleCosts::start, 1U);
 }
 
-/// @brief All values of a report without content are marked as missing.
+/// @brief In a report without content, all measured and applied values are marked as missing.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
   const scenario::ReportPayload empty{.source = 255, .stopWheel = 255};
@@ -363,7 +363,7 @@ TEST(ReportMessage, FR66_EachEndStopHasItsBit) {
   EXPECT_EQ(written(data)[97], 2);
 }
 
-/// @brief Each wheel has a bit that shows that its overcurrent trip has acted.
+/// @brief Each wheel has a bit that is set when the overcurrent trip of this wheel has acted.
 /// @verifies FR-67
 TEST(ReportMessage, FR67_EachWheelThatIsCutOffHasItsBit) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -374,7 +374,7 @@ TEST(ReportMessage, FR67_EachWheelThatIsCutOffHasItsBit) {
   }
 }
 
-/// @brief Each wheel has a bit that shows that it has no motion feedback.
+/// @brief Each wheel has a bit that is set when this wheel has no motion feedback.
 /// @verifies FR-68
 TEST(ReportMessage, FR68_EachBlindWheelHasItsBit) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

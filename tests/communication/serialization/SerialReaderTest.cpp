@@ -181,7 +181,7 @@ TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
 }
 
 /// @brief offer() changes no stop when it rejects an order. If the rejected order contains a stop,
-/// the caller passes it to heedStop(), which latches the stop.
+/// the caller passes the order to heedStop(), which latches the stop.
 /// @verifies FR-240
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {

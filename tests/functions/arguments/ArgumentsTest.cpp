@@ -21,7 +21,7 @@ std::optional<std::int32_t> valueOf(const Arguments& arguments, ArgumentId id) {
   return values.has(id) ? std::optional(values[id]) : std::nullopt;
 }
 
-/// @brief The basic arguments are only a raw value and a time.
+/// @brief The basic arguments contain only a raw value and a time.
 /// @verifies FR-120
 TEST(Arguments, FR120_BaseHasRawAndElapsed) {
   const BaseArguments base(-7, Microseconds(20));

@@ -55,8 +55,8 @@ TEST_F(ModeTest, FR20_BasicModeAsksItsReader) {
   EXPECT_FALSE(basicPc.newMessage());
 }
 
-/// @brief The basic mode reads an order into the data of the controller. It cannot read the order
-/// again.
+/// @brief The basic mode reads an order into the data of the controller. The mode cannot read this
+/// order again.
 /// @verifies FR-20
 TEST_F(ModeTest, FR20_BasicModeReadsTheOrderOnce) {
   connect();

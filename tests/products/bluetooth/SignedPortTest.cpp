@@ -214,7 +214,7 @@ TEST_F(SignedPortTest, FR263_TheLongestFrameIsSent) {
 }
 
 /// @brief Each dropped frame is answered with a challenge, for any kind of error. A single zero
-/// byte is not a frame. It is not answered.
+/// byte is not a frame, and is not answered.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   line.arrive(device.signWith(9, frames.hello()));

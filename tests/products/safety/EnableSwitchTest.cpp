@@ -92,8 +92,8 @@ TEST_F(EnableSwitchTest, FR285_SilenceStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief If the wrapped mode reports a stop, the switch reports it too. When the switch is served,
-/// it also serves the wrapped mode.
+/// @brief If the wrapped mode reports a stop, the enable switch also reports this stop. When the
+/// switch is served, it also serves the wrapped mode.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   signals(kDrivePulse);
@@ -102,9 +102,9 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief If two stop pulses confirm a stop between two cycles, the robot stops in the next cycle,
-/// even when the newest pulse already shows the position "drive". The stop ends when the stick is
-/// in the middle.
+/// @brief Two stop pulses between two cycles confirm a stop. The robot then stops in the next
+/// cycle, even when the newest pulse already shows the position "drive". The stop ends when the
+/// stick is in the middle.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
@@ -177,8 +177,8 @@ TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief In the position "PC", the remote control has no order. In the other positions, it has an
-/// order if the wrapped mode has a message.
+/// @brief In the position "PC", the remote control has no order. In the other positions, the remote
+/// control has an order if the wrapped mode has a message.
 /// @verifies FR-287
 TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
   signals(kDrivePulse);
@@ -253,8 +253,8 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
 }
 
 /// @brief Two successive pulses out of the range stop the robot, but they are not the position
-/// "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive pulses in
-/// the position "stop" between two cycles are this position.
+/// "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive stop
+/// pulses between two cycles count as the position "stop" if their width is in the range.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
   for (const bool stopped : {false, true}) {
@@ -310,8 +310,8 @@ TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Orders acknowledge for 1 s after the sequence of the switch, also if the switch was in the
-/// position "PC" in this time. Later orders do not acknowledge.
+/// @brief Orders acknowledge for 1 s after the sequence "stop", "PC", "drive" of the switch, also
+/// if the switch was in the position "PC" during this second. Later orders do not acknowledge.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheAcknowledgementExpires) {
   for (const int cycles : {10, 11, 20}) {
@@ -442,7 +442,7 @@ class EnableBufferTest : public testing::Test {
   EnableBuffer buffer{widths, function, pipe, stop};
 };
 
-/// @brief The width of each pulse is stored with its time.
+/// @brief The width of each pulse is stored with the time at which the pulse ended.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TheWidthOfAPulseIsStored) {
   pulse(1500);
@@ -462,12 +462,18 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   EXPECT_TRUE(pulse(2100).has_value());
   EXPECT_FALSE(pulse(899).has_value());
   EXPECT_FALSE(pulse(2101).has_value());
-  pulse(1500, 14000);
-  EXPECT_FALSE(pulse(1500).has_value());
+  for (const int period : {15'000, 30'000}) {
+    pulse(1500, period);
+    EXPECT_TRUE(pulse(1500).has_value()) << period;
+  }
+  for (const int period : {14'999, 30'001}) {
+    pulse(1500, period);
+    EXPECT_FALSE(pulse(1500).has_value()) << period;
+  }
 }
 
-/// @brief A stop pulse is shorter than 1250 us or longer than 2100 us. A single stop pulse counts
-/// as a disturbance. Two successive stop pulses confirm the stop. Later pulses do not cancel the
+/// @brief A stop pulse has at most 1249 us or at least 2101 us. A single stop pulse counts as a
+/// disturbance. Two successive stop pulses confirm the stop. Later pulses do not cancel the
 /// confirmed stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {

@@ -23,7 +23,7 @@ class WatchedInterrupts : public testing::Test {
   InterruptWatch watch_;
 };
 
-/// @brief A tick is in time if it is at most 20 ms after the previous tick. If it is later, the
+/// @brief A tick is in time if it is at most 20 ms after the previous tick. If a tick is later, the
 /// program ends. The first tick is always in time.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {

@@ -133,7 +133,7 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
 }
 
 /// @brief If the measurements of only a single cycle match swapped leads, the robot does not stop,
-/// even if they match perfectly.
+/// even if these measurements match perfectly.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   EXPECT_FALSE(drive(300, 1, 40));

@@ -27,9 +27,10 @@ WheelFeedback measured(int rpm, int milliamperes, std::optional<Tension> applied
   return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes), .applied = applied};
 }
 
-/// @brief At 12 A, the voltage of a wheel does not rise. At 10 A, it rises by at most 2 V, because
-/// the winding has more than 1 ohm. The other direction has the same limits. A demand below the
-/// limit is not changed. While the voltage of the wheel is unknown, no demand is changed.
+/// @brief The voltage of a wheel rises by at most 1 V for each ampere below 12 A, because the
+/// winding has more than 1 ohm. At 12 A, the voltage does not rise. At 14 A, it falls by 2 V. The
+/// other direction has the same limits. A demand below the limit is not changed. While the voltage
+/// of the wheel is unknown, no demand is changed.
 /// @verifies FR-296
 TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   DirectAlgorithm direct;
@@ -86,9 +87,9 @@ TEST(CurrentLimitedTest, FR296_AKnownVoltageIsNotForgotten) {
   EXPECT_EQ(control(velocityOf(3000), Current(10000)), ofTension + Tension(2000));
 }
 
-/// @brief At the limit of 290 rpm, the voltage of a wheel does not rise. Above this limit, it
-/// falls. A wheel that accelerates towards the limit gets less voltage than a wheel with a constant
-/// velocity. An order against the motion is not changed.
+/// @brief At the limit of 290 rpm, the voltage of a wheel does not rise. Above this limit, the
+/// voltage falls. A wheel that accelerates towards the limit gets less voltage than a wheel with a
+/// constant velocity. An order against the motion is not changed.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   for (const int sign : {1, -1}) {

@@ -84,7 +84,7 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
   }
 }
 
-/// @brief At 32 degrees to the left, the inner rear wheel has 58 % of the velocity of the outer
+/// @brief At 32 degrees to the left, the inner rear wheel has 58.2 % of the velocity of the outer
 /// front wheel. The robot drives on a circle with a radius of 2.5 m. An angle beyond 32 degrees
 /// counts as 32 degrees.
 /// @verifies FR-284
@@ -118,7 +118,7 @@ class PersistentStopTest : public ControllerFixture {
   SourceMode source;
 };
 
-/// @brief The stop of the source is stored. When the source releases it, the stored stop is
+/// @brief The stop of the source is stored. When the source releases this stop, the stored stop is
 /// cleared.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_TheStopIsStored) {

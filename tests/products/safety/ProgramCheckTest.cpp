@@ -41,7 +41,7 @@ class CheckedProgram : public testing::Test {
   ProgramCheck check_{parts_};
 };
 
-/// @brief If the copy does not change, the check repeats without end.
+/// @brief If the copy does not change, the check finds no fault in 10000 ticks.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
   ticks(10'000);

@@ -8,8 +8,8 @@ namespace {
 constexpr std::uint8_t kTension = 1;
 constexpr std::uint8_t kCurrent = 2;
 
-/// @brief If the stick is deflected at power-on, no wheel turns in 5 s, and then no wheel has a
-/// voltage.
+/// @brief If the stick is deflected at power-on, no wheel turns in the first 50 cycles. After these
+/// cycles, no wheel has a voltage.
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
@@ -76,8 +76,8 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
   EXPECT_GT(fastest, 290);
 }
 
-/// @brief With orders of 24 V and of 10 A, wheel 0 reaches the speed limit of 290 rpm within 6 rpm,
-/// in both directions. No wheel is ever faster than 305 rpm.
+/// @brief With orders of 24 V and of 10 A, wheel 0 reaches a velocity within 6 rpm of the speed
+/// limit of 290 rpm, in both directions. No wheel is ever faster than 305 rpm.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();
@@ -92,7 +92,7 @@ TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   EXPECT_LE(fastest, 305);
 }
 
-/// @brief At an order of 6 V, the wheels do not reach the speed limit. They get the ordered
+/// @brief At an order of 6 V, the wheels do not reach the speed limit. The wheels get the ordered
 /// voltage.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersBelowTheSpeedLimitAreNotChanged) {
@@ -158,8 +158,8 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief After a fault of the steering, the robot brakes to rest. After the end of the fault, it
-/// stays at rest.
+/// @brief After a fault of the steering, the robot brakes to rest. After the end of the fault, the
+/// robot stays at rest.
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   armByPc();
@@ -174,7 +174,8 @@ TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
 }
 
 /// @brief At 300 rpm, the steering is stuck when the PC orders a new angle. The robot begins to
-/// brake at most 0.5 s after the cycle that reads this order, and drives at most 0.43 m until then.
+/// brake at most five cycles after the cycle that reads this order, and drives at most 0.43 m until
+/// then.
 /// @verifies FR-111
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AStuckSteeringStopsTheRobotAtFullSpeed) {
@@ -309,18 +310,19 @@ TEST_F(SafeRobot, FR271_AShortPressStops) {
   armByPc();
   order(20, 1000);
   EXPECT_NEAR(rpm(), 100, 10);
-  const Instant pulse = line.world.nextPulse();
-  line.world.runUntil(pulse + milliseconds(-50));
+  const Instant press = line.world.nextPulse() + milliseconds(-50);
+  line.world.runUntil(press);
   line.robot().setEmergencyStop(plant::EmergencyStop::Brake);
-  line.world.runUntil(pulse + milliseconds(-45));
+  line.world.runUntil(press + milliseconds(5));
   line.robot().setEmergencyStop(plant::EmergencyStop::Released);
   order(20, 1000);
   EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief The PC acknowledges, and then sends no order. An emergency stop that is pressed between
-/// the next two cycles stops the robot, although the acknowledgement is still the last order.
+/// @brief A cycle reads an acknowledgement of the PC. Then the PC sends no order. An emergency stop
+/// that is pressed and released before the next cycle stops the robot, although the acknowledgement
+/// is still the last order.
 /// @verifies FR-271
 /// @verifies FR-299
 TEST_F(SafeRobot, FR271_AShortPressAfterAnAcknowledgementStops) {
@@ -365,19 +367,19 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief The PC drives the robot. The robot stops when the enable switch is in "stop" for 40 ms,
-/// at each of four times of the cycle. The robot stays at rest until the PC has sent neutral
-/// orders.
+/// @brief The PC drives the robot. The robot stops when the enable switch is in "stop" for 40 ms.
+/// It stays at rest until the PC has sent neutral orders. This is tested at four times of the
+/// cycle.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   armByPc();
   for (const int begin : {5, 20, 35, 50}) {
     order(20, 1000);
     EXPECT_NEAR(rpm(), 100, 10) << begin;
-    const Instant pulse = line.world.nextPulse();
-    line.world.runUntil(pulse + milliseconds(begin - 100));
+    const Instant turn = line.world.nextPulse() + milliseconds(begin - 100);
+    line.world.runUntil(turn);
     enable(kStop);
-    line.world.runUntil(pulse + milliseconds(begin - 60));
+    line.world.runUntil(turn + milliseconds(40));
     enable(kPc);
     order(20, 1000);
     EXPECT_NEAR(rpm(), 0, 1) << begin;
@@ -385,9 +387,9 @@ TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   }
 }
 
-/// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. At each
-/// time of the cycle, and also if the switch was in "stop" for only 40 ms, this sequence releases a
-/// protective stop.
+/// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. This
+/// sequence releases a protective stop, also if the switch was in "stop" for only 40 ms. This is
+/// tested at 15 times of the cycle.
 /// @verifies FR-288
 TEST_F(SafeRobot, FR288_AQuickSequenceOfTheSwitchAcknowledges) {
   armByRc();

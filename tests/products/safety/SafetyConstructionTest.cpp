@@ -56,8 +56,8 @@ TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
 }
 
-/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. It starts
-/// in the mode RC.
+/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. The robot
+/// starts in the mode RC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   begin(director);

@@ -81,7 +81,8 @@ TEST_F(ComparedWheels, FR297_PositionsContinueAtTheOtherEnd) {
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFoundWithin27Centimetres) {
   constexpr double kMetresPerEdge = 2 * std::numbers::pi * 0.272 / 600;
-  for (int speed = 1; speed <= 30; ++speed) {
+  constexpr int kFastest = 300 * 60 / 600;  // 300 rpm: 60 edges in a turn, 600 cycles in a minute
+  for (int speed = 1; speed <= kFastest; ++speed) {
     for (int before = 0; before <= 20 / speed; ++before) {
       for (int last = 0; last < speed; ++last) {
         comparison.reset();
@@ -115,8 +116,9 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
 }
 
-/// @brief Two wheels move too little. A different one of them moves least in each comparison. Each
-/// of them moves too little in two successive comparisons, and therefore one of them is reported.
+/// @brief Wheels 0 and 1 move too little in two successive comparisons. Wheel 1 moves least in the
+/// first comparison, and wheel 0 moves least in the second comparison. One of these two wheels is
+/// reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_ASlowWheelNeedNotBeTheSlowest) {
   EXPECT_EQ(move({2, 1, 80, 80}), std::nullopt);
@@ -173,8 +175,8 @@ TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
   }
 }
 
-/// @brief In a curve of more than 11 degrees, the set-points may make the wheels work against each
-/// other. In this curve, a current of more than 11.0 A may last for 5 s, but not longer.
+/// @brief In a curve of 11.01 degrees or more, the set-points may make the wheels work against each
+/// other. In such a curve, a current of more than 11.0 A causes a stop in the 50th cycle.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   for (const int angle : {1101, -1101}) {
@@ -190,9 +192,9 @@ TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   EXPECT_EQ(push(-11001), std::uint8_t{1});
 }
 
-/// @brief A current of more than 11.0 A may last five times as long in a curve as at a steering
-/// angle of 11 degrees or less. Therefore, when the curve ends, a cycle with this current counts as
-/// five cycles in a curve.
+/// @brief A current of 14 A may last five times as long in a curve as at a steering angle of 11
+/// degrees or less. Therefore, when the curve ends, a cycle with this current counts as five cycles
+/// in a curve.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_TheEndOfACurveShortensTheTime) {
   for (const int angle : {-1100, 1100}) {

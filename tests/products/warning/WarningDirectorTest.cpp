@@ -69,8 +69,7 @@ TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_FALSE(warning.isOn());
 }
 
-/// @brief Before the first order, the lamp is on in the waiting state before the last waiting state,
-/// and the robot is held.
+/// @brief Before the first order, the lamp is on only in the state WaitingK, and the robot is held.
 /// @verifies FR-152
 TEST_F(WarningRobotBeforeOrders, FR152_TheLampBeforeTheFirstOrderMovesNothing) {
   bool warned = false;

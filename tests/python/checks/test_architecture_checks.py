@@ -1,4 +1,4 @@
-"""The check arch-module: the elements of the architecture agree with the connections."""
+"""The check arch-module compares the elements of the architecture with the connections."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The attributes of a report that pages name are attributes of the client."""
+"""Pages name attributes of a report. The check finds an attribute that the classes of the client do
+not have. It also finds an attribute that is missing in the table of the attributes."""
 
 from pathlib import Path
 

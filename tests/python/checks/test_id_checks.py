@@ -1,5 +1,4 @@
-"""The check finds ids of requirements and of the safety case that texts name and that do not
-exist."""
+"""Texts name ids of requirements and of the safety case. The check finds ids that do not exist."""
 
 from pathlib import Path
 

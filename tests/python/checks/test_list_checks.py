@@ -1,4 +1,5 @@
-"""The number of the items before a list is the number of its items."""
+"""The check finds two kinds of wrong numbers in a text: the number of items of the list after the
+text, and the number of all parts of a kind, such as hazards."""
 
 from pathlib import Path
 

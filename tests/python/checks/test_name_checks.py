@@ -1,5 +1,5 @@
-"""The check finds tests and base classes that a page names, and functions that a comment names, if
-they do not exist."""
+"""The check finds a test that a page names and that does not exist, a wrong base class on a page,
+and a function in a comment that neither the module nor its uses have."""
 
 from pathlib import Path
 
@@ -30,7 +30,7 @@ def test_a_test_or_a_base_class_that_does_not_exist_is_found(tmp_path: Path) -> 
         (2, missing.format("Other.FR15_Waits")),
         (2, missing.format("*FR16*")),
     ]
-    derives = "the text states that Working derives from Waiting, but it does not"
+    derives = "the text states that Working derives from Waiting, but Working does not"
     assert (4, derives) in found
     assert sum("derives" in text for _, text in found) == 1
 

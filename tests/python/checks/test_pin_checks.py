@@ -1,4 +1,4 @@
-"""The words and the connector next to a pin are those of the table of pins."""
+"""The check compares the words and the connector next to a pin with the table of pins."""
 
 from pathlib import Path
 

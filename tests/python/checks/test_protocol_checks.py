@@ -97,7 +97,7 @@ def test_each_fault_is_found_at_its_line(
 def test_the_message_states_both_numbers(found: list[tuple[str, str, int, str]]) -> None:
     texts = [text for check, _, _, text in found if check == "doc-frame"]
     assert texts == [
-        "Second of Kind is 16, not 15",
+        "Second has the number 16 in Kind, not 15",
         "the frame Welcome has the type 0x81 in FrameType, not 0x91",
     ]
 

@@ -40,7 +40,7 @@ def changed(root: Path, **changes: Any) -> Model:
         ("products", [], "FR-1 has no @product (all, or names of products)"),
         ("products", ["mower"], "FR-1 has a @product mower, which does not exist"),
         ("method", "inspection", ""),
-        ("method", "measurement", ""),  # A test of FR-1 makes the measurement.
+        ("method", "measurement", "FR-1 has the @method measurement, but no @evidence"),
         ("method", "belief", "FR-1 has no valid @method (test, analysis, measurement, inspection)"),
     ],
 )

@@ -37,11 +37,11 @@ def check(root: Path, model: Model) -> list[Finding]:
         (("time = 0.35", "time = 0.32"), ""),
         (
             ("time = 0.35", "time = 0.31"),
-            "the time of SG-1 is 0.31 s, but its formula gives 0.353 s",
+            "the time of SG-1 is 0.31 s, but the value of its formula is 0.353 s",
         ),
         (
             ("time = 0.35", "time = 0.36"),
-            "the time of SG-1 is 0.36 s, but its formula gives 0.353 s",
+            "the time of SG-1 is 0.36 s, but the value of its formula is 0.353 s",
         ),
         (("0.3 / 0.85", "way / speed"), "the formula of SG-1 has no value: way / speed"),
         (("reaction = 0.2", "reaction = 0.35"), ""),
@@ -87,16 +87,13 @@ def test_a_change_of_the_case_is_found(tmp_path: Path, change: tuple[str, str], 
         (
             "0.3",
             3000,
-            ["the formula of SG-1 contains 0.3 m/s, but the greatest ordered velocity is 0.85 m/s"],
+            ["SG-1 declares a velocity of 0.3 m/s, but the greatest ordered velocity is 0.85 m/s"],
         ),
         ("0.8", 0, ["the formula of SG-1 does not contain its velocity of 0.8 m/s"]),
         (
             "0.85",
             3100,
-            [
-                "the formula of SG-1 contains 0.85 m/s, but the greatest ordered velocity is "
-                "0.88 m/s"
-            ],
+            ["SG-1 declares a velocity of 0.85 m/s, but the greatest ordered velocity is 0.88 m/s"],
         ),
     ],
 )
@@ -151,7 +148,7 @@ def test_a_scenario_and_its_hazard_have_a_goal_in_common(tmp_path: Path) -> None
     write_case(tmp_path, ('["SG-1"]\nassumptions', "[]\nassumptions"))
     assert [one.text for one in check(tmp_path, make_model(tmp_path))] == [
         "SG-1 has no hazard",
-        "lost and HZ-1, which lists it, have no goal in common",
+        "HZ-1 lists the scenario lost, but the hazard and the scenario have no goal in common",
     ]
 
 
@@ -176,7 +173,7 @@ def test_a_scenario_passes_in_this_run(
     ("test", "played", "found"),
     [
         ("TEST(Safety, FR1_Stops) {\n}\n", [], True),
-        (FOLDER, [], False),  # Until this test runs, it counts as a test of all scenarios.
+        (FOLDER, [], False),  # A test without recordings counts as a test of all scenarios.
         (FOLDER, ["Files_Safety.FR1_Stops_lost"], False),
         (FOLDER, ["Files_Safety.FR1_Stops_found"], True),
     ],

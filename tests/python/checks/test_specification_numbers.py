@@ -1,6 +1,6 @@
-"""A number in the specification of a module is the value of a constant, or a number of a
-requirement of the module. A number in the README of a port is the value of a constant of the
-port."""
+"""Two checks of numbers with a unit. A number in the specification of a module must be the value of
+a constant of the module, or a number in a requirement. A number in the README of a port must be the
+value of a constant of the port."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ LIMIT = "  static constexpr int kLimit = 300;  // [ms]\n"
 
 
 def messages(root: Path, sentence: str, member: str = "") -> list[str]:
-    """Returns the findings after a sentence is added to the brief of RC, and a member to RC."""
+    """Adds a sentence to the brief of the class RC, and a member to this class. Returns the
+    findings."""
     header = root / "src" / "main_control" / "operation_modes" / "RC.hpp"
     text = header.read_text().replace(BRIEF, f"{BRIEF}{sentence} ", 1)
     header.write_text(text.replace(" public:\n", f" public:\n{member}", 1))

@@ -1,4 +1,4 @@
-"""The check demands the descriptions of the parameters of a constructor, but no brief."""
+"""The check demands a description of each parameter of a constructor. It demands no brief."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ NESTED = """\
 
 
 def messages(root: Path, *, find: str, put: str) -> list[str]:
-    """Returns the findings about the constructors of RC after a part of its header is replaced."""
+    """Replaces a part of the header of RC. Returns the findings about the constructors."""
     header = root / "src" / "main_control" / "operation_modes" / "RC.hpp"
     text = header.read_text()
     assert find in text

@@ -1,4 +1,5 @@
-"""The check finds parts that are initialised with another part."""
+"""The check finds a part that is initialised with another part of the same kind, such as a left
+part with a right part."""
 
 from pathlib import Path
 

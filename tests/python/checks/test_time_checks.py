@@ -1,4 +1,5 @@
-"""The check finds the bound of a loop that is lower than the number of elements of the array."""
+"""The check finds a loop over an array whose bound is lower than the number of elements of the
+array."""
 
 from pathlib import Path
 

@@ -1,4 +1,5 @@
-"""The check fsm-declared: the requirement of a transition demands the event or the action."""
+"""The check fsm-declared. A method of a state of the transition must serve each requirement of the
+transition. The operation of the event or the action must serve the requirement, too."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The check finds constants that depend on the period of a cycle, and wrong names of such constants
-in design/tuned.toml."""
+"""The check finds constants that seem to depend on the period of a cycle. It also finds names and
+source lines in design/tuned.toml that do not exist."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def found(root: Path, tuned: str) -> list[Finding]:
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """Writes a constant whose comment does not mention cycles, and a requirement whose rationale
-    counts the cycles in the time of this constant."""
+    """Returns a project with a constant that has no comment. A requirement is linked to this
+    constant, and the rationale of the requirement counts cycles."""
     write_tree(tmp_path)
     for name, text in DESIGN.items():
         (tmp_path / "design" / name).write_text(text)
@@ -66,4 +66,5 @@ def test_a_name_or_a_line_that_does_not_exist_is_found(root: Path) -> None:
 
 def test_a_declared_line_and_constant_are_accepted(root: Path) -> None:
     (finding,) = found(root, entry("MainController::kLifetime", f"{CONTROLLER}: kLifetime"))
-    assert "seems to depend" in finding.text  # the entry is about another constant
+    # The entry declares no dependence on SystemConstants::cyclePeriod.
+    assert "seems to depend" in finding.text

@@ -1,5 +1,5 @@
-"""The worked examples of the protocol. This script rewrites the file with the examples in the
-present layout of the frames.
+"""The worked examples of the protocol. This script converts the file of the examples to the present
+layout of the frames.
 
 New fields at the end of a payload get the value 0. The schema hash is replaced by the present hash.
 """

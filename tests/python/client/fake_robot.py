@@ -63,7 +63,7 @@ class FakeRobot:
     more: bytes = b""  # bytes that a later protocol version appends to Report and Welcome
     noise: bytes = b""
     silent: bool = False
-    restarts: bool = False  # restarts after each Welcome, before its first report
+    restarts: bool = False  # If true, the robot restarts after each Welcome and sends no report.
     has_safety: bool = True
     angle: int = 0  # position of the steering [0.01 degree]
     steering_speed: int = 50  # greatest turn in a cycle [0.01 degree]
@@ -216,7 +216,7 @@ class FakeRobot:
             self._send(0x82, self._cycle, self._report(read, values))
 
     def _steer(self, target: int) -> None:
-        """Turns the steering. Latches a fault if it does not follow."""
+        """Turns the steering. If the steering is reversed or stuck, latches a fault."""
         away = target - self.angle
         if abs(away) <= DEAD_BAND:
             return

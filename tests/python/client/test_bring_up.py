@@ -1,5 +1,5 @@
-"""The bring-up. Each step is tested with the robot in Python, once without a fault and once with a
-fault. The record of the bring-up is tested too."""
+"""The bring-up with the robot in Python: all steps without a fault, steps with a fault, and the
+record of the bring-up."""
 
 import argparse
 import json
@@ -48,7 +48,7 @@ def images(tmp_path: Path) -> Path:
 
 
 class First(BringUp):
-    """The bring-up with its first steps only, up to the step ``last``."""
+    """A bring-up that ends after the step ``last``."""
 
     last = ""
 

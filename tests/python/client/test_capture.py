@@ -22,8 +22,8 @@ tshark = pytest.mark.skipif(not shutil.which("tshark"), reason="tshark is not in
 
 
 def frames_shown(capture: Path, folder: Path) -> list[dict[str, str]]:
-    """Returns a dictionary for each packet. It contains the fields that the dissector adds to the
-    packet: filter name -> value."""
+    """Returns a dictionary for each packet. The dictionary contains the fields that the dissector
+    adds to this packet: filter name -> value."""
     script = folder / "dissector.lua"
     write_dissector(script)
     done = subprocess.run(

@@ -1,5 +1,5 @@
-"""Numbers of the client, and of the oracle of the fuzzers, equal the numbers of the firmware and of
-the table of the frames. The client and the oracle do not read the firmware."""
+"""The client and the oracle of the fuzzers do not read the firmware, but contain copies of its
+numbers. The tests compare these copies with the firmware and with the table of frames."""
 
 import re
 from pathlib import Path
@@ -13,14 +13,14 @@ LINKTYPE_USER0 = 147  # first of the 16 link types for private use in a capture 
 
 
 def milliseconds(name: str, file: str = "src/services/SystemConstants.hpp") -> int:
-    """Returns a time of the firmware."""
+    """Returns the value [ms] of the time ``name`` in a file of the firmware."""
     text = (ROOT / file).read_text(encoding="utf-8")
     (value,) = re.findall(rf"\b{name}(?: =|\(\) const {{ return) milliseconds\((\d+)\);", text)
     return int(value)
 
 
 def oracle() -> dict[str, list[int]]:
-    """Returns the constants of the oracle. A list has one number for each of its members."""
+    """Returns the constants of the oracle: name -> numbers. An array has several numbers."""
     text = (ROOT / "tests/fuzz/LinkOracle.cpp").read_text(encoding="utf-8")
     found = re.findall(r"^ *constexpr .*?\b(k\w+)(?: = |\{)([^;}]+)", text, re.MULTILINE)
     return {

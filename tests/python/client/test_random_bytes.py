@@ -1,5 +1,5 @@
-"""Random bytes and random scripts never crash the client. The client accepts a message, or shows an
-error.
+"""Random bytes and damaged scripts never crash the client. The client accepts a message or a
+script, or reports an error.
 """
 
 from __future__ import annotations

@@ -1,6 +1,8 @@
-"""Environments in which ./wr must end with a message: a full disk, a folder that cannot be written,
-no network, and a user without rights. Each environment consists of Linux namespaces. Outside
-these namespaces, the environment does not change the computer.
+"""Difficult environments for ./wr: a full disk, a folder that cannot be written, a replaced
+program, no network, and a user without the rights of root.
+
+Each environment except the last consists of Linux namespaces. Outside these namespaces, it does not
+change the computer.
 """
 
 from __future__ import annotations
@@ -18,8 +20,8 @@ NOBODY = 65534
 
 @functools.cache
 def namespaces() -> str:
-    """Returns the reason why this system cannot make namespaces. The reason is empty if it can make
-    them."""
+    """Returns the reason why this system cannot create namespaces. If the system can create
+    namespaces, returns an empty text."""
     words = ["unshare", "--map-root-user", "--mount", "--net", "true"]
     try:
         done = subprocess.run(words, capture_output=True, text=True, check=False)
@@ -29,12 +31,13 @@ def namespaces() -> str:
 
 
 def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
-    """Returns a command that makes new namespaces, and in them executes ``first``, then ``then``.
+    """Returns a command that creates new namespaces. In these namespaces, the command executes
+    ``first`` and then ``then``.
 
-    If the system does not allow namespaces, the test is skipped with the reason.
+    If the system does not allow namespaces, skips the test with the reason.
     """
     if reason := namespaces():
-        pytest.skip(f"this system makes no namespaces: {reason}")
+        pytest.skip(f"this system cannot create namespaces: {reason}")
     words = shlex.join(map(str, then))
     return ["unshare", "--map-root-user", *options, "sh", "-ec", f"{first}\nexec {words}"]
 

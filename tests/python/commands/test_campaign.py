@@ -326,7 +326,8 @@ def test_without_a_record_there_is_none(tmp_path: Path) -> None:
 
 
 def committed(name: str) -> dict[str, Any]:
-    """Returns the committed result of a campaign. Its command has the number of its cases."""
+    """Returns the committed result of a campaign. Checks that the recorded command contains the
+    number of the recorded cases."""
     record = read_published(SOURCE, name)
     assert record is not None
     assert f"--count {record.result['cases']} " in record.command
@@ -349,7 +350,7 @@ def test_the_committed_record_of_the_inputs_adds_up() -> None:
 
 
 def test_the_committed_record_of_the_drives_has_the_times_of_its_list() -> None:
-    """The list contains the drives with the longest cycles, with and without noise."""
+    """The list contains the drives with the longest cycles. Some drives can have noise."""
     result = committed("loads")
     outcomes, listed = result["outcomes"], result["longest"]
     times = [drive["longest_ns"] for drive in listed]

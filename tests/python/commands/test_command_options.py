@@ -1,4 +1,5 @@
-"""The reader of the options finds the same commands and options as the parser of ./wr has."""
+"""The reader of the options finds exactly the commands and options of the parser of ./wr. It also
+finds options of the simulators."""
 
 from pathlib import Path
 

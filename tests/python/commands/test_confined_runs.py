@@ -1,6 +1,7 @@
-"""./wr on a full disk, in a folder that cannot be written, without a network, and without rights.
-Each message names the fault, the file or folder, and the next action. The run after the correction
-succeeds.
+"""./wr on a full disk, in a folder that cannot be written, without a network, without the rights of
+root, with an old Python, during another set-up, and in a path with blanks.
+
+A run that fails ends with a message. After a full disk, the next run succeeds.
 """
 
 from __future__ import annotations
@@ -141,7 +142,7 @@ def test_set_up_of_a_user_without_rights_names_the_folder(copy: Path) -> None:
 
 
 def test_after_set_up_no_network_is_needed(tmp_path: Path) -> None:
-    """Without a network, the set-up finds nothing to do, and the tasks run."""
+    """All packages are installed. Therefore the set-up has nothing to do, and the tasks run."""
     write_sources(tmp_path, "text")
     for words in ([SOURCE / "wr", "setup"], command(tmp_path)):
         done = run(without_network(words))
@@ -171,7 +172,8 @@ def test_set_up_without_network_says_so_and_begins_anew(copy: Path) -> None:
     ],
 )
 def test_only_a_newer_python_of_the_path_is_used(copy: Path, answer: str, message: str) -> None:
-    """The Python of the system is too old. The Python of the path is new enough, or too old."""
+    """The program /usr/bin/python3 is too old. The program python3 in PATH is new enough in the
+    first case, and too old in the second case."""
     tools = copy / "tools"
     tools.mkdir()
     (copy / "old").write_text("#!/bin/sh\nexit 1\n")
@@ -187,7 +189,7 @@ def test_only_a_newer_python_of_the_path_is_used(copy: Path, answer: str, messag
     assert done.stderr.startswith(message)
 
 
-# ---- two set-ups at once, and a set-up after a killed one ---------------------------
+# ---- two set-ups at once, and a set-up after a killed set-up -------------------------
 
 
 def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:

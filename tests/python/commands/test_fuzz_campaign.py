@@ -1,4 +1,5 @@
-"""./wr campaign fuzz: its program with fake fuzzers, and the totals of its record."""
+"""./wr campaign fuzz. Its program runs stubs in place of the fuzzers. The totals of its record are
+tested too."""
 
 from __future__ import annotations
 

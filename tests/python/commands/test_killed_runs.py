@@ -1,4 +1,4 @@
-"""A command is killed at a random time. The next run has the right results, and repeats no
+"""A signal ends a command at a random time. The next run has the right results, and repeats no
 completed task.
 """
 

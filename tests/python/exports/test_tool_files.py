@@ -201,6 +201,14 @@ def test_results_have_their_requirements_as_properties(model: Model) -> None:
     assert failure.text == "failed <here>"
 
 
+def test_a_result_of_older_sources_is_not_exported_as_passed(model: Model) -> None:
+    (target, *_) = model.results_hashes
+    stale = {target: BindingResult("passed", stale=True)}
+    test = Test("T.A", "T", "A", "", Place("tests/a.cpp", 1), ["FR-15"], stale)
+    top = ET.fromstring(junit_text(replace(model, tests={"T.A": test}), REPORT).encode())
+    assert [one.get("message") for one in top.findall(".//skipped")] == ["passed, stale"]
+
+
 def test_equal_models_give_equal_files(model: Model) -> None:
     for file in available(Path("/nowhere")):
         assert file.make(Path(), model, REPORT) == file.make(Path(), model, REPORT)

@@ -1,4 +1,5 @@
-"""Makes a firmware image with mistakes in its drivers, and runs this image on the virtual K64."""
+"""Builds a firmware image with seeded faults in its drivers, and runs this image on the virtual
+K64."""
 
 from __future__ import annotations
 
@@ -44,7 +45,7 @@ class Run:
 @dataclass(frozen=True)
 class Program:
     """The commands that build the firmware image again after a change of a driver. Only the changed
-    driver is compiled, because the drivers take no part in the optimisation at link time."""
+    driver is compiled, because the drivers are not optimised at link time."""
 
     compiled: dict[str, list[str]]  # source of src/k64 -> the command that compiles it
     link: list[str]
@@ -74,8 +75,8 @@ class Program:
 
 
 def link_once(folder: Path) -> Program:
-    """Compiles the drivers without optimisation at link time. All other parts of the firmware are
-    optimised at link time, once for all changes of drivers."""
+    """Compiles the drivers without optimisation at link time. Optimises all other parts of the
+    firmware at link time. This optimisation runs only once, for all changes of drivers."""
     link = link_command()
     compiled = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):

@@ -1,5 +1,5 @@
-"""Mistakes in drivers. Each mistake is made in a copy of the sources. On the virtual K64, the
-firmware with the mistake stops with a finding."""
+"""Seeded faults in drivers. For each fault, a test changes a copy of the sources. On the virtual
+K64, the firmware with this fault stops with a finding."""
 
 from __future__ import annotations
 

@@ -91,7 +91,7 @@ def test_the_vectors_lead_to_code_and_the_stack_is_in_the_lower_memory(image: by
     address = {symbol.name: symbol.address for symbol in symbols(ELF)}
     stack, reset = struct.unpack_from("<2I", image)
     assert stack == address["stackTop"]
-    # A stack that overflows leaves the memory, which causes a fault.
+    # The stack is at the lower end of the memory. Therefore a stack overflow causes a fault.
     assert address["stackBottom"] == SRAM_LOWER
     assert reset & ~1 == address["resetHandler"] & ~1
 

@@ -100,7 +100,7 @@ def test_the_sizes_of_the_products_are_those_of_their_images(
         said = subprocess.run(words, check=True, capture_output=True, text=True).stdout
         text, data, bss = map(int, said.splitlines()[1].split()[:3])
         assert record["flash"] == text + data
-        copied = record["ram"] - data - bss  # The program runs from RAM.
+        copied = record["ram"] - data - bss  # The RAM contains a copy of most of the code.
         assert 0.9 * text < copied < text
         assert 0 < record["stack"] < record["ram"]
         assert set(record["modules"]) == held(product)

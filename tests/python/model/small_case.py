@@ -121,8 +121,8 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
 
 
 def report_of(model: Model, states: Mapping[str, str] | None = None) -> Report:
-    """Returns the report of a model. ``states`` contains the states of the requirements. Without a
-    state in ``states``, FR-1 is verified."""
+    """Returns the report of a model. ``states`` contains the states of the requirements. If
+    ``states`` does not contain FR-1, this requirement is verified."""
     verdicts = {
         name: Verdict(state) for name, state in {"FR-1": "verified", **(states or {})}.items()
     }

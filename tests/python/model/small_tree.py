@@ -97,7 +97,7 @@ TWINS = {
 FILES = {
     "requirements/reading.dox": """\
 /** @page requirements-reading Reading orders
-  How orders are read.
+  Requirements for the reading of orders.
 */
 
 /**
@@ -186,7 +186,7 @@ class MainController {
 
 @function Runs the control cycle.
 
-@secret That the cycle is a state machine.
+@secret The state machine of the cycle.
 */
 """,
     "src/main_control/operation_modes/Mode.hpp": """\
@@ -200,7 +200,7 @@ class MainController;
 ///
 /// @function Reads orders.
 ///
-/// @secret From where an order comes.
+/// @secret The source of an order.
 ///
 /// @patternapp{reading-modes, State, Reading modes}
 /// @why The way of reading depends on the source.
@@ -276,7 +276,7 @@ class Mode;
 ///
 /// @patternapp{read-orders, Template Method, Read orders in the operation states}
 /// @why The steps are the same in each state.
-/// @changes How a step is done.
+/// @changes A new method for a step.
 ///
 /// @role{operation-states, State}
 /// @role{read-orders, Abstract Class}

@@ -126,8 +126,8 @@ def test_only_units_that_include_a_changed_header_are_read_again(tmp_path: Path)
 
 
 def test_callers_include_functions_outside_classes(tmp_path: Path) -> None:
-    """Two files contain a function with the same name, and each function is a caller. A function in
-    a file that has the name of a class belongs to this class."""
+    """Two files contain functions with the same name, and both functions are callers. If a file has
+    the name of a class, a function in this file belongs to this class."""
     tree = write_tree(tmp_path)
     folder = tree / "src/main_control"
     calls = "namespace {\nvoid set(MainController& m, Mode& mode) { m.changeMode(mode); }\n}\n\n"

@@ -94,7 +94,10 @@ def test_a_file_stands_for_what_is_written_in_it(model: Model) -> None:
     assert source.at(0) == [Reached("RC", 0, f"is written in src/{MODES}/RC.cpp")]
     others = ["design/trees/a.tree", "tests/RcTest.cpp", "design/fsm/a.toml"]
     model = replace(model, files=[*model.files, *others])
-    assert of(model, "design/trees/a.tree").requirements[0].because == "its tree is declared there"
+    assert (
+        of(model, "design/trees/a.tree").requirements[0].because
+        == "its tree is in design/trees/a.tree"
+    )
     assert of(model, "tests/RcTest.cpp").tests[0].because == "is written in tests/RcTest.cpp"
     machine = of(model, "design/fsm/a.toml")
     assert machine.at(0) == [Reached("RC", 0, "is a state of reading-modes")]

@@ -10,7 +10,18 @@ from tests.python.model.small_case import make_model, report_of, write_case
 from traceability.model.design_model import Model
 from traceability.model.not_shown import not_shown
 from traceability.reading.published import Published
-from traceability.schema import BuildEvidence, Finding, LastRecord, LintRun, Place
+from traceability.schema import (
+    HOST,
+    BuildEvidence,
+    Counts,
+    Finding,
+    LastRecord,
+    LintRun,
+    LoopRun,
+    LoopScenario,
+    Place,
+    Port,
+)
 
 
 def texts(root: Path, **values: Any) -> list[str]:
@@ -42,11 +53,32 @@ def test_long_and_repeated_tests_are_listed(tmp_path: Path) -> None:
     assert "1 test of the client failed at first. Only the second result counts." in found
 
 
+def test_folders_of_python_tests_without_a_result_are_listed(tmp_path: Path) -> None:
+    counts = {"client": None, "model": Counts(1, 0, 0), "tools": None}
+    found = texts(tmp_path, build=replace(build(None), tool_tests=counts))
+    assert [text for text in found if text.endswith("with these sources: client, tools.")]
+
+
 def test_failed_python_tests_are_listed_by_name(tmp_path: Path) -> None:
     failed = replace(build(None), failed=["tests/python/model/test_it.py::test_it"])
     (text,) = (one for one in texts(tmp_path, build=failed) if "Python test" in one)
     assert "1 Python test of the tools" in text
     assert "failed: tests/python/model/test_it.py::test_it." in text
+
+
+def test_results_that_this_build_lacks_are_listed(tmp_path: Path) -> None:
+    loop = LoopScenario("a", "A", "", "", Place("a", 1), [], [], {HOST: LoopRun(True, "")})
+    port = Port("A", "", "", "", "", {}, 0, 0, {"A.B": "failed"}, {}, {})
+    missing = {
+        "The faults seeded in the drivers were not run with these sources.",
+        "The times of the control cycle were not measured with these sources.",
+        "Number of scenarios for the control performance that were not run on both targets with "
+        "these sources: 1 of 1.",
+        "These ports to other devices did not pass all tests with these sources, or were not "
+        "tested: k20.",
+    }
+    found = texts(tmp_path, closed_loop=[loop], ports={"k20": port})
+    assert missing <= set(found)
 
 
 def test_lines_of_the_drivers_that_no_test_executed_are_listed(tmp_path: Path) -> None:
@@ -86,7 +118,7 @@ def test_goals_with_results_of_old_drives_are_listed(tmp_path: Path) -> None:
     name, goal = next(iter(model.safety.goals.items()))
     goals = {name: replace(goal, exceptions=["These drives were last played at commit 1."])}
     found = texts(tmp_path, safety=replace(model.safety, goals=goals))
-    assert [text for text in found if f"Known exceptions of {name} state the commits" in text]
+    assert [text for text in found if f"known exceptions of {name} state the commits" in text]
 
 
 def test_the_requirements_of_each_state_and_the_findings_are_counted(tmp_path: Path) -> None:

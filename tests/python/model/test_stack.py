@@ -137,8 +137,8 @@ def test_of_each_priority_the_greatest_counts_with_a_frame_of_the_hardware() -> 
 
 
 def test_an_indirect_call_in_an_inlined_method_depends_on_the_class_that_inlines_it() -> None:
-    """Outer and Inner are subclasses of Stage. The code of Stage::run is inlined in Outer::run,
-    which calls it for its own object."""
+    """Outer and Inner are subclasses of Stage. Outer::run calls Stage::run for the same object. The
+    code of Stage::run is inlined in Outer::run."""
     functions = graph(Outer_wrapped=(1, []), Inner_wrapped=(1, []))
     inner, outer = Place("src/Stage.cpp", 3), Place("src/Outer.cpp", 5)
     small = prover(functions, [])

@@ -60,7 +60,7 @@ def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
 @pytest.mark.parametrize(
     ("calls", "seen"),
     [
-        (ON, []),  # No call follows that shows the new state.
+        (ON, []),  # No later call shows the new state.
         (f"{ON} Lamp::tick On::wait / /", [SWITCHED_ON, Seen("On", "wait", "On")]),
         (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
         ("Off::press Lamp::changeState / / On::wait /", []),  # No lamp calls the state.

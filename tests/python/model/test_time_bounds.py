@@ -333,7 +333,8 @@ def test_a_lock_lasts_until_the_last_lock_ends(tmp_path: Path, text: str, cycles
 def test_more_requests_than_declared_are_found(
     requests: Sequence[float], found: tuple[int, float] | None
 ) -> None:
-    """One request is declared in each tick. The first of two requests can have waited."""
+    """One request is declared in each tick. The first of two requests can be late. Therefore the
+    time between the requests can be a little shorter than a tick."""
     (bound,) = with_responses([context("edge", 1_000, 1, entries=1)])
     times = [round(ms * NANOSECONDS) for ms in requests]
     recording = Recording(
@@ -344,9 +345,9 @@ def test_more_requests_than_declared_are_found(
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
-    """The interrupt ``edge`` has one request in each tick, and the cycle is shorter than a tick.
-    Two requests delay the cycle only if the cycle and the waiting time of a request are together
-    longer than a tick."""
+    """The interrupt ``edge`` has one request in each tick, and the cycle is shorter than a tick. If
+    the sum of the cycle and of the waiting time of a request is longer than a tick, two requests
+    delay the cycle. Otherwise, one request delays it."""
     waits = context("edge", 20_000, 1, entries=1)
     alone = [context("thread", 70_000, 12), waits]
     assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)

@@ -102,7 +102,7 @@ def make_model() -> Model:
                 ["MainController"], [MODES],
             ),
             MODES: LogicModule(
-                MODES, "OperationModes", "main_control", "Modes: where orders come from.",
+                MODES, "OperationModes", "main_control", "Modes: the sources of orders.",
                 "Reads.", "The sources.", Place(f"src/{MODES}/module.dox", 1),
                 ["Mode", "RC"],
             ),
@@ -170,7 +170,7 @@ def make_model() -> Model:
             "reading-modes": LikelyChange(
                 "reading-modes", "State", "Mode", ["RC"], "Concrete State", ["Mode"], MODES, [],
                 ["Mode", "RC", "MainController"], ["FR-15"], ["RcTest.Reads"],
-                ["Derive from {derives}.", "Make it known in {edits}."], [],
+                ["Derive from {derives}.", "Construct it in {edits}."], [],
             )
         },
         files=[f for m in modules.values() for f in (m.header, str(m.source))],

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from markupsafe import Markup
 
-from portal.answers import QUESTIONS, Question, with_links, with_metrics
+from portal.answers import QUESTIONS, Question, linked_questions, with_metrics
 from portal.pages import all_pages
 from portal.portal import Portal
 from tests.python.portal.fixture import REPORT, make_project
@@ -55,12 +55,6 @@ def test_the_items_of_a_list_are_one_line_in_the_table_of_the_questions() -> Non
     assert question.line == "Two steps: Build. Flash."
 
 
-def test_a_question_in_quotation_marks_is_a_link() -> None:
-    question = Question("Is it so?", "Yes.", "Verify", ["tests.html"])
-    shown = with_links(Markup("See “Is it so?” and “Tests”."), [question])
-    assert shown == 'See “<a href="@/answers/is-it-so.html">Is it so?</a>” and “Tests”.'
-
-
 def test_an_answer_links_to_further_evidence(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     (tmp_path / QUESTIONS).parent.mkdir(exist_ok=True)
@@ -73,6 +67,13 @@ def test_an_answer_links_to_further_evidence(tmp_path: Path) -> None:
     assert links["@/virtual_k64.html#faults"] == "Run-time checks of the virtual board"
     assert links["@/docs/tour.html"] == "Tour"
     assert links["@/docs/tour.html#first-steps"] == "Tour: First steps"
+
+
+def test_a_quoted_question_is_a_link_to_its_answer() -> None:
+    question = Question("Does it stop?", "Yes.", "x", [])
+    html = linked_questions([question], Markup("See “Does it stop?” and “Is it on?”."))
+    address = "@/answers/does-it-stop.html"
+    assert html == f'See “<a href="{address}">Does it stop?</a>” and “Is it on?”.'
 
 
 def test_an_answer_cannot_name_an_unknown_metric() -> None:

@@ -38,8 +38,8 @@ def test_caller_with_an_unknown_object_names_the_abstract_method() -> None:
 
 
 def test_methods_of_nested_classes_that_other_modules_call_have_a_row() -> None:
-    """The row shows the callers in other modules, and the abstract method that the nested method
-    calls instead of its overrides."""
+    """The row of Body::execute shows its callers in other modules. Body::execute calls the abstract
+    method Mode::read. The row shows this method, and not its overrides."""
     model = make_model()
     names = ("Mode", "RC")
     mode, rc = (model.modules[name].methods[0] for name in names)

@@ -1,4 +1,4 @@
-"""The files with the font of the pages. PlantUML measures the labels of diagrams with them."""
+"""The files with the font of the pages. PlantUML measures the labels of diagrams with this font."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tables of the protocol page, which are made from the table of frames."""
+"""The tables of the protocol page. They are generated from the table of frames."""
 
 import re
 import struct

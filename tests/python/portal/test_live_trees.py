@@ -1,4 +1,4 @@
-"""JavaScript on the pages finds the same invocation trees in recorded calls as the checks."""
+"""The JavaScript of the pages and the checks find the same invocation trees in recorded calls."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The messages of the commands. They come from the code of the commands."""
+"""The messages of the commands, as the portal reads them from the code."""
 
 from __future__ import annotations
 

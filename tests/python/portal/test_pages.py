@@ -1,4 +1,4 @@
-"""The data from which pages are made, and the contents of the pages of a small model."""
+"""The data of pages, and the contents of the pages of a small model."""
 
 from __future__ import annotations
 
@@ -63,6 +63,10 @@ from traceability.schema import (
     LintRun,
     MethodCoverage,
     Place,
+    ProofProperty,
+    ProofResult,
+    Proofs,
+    SourceReference,
     TreeNode,
     Tuned,
 )
@@ -200,6 +204,21 @@ def test_the_methods_outside_of_a_tree(tmp_path: Path) -> None:
     assert "RC::read" not in outside_tree(model, replace(requirement, tree=abstract))
 
 
+def test_a_sheet_shows_the_marks_of_its_tree_and_its_proofs(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    requirement = model.requirements["FR-15"]
+    assert requirement.tree
+    (read,) = requirement.tree.children
+    read = replace(read, often="?", executed={}, outside=[HOST])
+    requirement = replace(requirement, tree=replace(requirement.tree, children=[read]))
+    proof = ProofProperty("a", "FR-15", "It always reads.", "[] a", Place("a.toml", 1))
+    proofs = Proofs({"a": proof}, {"a": ProofResult("proven", 1, 1, 1.0)})
+    model = replace(model, requirements={"FR-15": requirement}, proofs=proofs)
+    sheet = read_page(dossier_page(Portal(tmp_path, model, REPORT, []), requirement).body).text
+    assert "RC::read under a condition yes not on the host" in sheet
+    assert "It always reads. a: proven" in sheet
+
+
 def test_an_inherited_method_is_found_at_its_base() -> None:
     model = make_model()
     model.modules["RC"] = replace(model.modules["RC"], methods=[])
@@ -251,7 +270,7 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Por
         (
             "changes/reading-modes",
             [],
-            ["Derive from Mode", "Make it known in a composition.", "3 modules that are"],
+            ["Derive from Mode", "Construct it in a composition.", "3 modules that are"],
             ["requirements/FR-15.html"],
         ),
         ("requirements/FR-15", [], ["The system shall wait.", "Why."], ["modules/RC.html#m-read"]),
@@ -359,7 +378,7 @@ def test_the_evidence_shows_the_tests_of_the_tools_that_ran(tmp_path: Path) -> N
     build = replace(build, repeated=["test_a.py::test_b"], long_tests={"test_c.py": 2})
     text = shown(tmp_path, replace(make_project(tmp_path), build=build))["evidence"].text
     assert "only its second result counts: test_a.py::test_b." in text
-    assert "They are 2 test functions in these files: test_c.py." in text
+    assert "The long tests are 2 test functions in these files: test_c.py." in text
 
 
 def test_an_image_for_recordings_is_explained_where_it_is_shown(tmp_path: Path) -> None:
@@ -483,6 +502,16 @@ def test_the_filter_of_the_requirements_finds_those_whose_tests_pass_on_one_targ
     assert address not in shown(tmp_path, model)["index"].links
     model.tests["RcTest.Reads"] = replace(test, results={VIRTUAL_K64: passed})
     assert facets(model, REPORT, requirement)["binding"] == [VIRTUAL_K64, "only virtual K64"]
+
+
+def test_the_filter_of_the_requirements_finds_those_with_only_one_kind_of_source() -> None:
+    model = make_model()
+    requirement = model.requirements["FR-15"]
+    decision, goal = SourceReference("decision", "so"), SourceReference("goal", "SG-1")
+    derived = replace(requirement, sources=[decision, decision])
+    assert facets(model, REPORT, derived)["source"] == ["decision", "only decision"]
+    both = replace(requirement, sources=[decision, goal])
+    assert facets(model, REPORT, both)["source"] == ["decision", "goal"]
 
 
 def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> None:

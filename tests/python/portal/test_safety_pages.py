@@ -13,7 +13,7 @@ from portal.navigation import verify
 from portal.pages import all_pages
 from portal.portal import Portal
 from portal.requirement_pages import played_scenarios
-from portal.safety_pages import Compared, longest, open_points, product_runs
+from portal.safety_pages import Compared, evidence, longest, open_points, product_runs
 from portal.search import safety_entries
 from tests.python.model.small_case import make_model, report_of, write_case
 from tests.python.portal.fixture import REPORT, make_project
@@ -131,6 +131,15 @@ def test_the_page_of_a_requirement_lists_the_scenarios_that_its_tests_play(tmp_p
     found = pages(Portal(tmp_path, model, portal.report, []))
     assert "@/safety/SG-1.html#lost" in found["requirements/FR-1"].links
     assert "lost: host, virtual K64" in found["dossier/FR-1"].text
+
+
+def test_evidence_without_a_result_is_marked(tmp_path: Path) -> None:
+    portal = portal_of(tmp_path, "verified")
+    results = {one.title: bool(one.result) for one in evidence(portal)}
+    assert results["distances, settling times and other values"]
+    assert not results["stack, measured"]
+    text = pages(portal)["safety/index"].text
+    assert text.count("no result in this build") == list(results.values()).count(False)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The tables on hand-written pages whose content comes from files of the project."""
+"""Tables on hand-written pages. The content of these tables is read from files of the project."""
 
 import csv
 from pathlib import Path

@@ -31,7 +31,8 @@ FEW = "at 50 arm\nfrom 1550 to 101050 every 100 order velocity 500\nat 101150 en
 
 
 def slowed(folder: Path) -> Path:
-    """Returns the path, without suffix, of a firmware image with a busy loop in an algorithm."""
+    """Returns the path of a firmware image, without its suffix. In this image, an algorithm
+    contains a busy loop."""
     source = folder / ALGORITHM.name
     begin = "  setPoint_.fill(setPoint);\n"
     text = ALGORITHM.read_text(encoding="utf-8")

@@ -73,12 +73,13 @@ def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: C
 
 
 def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
-    """Compares the branches that gcov counted with the branches in the records of the tests, only
-    in source files. Functions of headers are in several object files, and gcov counts their
-    branches separately.
+    """Compares the branches that gcov counted with the branches in the records of the tests.
 
-    A source line that several functions share is left out. For this line, gcov reports either the
-    branches of each function or no branches.
+    Headers are left out. Their functions are in several object files, and gcov counts the branches
+    of each object file separately.
+
+    Source lines that several functions share are also left out. For such a line, gcov reports
+    either the branches of each function or no branches.
     """
     taken = recorded.all
     compared = 0

@@ -166,7 +166,7 @@ def test_a_variable_is_watched(start: Start) -> None:
     changes = re.findall(r"Old value = (\d+)\nNew value = (\d+)", text)
     assert len(changes) == 3
     assert changes[0][1] == changes[1][0]
-    # Backwards, the same change is from the new value to the old value.
+    # The program runs backwards. Therefore the same change leads from the new to the old value.
     assert changes[2] == changes[1][::-1]
     assert first[1] < second[1]
     assert first[1] <= back[1] < second[1]

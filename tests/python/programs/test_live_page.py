@@ -36,7 +36,7 @@ frame.src = "%ADDRESS%";
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 async function until(test) {
   for (let tries = 0; tries < 400 && !test(); tries += 1) await sleep(50);
-  if (!test()) throw new Error("it never came true: " + test);
+  if (!test()) throw new Error("this condition was never true: " + test);
 }
 frame.onload = async () => {
   const doc = frame.contentDocument;

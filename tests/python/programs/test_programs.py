@@ -107,13 +107,14 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
     """Both runs make the same decisions. If a decision depends on a measured value, one run may
-    make this decision one cycle later.
+    make this decision one cycle later. The limits below do not apply to the cycle of such a
+    decision, nor to the cycle before and the cycle after.
 
-    Measured and applied values differ by at most 1.3 % of the range in 94 of 100 cycles. In cycles
-    with orders of the remote control, only the limit of 10 % applies. The values may differ by more
-    than 10 % at a decision that one run makes later: in the cycle of the decision, in the cycle
-    before, and in the cycle after. At the end of a connection and of the scenario, one program may
-    have sent one more report.
+    Measured and applied values differ by at most 10 % of their range. In at least 94 of 100 cycles,
+    they differ by at most 1.3 %. The limit of 1.3 % does not apply to cycles with orders of the
+    remote control. The values of a wheel with one Hall sensor are not compared.
+
+    At the end of a connection and of the scenario, one program may have sent one more report.
     """
     reports = []
     for binding in ("host", "board"):

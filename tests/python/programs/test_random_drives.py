@@ -1,5 +1,5 @@
-"""Random drives of robots whose parts vary. A robot without a fault does not stop. A robot with a
-fault stops.
+"""Random drives of robots whose parts vary. The firmware does not stop a robot without a fault. It
+stops a robot with one of the tested faults within 0.3 m.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 the number of drives that did not end with a stop, the number of drives that stopped after more than

@@ -1,4 +1,4 @@
-"""Loops of tests that never run are found."""
+"""A test can contain a loop whose body never runs. The reader finds such loops."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A result is valid only for the sources from which it was made."""
+"""A result is valid only while the sources are the same as in the run that wrote this result."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ def writer(path: Path, content: object) -> Callable[[Path], object]:
 
 
 class Case(NamedTuple):
-    """A result of a task, its writer and its reader. The reader returns ``known`` for a valid
-    result, and ``unknown`` otherwise."""
+    """A result of a task, its writer and its reader. If the result is valid, the reader returns
+    ``known``. Otherwise, the reader returns ``unknown``."""
 
     task: str
     write: Callable[[Path], object]

@@ -1,4 +1,4 @@
-"""The record of ./wr lint is shown only for the files that the steps read."""
+"""The record of ./wr lint is used only while the files that ./wr lint reads are unchanged."""
 
 from __future__ import annotations
 

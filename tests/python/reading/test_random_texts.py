@@ -1,5 +1,5 @@
-"""Damaged files of the design never crash a tool. The reader returns the content, or a problem with
-its file and line."""
+"""Damaged files of the design never crash a tool. The reader returns the content or problems. Each
+problem contains a file and a line."""
 
 from __future__ import annotations
 

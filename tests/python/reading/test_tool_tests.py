@@ -1,4 +1,4 @@
-"""The results of the Python tests are shown only for the files that they tested."""
+"""The results of Python tests are used only while the tested files are unchanged."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ def write(path: Path, text: str) -> None:
 
 
 def test_results_are_valid_only_for_the_present_files(tmp_path: Path) -> None:
-    """The tests of the pages run after the pages are built. Therefore the pages cannot have their
-    results."""
+    """The tests of the pages run after the pages are built. Therefore the pages cannot show the
+    results of these tests."""
     for folder in ("model", "reading", "site"):
         write(tmp_path / f"tests/python/{folder}/test_it.py", "")
         write(tmp_path / results_of(folder), CASES)

@@ -12,7 +12,7 @@ from tools.browser import find_browser, result_of
 BROWSER = find_browser() or ""
 AXE = Path(__file__).with_name("axe.min.js")
 # A page that opens other pages in a frame. It opens them one after the other, and posts the
-# results. ``until`` waits for something that the page does later, at the speed of the computer.
+# results. ``until`` waits until a condition is true.
 HARNESS = """<!doctype html><title>probe</title><body><script>
 const pages = %PAGES%, seen = {};
 const frame = document.createElement("iframe");
@@ -21,7 +21,7 @@ document.body.append(frame);
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 async function until(test) {
   for (let tries = 0; tries < 3000 && !test(); tries += 1) await sleep(20);
-  if (!test()) throw new Error("it never came true: " + test);
+  if (!test()) throw new Error("this condition was never true: " + test);
   return test();
 }
 const post = (value) => fetch("/result", { method: "POST", body: JSON.stringify(value) });

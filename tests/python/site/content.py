@@ -21,7 +21,7 @@ NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 @dataclass
 class Code:
-    """The text of an element ``code``. It may be in a link or in a listing."""
+    """The text of an element ``code``. The element can be in a link or in a listing."""
 
     text: str
     linked: bool
@@ -40,7 +40,7 @@ class Content:
 
 
 class Reader:
-    """A reader of the element ``main`` of a page. It leaves out the navigation."""
+    """A reader of the element ``main`` of a page. The reader leaves out the navigation."""
 
     def __init__(self, page: str) -> None:
         self.page = page

@@ -1,4 +1,5 @@
-"""The files of this project for other tools. Each file fits its published schema."""
+"""The files of the built site for other tools. The files in the formats ReqIF and SARIF fit the
+published schemas."""
 
 import csv
 import json

@@ -1,5 +1,6 @@
-"""The built pages are accessible and do not scroll sideways. In a window with a width of 1024
-pixels, a page is at most twice as tall as in a window with a width of 1440 pixels."""
+"""Selected pages of the built site are accessible and do not scroll sideways. In a window with a
+width of 1024 pixels, such a page is at most twice as tall as in a window with a width of 1440
+pixels."""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ from tests.python.site.browser import AXE, BROWSER, look
 from tests.python.site.content import SITE
 from traceability.whole_file import write_whole
 
-# One page of each kind.
+# At least one page of each kind.
 PAGES = [
     "index", "answers/index", "answers/is-rc-a-state-or-a-decorator",
     "answers/how-do-i-write-a-test-and-link-it-to-a-requirement", "architecture", "structure",
@@ -103,9 +104,9 @@ pytestmark = [
 
 
 class Looked:
-    """The results of probes on pages, from this run and from the run before.
+    """The results of probes on pages, from this run and from the previous run.
 
-    A page is opened only if its file, the theme, the probe or the browser has changed.
+    A page is opened only if its file, the theme, the probe, axe or the browser has changed.
     """
 
     def __init__(self) -> None:
@@ -201,8 +202,8 @@ def test_pages_are_accessible(
 
 
 def test_escape_gives_the_focus_back_and_every_stop_is_seen() -> None:
-    """The focus moves from the name of a module into its card, and back. The skip link leads into
-    the content."""
+    """The focus moves from the name of a module into the card of this module, and back. The skip
+    link leads into the content."""
     seen, errors = look(SITE, ["patterns/reading-modes"], KEYBOARD)
     assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]
     assert errors == []

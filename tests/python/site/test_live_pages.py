@@ -307,7 +307,7 @@ def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> Non
 def test_the_lanes_of_the_page_execution_show_the_cycle_that_runs() -> None:
     found, _ = result_of(BROWSER, SITE, LANES_OF_PAGE)
     assert {"cycle-timer", "tick-timer", "main-thread", "wheel-threads"} <= set(found["active"])
-    # The clock pulse is the first activation of a cycle.
+    # The interrupt of the cycle timer is the first activation of a cycle.
     assert found["instants"][0].startswith("0.001 ms: cycle timer")
     assert any("tick timer \u00d7" in lane for lane in found["lanes"])
     assert max(found["sizes"]) <= 0

@@ -41,7 +41,7 @@ def test_the_file_fits_its_schema(name: str) -> None:
             "FirstTimer::expired",
         ),
         ("main-thread", "MainController::Body::execute", "RC::read", "ActiveSensor::serve"),
-        # the extension of weeding_robot, but not the composition and the states of another product
+        # The context reaches an extension of weeding_robot. It reaches no state of another product.
         (
             "main-thread",
             "MainController::Body::execute",

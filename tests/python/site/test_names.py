@@ -1,4 +1,5 @@
-"""In the pages, the names of modules, methods and requirements are links."""
+"""On selected pages, each name of a module, method or requirement in code font is a link. Listings
+are left out."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from tests.python.site.content import SITE, content, searched
 
 
 def searches(name: str) -> dict[str, list[str]]:
-    """Returns the expected addresses of each query of a file."""
+    """Returns the expected addresses of each query in a file."""
     text = Path(__file__).with_name(name).read_text(encoding="utf-8")
     return {
         query: [expected] if isinstance(expected, str) else expected
@@ -126,7 +126,7 @@ def expects(text: str, addresses: list[str], file: dict[str, list[str]] = SEARCH
 
 
 def asked(folder: Path, texts: list[str]) -> dict[str, list[str]]:
-    """Returns for each text the addresses of the hits on the first screen."""
+    """Returns the addresses of the hits on the first screen: text -> addresses."""
     scripts = (f'<script src="{SITE.as_uri()}/_static/{name}.js"></script>' for name in SCRIPTS)
     values = {"SCRIPTS": "".join(scripts), "SEARCHES": json.dumps(texts)}
     page = PROBE

@@ -120,8 +120,8 @@ def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:
 
 @pytest.fixture
 def pages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., str]:
-    """Returns a function. This function makes the documents with ``keep``, and returns the printed
-    lines."""
+    """Returns a function that builds the documents with the option ``keep``. This function returns
+    the printed lines."""
     for target, result in {
         "portal.site_build.build_site": SimpleNamespace(pages=1, warnings=[]),
         "portal.site_build.write_tool_files": None,

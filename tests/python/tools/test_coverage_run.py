@@ -31,7 +31,7 @@ RUN = "build/results/trace.json"
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """Returns a project with one file. Its program executed 6 of 7 lines and 2 of 4 branches."""
+    """Returns a project with one file. The program executed 6 of 7 lines and 2 of 4 branches."""
     for name in ("src", "build/results", "build/trace"):
         (tmp_path / name).mkdir(parents=True)
     (tmp_path / "src/choose.cpp").write_text(CHOOSE)
@@ -60,8 +60,7 @@ def test_a_line_of_several_functions_counts_once(root: Path) -> None:
 
 
 def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
-    """Only the program of the tests counts. The result is the same whether the other program exists
-    or not."""
+    """Only the program of the tests counts. The other program does not change the result."""
     (root / "src/other.cpp").write_text("int main() { return 0; }")
     folder = "build/trace/tests/CMakeFiles/usual_design_tests.dir"
     (root / folder).mkdir(parents=True)

@@ -1,5 +1,5 @@
 """Each worked example of the page docs/how_these_pages_are_made.rst can be applied to the present
-files. The long tests also run the tests of each example."""
+files. The tests in tests/python/worked_examples also test the result."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Each lock file in setup/ contains a version that its list of packages demands."""
+"""For each package in a list in setup/, the lock file contains a version that the list permits."""
 
 import re
 from pathlib import Path
@@ -15,7 +15,8 @@ LISTS = sorted(SETUP.glob("*.in"))
 
 
 def unmet(demanded: str, locked: str) -> list[str]:
-    """Returns the demands of a list of packages that a lock file does not meet."""
+    """Compares a list of packages with a lock file. Returns each demand of the list that the lock
+    file does not meet."""
     versions = {normal(name): version for name, version in PINNED.findall(locked)}
     lines = [line.partition("#")[0].strip() for line in demanded.splitlines()]
     demands = [Requirement(line) for line in lines if line]

@@ -90,7 +90,8 @@ def test_a_stop_that_one_state_loses_is_found(design: Path) -> None:
 @needs_spin
 @pytest.mark.long
 def test_a_false_property_has_a_scenario_that_plays_its_counterexample(design: Path) -> None:
-    """The robot can drive in the model. Therefore the property that it never drives is false."""
+    """The robot can drive in the model. Therefore the property "the robot never drives" is
+    false."""
     declared = read_declared(design)
     (result,) = prove(design, declared, [TRIED], print).values()
     assert result.verdict == "false"

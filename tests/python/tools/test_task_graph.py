@@ -1,5 +1,5 @@
-"""The task graph. No task runs twice on the same files. After a change, all tasks that depend on
-the change run again."""
+"""The task graph. A task runs again if one of its inputs has changed, or if the task must always
+run."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Project:
         return run
 
     def run(self, *names: str, **replaced: Task) -> list[str]:
-        """Returns the tasks that ran. The task ``build`` is left out, because it always runs: only
+        """Returns the tasks that ran. The task ``build`` is left out, because it always runs. Only
         Ninja finds the files to build again."""
         found = Outcome("", values={"file_dep": self.sources})
         tasks = {

@@ -21,8 +21,8 @@ def patches(example: str) -> list[str]:
 
 
 def apply(root: Path, example: str) -> None:
-    """Applies an example to a copy of the project. The lines of each file must be equal to those
-    that the page shows."""
+    """Applies an example to a copy of the project. The lines around a change must be the same in
+    the file and on the page."""
     for text in patches(example):
         words = ["patch", "-p1", "--fuzz=0"]
         done = subprocess.run(

@@ -18,6 +18,10 @@
 namespace wr::test {
 namespace {
 
+// The range of the sensor, 33 A, has 4096 steps of the converter.
+constexpr int kWithin15A = 15'000 * 4096 / 33'000;  // greatest number of steps within 15 A
+constexpr int kTolerance = 4096 * 5 / 100;          // greatest number of steps within 5 %
+
 /// A timer whose ticks the test triggers.
 class TickTimer final : public PeriodicTimer {
  public:
@@ -109,7 +113,7 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   bool wrapped = false;
   while (!wrapped) {
     for (int i = 0; i < 100'000; ++i) {
-      collector.collect(2048 + 1861);
+      collector.collect(2048 + kWithin15A);
     }
     EXPECT_EQ(measured()->value, Current(14993));
     wrapped = collector.record().sum < before;
@@ -186,9 +190,8 @@ TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_EQ(after.value, before.value);
 }
 
-/// @brief The mean reduces the noise of the sensor. If the noise is 50 mA rms, 6 mA rms remain in
-/// the zero point of the sensor, and 5 mA rms remain in the mean of a cycle. The test permits an
-/// error of 50 mA.
+/// @brief The mean of a cycle reduces the noise of the sensor. When each sample has a noise of 50
+/// mA rms, the error of a measured current of 4 A is at most 50 mA.
 /// @verifies FR-125
 /// @verifies FR-126
 TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
@@ -198,19 +201,19 @@ TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
     return static_cast<int>(std::lround(value + noise(random)));
   };
   for (int i = 0; i < 64; ++i) {
-    tick(noisy(2100.3));
+    tick(noisy(2100.3));  // a noise of 6 mA rms remains in the zero point
   }
   for (int i = 0; i < 100; ++i) {
-    tick(noisy(2100.3 + 4 / 0.0080566));
+    tick(noisy(2100.3 + 4 / 0.0080566));  // a noise of 5 mA rms remains in the mean
   }
   EXPECT_NEAR(measured()->value.count(), 4000, 50);
 }
 
-/// @brief The mean of the first 64 samples becomes the zero point of the sensor, if its distance
-/// from the middle is at most 5 % of the range.
+/// @brief The mean of the first 64 samples becomes the zero point of the sensor. The distance of
+/// this mean from the middle may be at most 5 % of the range.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsLearned) {
-  for (const int zero : {2048 - 204, 2000, 2048 + 204}) {
+  for (const int zero : {2048 - kTolerance, 2000, 2048 + kTolerance}) {
     ValueCollector fresh(overcurrent, time);
     for (int i = 0; i < 64 + 16; ++i) {
       fresh.collect(static_cast<std::uint16_t>(zero));
@@ -224,7 +227,7 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
 /// sensor. All later samples are ignored.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
-  for (const int zero : {0, 2048 - 205, 2048 + 205, 4095}) {
+  for (const int zero : {0, 2048 - kTolerance - 1, 2048 + kTolerance + 1, 4095}) {
     ValueCollector fresh(overcurrent, time);
     CntSensor reader(fresh, function, pipe);
     for (int i = 0; i < 64; ++i) {
@@ -249,12 +252,12 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
 }
 
 /// @brief Five successive samples beyond 15 A switch the driver off, in both directions. The
-/// command that switches the driver off is executed in the interrupt of the fifth sample, and in
-/// the interrupt of each following sample that is too high.
+/// command that switches the driver off is executed in the interrupt of the fifth sample. This
+/// command is executed again in the interrupt of each following sample that is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);
-  for (const int sample : {2048 + 1862, 2048 - 1862}) {
+  for (const int sample : {2048 + kWithin15A + 1, 2048 - kWithin15A - 1}) {
     overcurrent.executions = 0;
     ticks(4, sample);
     EXPECT_EQ(overcurrent.executions, 0);
@@ -272,13 +275,13 @@ TEST_F(CurrentTest, FR128_FiveInARow) {
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_EitherDirectionCounts) {
   ticks(64, 2048);
-  tick(2048 + 1862);
-  tick(2048 - 1862);
-  tick(2048 + 1862);
+  tick(2048 + kWithin15A + 1);
+  tick(2048 - kWithin15A - 1);
+  tick(2048 + kWithin15A + 1);
   tick(std::nullopt);
-  tick(2048 - 1862);
+  tick(2048 - kWithin15A - 1);
   EXPECT_EQ(overcurrent.executions, 0);
-  tick(2048 + 1862);
+  tick(2048 + kWithin15A + 1);
   EXPECT_EQ(overcurrent.executions, 1);
 }
 
@@ -287,8 +290,8 @@ TEST_F(CurrentTest, FR128_EitherDirectionCounts) {
 TEST_F(CurrentTest, FR128_NotInARow) {
   ticks(64, 2048);
   for (int i = 0; i < 20; ++i) {
-    ticks(4, 2048 + 1862);
-    tick(2048 + 1861);
+    ticks(4, 2048 + kWithin15A + 1);
+    tick(2048 + kWithin15A);
   }
   EXPECT_EQ(overcurrent.executions, 0);
 }
@@ -301,7 +304,7 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
     std::uint16_t zero;
     std::uint16_t end;
   };
-  for (const Sensor sensed : {Sensor{2048 + 204, 4095}, Sensor{2048 - 204, 0}}) {
+  for (const Sensor sensed : {Sensor{2048 + kTolerance, 4095}, Sensor{2048 - kTolerance, 0}}) {
     overcurrent.executions = 0;
     ValueCollector fresh(overcurrent, time);
     for (int i = 0; i < 64; ++i) {
@@ -316,8 +319,8 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief If the zero point is less than 15 A from an end of the range, only the last value at this
-/// end of the range counts as too high.
+/// @brief The zero point may be less than 15 A from an end of the range. Then only the last value
+/// at this end of the range counts as too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {
@@ -325,7 +328,8 @@ TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
     std::uint16_t last;
     std::uint16_t end;
   };
-  for (const Sensor sensed : {Sensor{2048 - 204, 1, 0}, Sensor{2048 + 204, 4094, 4095}}) {
+  for (const Sensor sensed :
+       {Sensor{2048 - kTolerance, 1, 0}, Sensor{2048 + kTolerance, 4094, 4095}}) {
     overcurrent.executions = 0;
     ValueCollector fresh(overcurrent, time);
     for (int i = 0; i < 64; ++i) {

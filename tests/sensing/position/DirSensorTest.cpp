@@ -66,7 +66,7 @@ TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   }
 }
 
-/// @brief The function gets the sum of 8 samples and the duration in which they were sampled.
+/// @brief The function gets the sum of 8 samples and the duration of the sampling.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_ArgumentsOfTheFunction) {
   // Records its arguments.

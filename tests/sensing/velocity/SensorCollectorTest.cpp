@@ -41,8 +41,8 @@ TEST_F(SensorCollectorTest, FR121_FirstLevelsAreNoEdge) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief The sequence of levels 0, 1, 3, 2 means forwards. It may begin at any of these levels.
-/// The reverse sequence means backwards.
+/// @brief The sequence of levels 0, 1, 3, 2 means forwards. The sequence may begin at any of these
+/// levels. The reverse sequence means backwards.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
   const std::array<std::uint8_t, 4> forwards = {0, 1, 3, 2};

@@ -43,7 +43,7 @@ TEST_P(VelocityAccuracy, FR120_EvenEdges) {
 }
 
 /// @brief One sensor is displaced by 5 % of the distance between two edges. From 60 rpm on, the
-/// error of each measurement is at most 1 %. At any velocity, it is at most 6 %.
+/// error of each measurement is at most 1 %. At any velocity, this error is at most 6 %.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_MisplacedSensor) {
   const double rpm = GetParam();
@@ -68,7 +68,7 @@ TEST_F(VelSensorTest, FR122_StandsAtStart) {
 }
 
 /// @brief The velocity of the first edges after a standstill is computed over the time since the
-/// previous measurement, not since the last edge of an earlier movement.
+/// previous measurement. The time since the last edge of an earlier movement has no effect.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   cycles(100, 3);
@@ -152,8 +152,8 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   }
 }
 
-/// @brief The velocity of a wheel that slows down is the same when its last edge is directly before
-/// the measurement and when it is directly after the measurement.
+/// @brief The last edge of a wheel that slows down is directly before or directly after a
+/// measurement. The measured velocity is the same in both cases.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
   for (const int direction : {1, -1}) {
@@ -240,8 +240,8 @@ TEST_F(VelSensorTest, FR123_OneLostEdge) {
   EXPECT_EQ(wheel.velocity.position() - before, HallCount(18));
 }
 
-/// @brief A velocity of 599 rpm is measured. A velocity of more than 600 rpm, which an unloaded
-/// motor cannot reach, is rejected.
+/// @brief A velocity of 599 rpm is measured. A velocity of 605 rpm, which an unloaded motor cannot
+/// reach, is rejected.
 /// @verifies FR-124
 TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   for (const int direction : {1, -1}) {
@@ -274,8 +274,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief If one sensor has no more edges while the wheel turns, the last velocity is more than 150
-/// ms old from the second cycle on.
+/// @brief A wheel turns at 100 rpm or more, and one of its sensors has no more edges. From the
+/// second cycle on, the last velocity is more than 150 ms old.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {
@@ -407,8 +407,8 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   EXPECT_NE(wheel.pipe.read()->at, wheel.time.now());
 }
 
-/// @brief While a wheel turns, unclear edges and reversals count together. Two unclear edges and two
-/// reversals in a cycle make the velocity invalid.
+/// @brief While a wheel turns, simultaneous changes of both levels and reversals count together.
+/// Two such changes and two reversals in a cycle make the velocity invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesAndReversalsCountTogether) {
   for (const bool unclear : {false, true}) {
@@ -447,8 +447,8 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesOfEarlierCyclesDoNotCount) {
   }
 }
 
-/// @brief The count of implausible edges does not stop at 65535. Therefore the edges of a cycle can
-/// be computed at any time.
+/// @brief The count of implausible edges does not stop at 65535. Therefore the number of
+/// implausible edges in a cycle can be computed at any time.
 /// @verifies FR-123
 TEST_F(VelSensorTest, FR123_TheCountDoesNotStop) {
   for (int i = 0; i < 70000; ++i) {
@@ -481,8 +481,8 @@ class RecordedFunction final : public Function {
   mutable ArgumentValues values;
 };
 
-/// @brief The function gets the number of edges, their duration and the scale of one edge. Without
-/// edges, the velocity is 0 rpm.
+/// @brief The function gets the number of edges, their duration, the scale of one edge, the divisor
+/// 1 and the offset 0.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_ArgumentsOfTheFunction) {
   RecordedFunction function;

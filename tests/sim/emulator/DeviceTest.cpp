@@ -107,8 +107,9 @@ TEST(SerialPortOfBoard, EchoTakesTheTimeOfTwoBytes) {
   EXPECT_THAT(board.takeSent(), ElementsAre(2, 3, 4));
   EXPECT_TRUE(board.takeSent().empty());
   ASSERT_EQ(sent.size(), 3U);
-  EXPECT_NEAR(static_cast<double>((sent[0] - 1ms).count()), 2 * 86'806.0, 3'000);
-  EXPECT_NEAR(static_cast<double>((sent[2] - sent[0]).count()), 2 * 86'806.0, 1'000);
+  constexpr double kByte = 10 * 1e9 / 115'200;  // ten bits [ns]
+  EXPECT_NEAR(static_cast<double>((sent[0] - 1ms).count()), 2 * kByte, 3'000);
+  EXPECT_NEAR(static_cast<double>((sent[2] - sent[0]).count()), 2 * kByte, 1'000);
 }
 
 /// @brief A byte that has a start time begins at that time.

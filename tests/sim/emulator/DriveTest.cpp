@@ -336,7 +336,7 @@ TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
 }
 
 /// @brief A periodic callback is called at each multiple of its period, before the instructions of
-/// this time. It is also called while the program sleeps.
+/// this time. The callback is also called while the program sleeps.
 TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   VirtualBoard board(Guest("emptyProgram").image());
   ASSERT_TRUE(board.runUntil(2'500us));

@@ -135,7 +135,7 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
 }
 
 /// @brief A read of the control word locks the buffer. A frame that arrives then waits until the
-/// timer is read, and its flag is set when it is moved into the buffer.
+/// timer is read. The flag of the frame is set when the frame is moved into the buffer.
 TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
@@ -153,8 +153,9 @@ TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   EXPECT_TRUE(now.findings.empty());
 }
 
-/// @brief If the buffer is unlocked first, a frame that waits sets the flag that the program then
-/// clears. A program that unlocks first causes a finding, also if no frame waits.
+/// @brief If a program unlocks a buffer before it clears the flag of this buffer, a waiting frame
+/// sets the flag again, and the program then clears the flag of this frame. This sequence causes a
+/// finding, also if no frame waits.
 TEST_F(CanOfTheBoard, FindsABufferThatIsUnlockedBeforeItsFlagIsCleared) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});

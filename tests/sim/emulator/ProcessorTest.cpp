@@ -83,7 +83,8 @@ TEST(ProcessorOfBoard, ProcessStackHoldsTheFrame) {
   EXPECT_EQ(reported(board, 4), 2U);
 }
 
-/// @brief If the handler of bus faults is enabled, it gets a bus fault with its address.
+/// @brief If the handler of bus faults is enabled, it handles a bus fault, and can read the address
+/// of this fault.
 TEST(ProcessorOfBoard, BusFaultTellsTheAddress) {
   Guest guest("faultsWithHandlerOn");
   guest.handle(5, "tellsFault");
@@ -116,7 +117,7 @@ TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
 }
 
 /// @brief A low level at PTA4 at the end of a reset requests the NMI, because this pin is the input
-/// of the NMI after a reset. The bit NMI_DIS of the flash option byte blocks the NMI if it is 0.
+/// of the NMI after a reset. The NMI is blocked if the bit NMI_DIS of the flash option byte is 0.
 TEST(ProcessorOfBoard, LowLevelOfTheNmiPinAtResetRaisesNmi) {
   constexpr std::size_t kFlashOption = 0x40D;
   for (const bool blocked : {false, true}) {

@@ -41,7 +41,8 @@ class HostSchedulerTest : public testing::Test {
   host::HostThread alsoHigh{scheduler, 2};
 };
 
-/// @brief A thread of higher priority runs immediately, before the post returns.
+/// @brief If a thread posts a thread of higher priority, the posted thread runs immediately, before
+/// the post returns.
 TEST_F(HostSchedulerTest, HigherPriorityRunsAtOnce) {
   Body highBody([&] { log.emplace_back("high"); });
   Body lowBody([&] {

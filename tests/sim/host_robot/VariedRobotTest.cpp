@@ -63,12 +63,13 @@ class VariedRobot : public testing::TestWithParam<std::uint32_t> {
 };
 
 /// @brief The values of the motors, the battery and the load are random within their tolerances.
-/// After 5 s with an order of 50 rpm or 150 rpm, the error of each wheel's velocity is at most 5 %.
+/// After 50 cycles with an order of 50 rpm or 150 rpm, the error of each wheel's velocity is less
+/// than 5 %.
 TEST_P(VariedRobot, VelocityIsReached) {
   cycles(50, 500);
-  EXPECT_LT(greatestError(50), 2.5);
+  EXPECT_LT(greatestError(50), 0.05 * 50);
   cycles(50, 1500);
-  EXPECT_LT(greatestError(150), 7.5);
+  EXPECT_LT(greatestError(150), 0.05 * 150);
 }
 
 /// @brief At the greatest velocity that can be ordered, no wheel turns faster than 330 rpm. After

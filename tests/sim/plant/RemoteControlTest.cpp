@@ -116,8 +116,8 @@ TEST_F(RemoteControlTest, SticksHaveEnds) {
   EXPECT_EQ(pulses[1].width, milliseconds(1));
 }
 
-/// @brief While the transmitter is on, the width of the pulses varies by up to 2 us in both
-/// directions.
+/// @brief While the transmitter is on and its sticks are centred, the width of the pulses varies
+/// from 1498 us to 1502 us.
 TEST_F(RemoteControlTest, PulsesOfATransmitterVary) {
   remote.setNoise(true);
   remote.set(plant::Sticks{});
@@ -168,7 +168,7 @@ TEST_F(RemoteControlTest, PulsesCanBeginTogether) {
   EXPECT_EQ(pulses[0].begin, pulses[2].begin);
 }
 
-/// @brief A trembling hand changes only the pulses of the velocity, by the given amount.
+/// @brief A trembling hand changes only the pulses of the velocity, by up to the given amount.
 TEST_F(RemoteControlTest, HandTrembles) {
   remote.set(plant::Sticks{});
   remote.setTremor(20);

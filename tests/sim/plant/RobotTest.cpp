@@ -272,7 +272,8 @@ TEST_F(RobotTest, EdgesAreEven) {
   }
 }
 
-/// @brief The same seed always causes the same noise. Other seeds cause other noise.
+/// @brief The same seed always causes the same noise, even if a sensor is read more often. Other
+/// seeds cause other noise.
 TEST_F(RobotTest, NoiseBelongsToTheSeed) {
   const auto signature = [](std::uint32_t seed, bool asksMore) {
     Robot robot(seed);
@@ -400,9 +401,8 @@ TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
   EXPECT_NEAR(robot.currentAmperes(1), 24.0 / 1.42, 0.1);
 }
 
-/// @brief Each of four blocked wheels draws 15.6 A. The battery has a resistance of 0.03 ohm, and
-/// therefore its voltage falls from 24 V to less than 22.2 V. Without load, its voltage is 24 V
-/// again.
+/// @brief Four blocked wheels load a battery with a resistance of 0.03 ohm. The voltage of the
+/// battery falls from 24 V to 22.13 V. Without load, it is 24 V again.
 TEST_F(RobotTest, BatterySagsUnderLoad) {
   robot.setParameter(plant::Parameter::Battery, 0.03);
   for (std::size_t wheel = 0; wheel < plant::kWheels; ++wheel) {
@@ -410,7 +410,7 @@ TEST_F(RobotTest, BatterySagsUnderLoad) {
   }
   drive({.duty = 1.0, .backwards = false, .enabled = true});
   run(100);
-  EXPECT_NEAR(robot.supplyVolts(), 24.0 / (1 + 4 * 0.03 / 1.42), 0.02);
+  EXPECT_NEAR(robot.supplyVolts(), 22.13, 0.02);  // 24 V / (1 + 4 * 0.03 ohm / 1.42 ohm)
   drive({.duty = 0, .backwards = false, .enabled = true});
   run(100);
   EXPECT_NEAR(robot.supplyVolts(), 24.0, 0.01);
@@ -495,9 +495,9 @@ class CurveTest : public RobotTest {
   std::array<double, plant::kWheels> integrals_{};
 };
 
-// For each wheel, its distance from the centre of the curve at a steering angle of 32 degrees,
-// divided by the distance of the middle of the rear axle from this centre. The distance of the
-// middle of the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
+// The distance of each wheel from the centre of the curve, divided by the distance of the middle of
+// the rear axle from this centre. At a steering angle of 32 degrees, the distance of the middle of
+// the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
 /// @brief With set-points that match the geometry of the curve, the robot drives the geometric
@@ -603,7 +603,7 @@ TEST_F(RobotTest, GlitchesAndLostEdges) {
   run(10'000);
   EXPECT_NEAR(static_cast<double>(edges.size()), 2 * 500, 2 * 70);
   for (std::size_t i = 1; i < edges.size(); i += 2) {
-    EXPECT_EQ((edges[i].offset - edges[i - 1].offset).count(), 30'000);
+    EXPECT_EQ(edges[i].offset - edges[i - 1].offset, std::chrono::microseconds(30));
     EXPECT_EQ(edges[i].sensor, 0U);
   }
   robot.setFault(Fault::HallGlitches, 0, false);
@@ -690,7 +690,7 @@ TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
 }
 
 /// @brief The emergency stop removes all torque, independent of the firmware, and opens its
-/// contact. If it also short-circuits the motors, the robot stops sooner.
+/// contact. If the emergency stop also short-circuits the motors, the robot stops sooner.
 TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
   const auto wayAfter = [](plant::EmergencyStop state) {
     Robot driven(1);

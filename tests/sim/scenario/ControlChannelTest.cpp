@@ -17,7 +17,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// The operator's end of the channel. It has a named socket that sends actions and receives answers.
+// The operator's end of the channel. This end has a named socket that sends actions and receives
+// answers.
 class Operator {
  public:
   Operator(const std::string& path, const std::string& channel) : path_(path) {

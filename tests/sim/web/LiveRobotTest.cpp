@@ -58,7 +58,7 @@ double speed(web::LiveRobot& robot) {
 
 }  // namespace
 
-/// @brief Each control cycle has one clock pulse, and its calls are recorded.
+/// @brief Each control cycle has one clock pulse, and the calls of each cycle are recorded.
 TEST(LiveRobotTest, RunsCycleByCycle) {
   const auto robot = robotIn(kFree);
   for (std::size_t cycle = 1; cycle <= 5; ++cycle) {

@@ -25,8 +25,8 @@ struct DeadbandTurnTest : testing::Test {
   SteeringAlgorithm& algorithm = rule;
 };
 
-/// @brief A steering at rest stays at rest up to a distance of 0.20 degrees from the target. It
-/// turns at a greater distance.
+/// @brief A steering at rest stays at rest up to a distance of 0.20 degrees from the target. At a
+/// greater distance, the steering turns.
 /// @verifies FR-102
 TEST_F(DeadbandTurnTest, FR102_AtRestItTurnsBeyondTheDeadBand) {
   EXPECT_EQ(turn(0, kRest), kRest);
@@ -54,8 +54,8 @@ TEST_F(DeadbandTurnTest, FR102_ItTurnsBackBeyondTheDeadBandOnly) {
   EXPECT_EQ(turn(100, StepRate(-500)), kLeft);
 }
 
-/// @brief The steering starts to brake when half of the maximum deceleration would stop it exactly
-/// at the target.
+/// @brief The steering starts to brake when half of the maximum deceleration would stop the
+/// steering exactly at the target.
 /// @verifies FR-101
 TEST_F(DeadbandTurnTest, FR101_ItBrakesInTime) {
   EXPECT_EQ(turn(1250, kLeft), kLeft);

@@ -20,8 +20,8 @@ struct SteeringCommandTest : testing::Test {
   SetTurn setTurn{motor.device};
 };
 
-/// @brief One command switches the motor on, and another command switches it off. Both ignore the
-/// rate.
+/// @brief One command switches the motor on, and another command switches it off. Both commands
+/// ignore the rate.
 /// @verifies FR-106
 /// @verifies FR-113
 TEST_F(SteeringCommandTest, FR106_TheMotorIsSwitchedOnAndOff) {

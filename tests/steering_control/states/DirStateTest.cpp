@@ -9,6 +9,11 @@ namespace {
 
 using DirStateTest = DirControllerFixture;
 
+// Greatest ages at which an order and a position are still used. A tick of the fixture comes 10 ms
+// after the previous tick.
+constexpr Microseconds kOrderAge = milliseconds(300);
+constexpr Microseconds kPositionAge = milliseconds(20);
+
 /// @brief Each state of the steering has its number in reports.
 /// @verifies FR-116
 TEST_F(DirStateTest, FR116_StatesAreNumbered) {
@@ -45,7 +50,7 @@ TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOldOrderSwitchesNothingOn) {
   follow(0);
-  control.clock.advance(milliseconds(291));
+  control.clock.advance(kOrderAge - milliseconds(10) + Microseconds(1));
   tickOnly();
   EXPECT_EQ(state(), SteeringState::Off);
 }
@@ -163,12 +168,12 @@ TEST_F(DirStateTest, FR109_HoldingWithoutOrdersIsSwitchedOff) {
   switchOn();
   const Instant last = control.clock.now();
   while (state() == SteeringState::Holding) {
-    EXPECT_LE(control.clock.now() - last, milliseconds(300));
+    EXPECT_LE(control.clock.now() - last, kOrderAge);
     EXPECT_TRUE(powered());
     measure(measured);
     tickOnly();
   }
-  EXPECT_EQ(control.clock.now() - last, milliseconds(310));
+  EXPECT_EQ(control.clock.now() - last, kOrderAge + milliseconds(10));
   tickOnly();  // it stays off
   EXPECT_EQ(state(), SteeringState::Off);
   EXPECT_FALSE(powered());
@@ -183,7 +188,7 @@ TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
     measure(measured);
     tickOnly();
   }
-  EXPECT_EQ(control.clock.now() - last, milliseconds(310));
+  EXPECT_EQ(control.clock.now() - last, kOrderAge + milliseconds(10));
   tickOnly();  // it stays off
   EXPECT_EQ(state(), SteeringState::Off);
   EXPECT_FALSE(powered());
@@ -194,8 +199,10 @@ TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
 /// @verifies FR-110
 TEST_F(DirStateTest, FR110_HoldingWithoutPositionIsAFault) {
   switchOn();
+  const Instant last = control.clock.now();
   tickOnly();
   tickOnly();
+  EXPECT_EQ(control.clock.now() - last, kPositionAge);
   EXPECT_EQ(state(), SteeringState::Holding);
   for (int i = 0; i < 2; ++i) {
     tickOnly();
@@ -208,8 +215,10 @@ TEST_F(DirStateTest, FR110_HoldingWithoutPositionIsAFault) {
 /// @verifies FR-110
 TEST_F(DirStateTest, FR110_TurningWithoutPositionIsAFault) {
   beginTurn();
+  const Instant last = control.clock.now();
   tickOnly();
   tickOnly();
+  EXPECT_EQ(control.clock.now() - last, kPositionAge);
   EXPECT_EQ(state(), SteeringState::Turning);
   tickOnly();
   EXPECT_EQ(state(), SteeringState::Fault);

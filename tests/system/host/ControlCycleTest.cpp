@@ -54,8 +54,8 @@ TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
   EXPECT_EQ(robot.report().velocity[0], 432);
 }
 
-/// @brief If a cycle has not begun at the next clock pulse, it is reported as an overrun. One more
-/// cycle follows.
+/// @brief If a cycle has not begun at the next clock pulse, this cycle is reported as an overrun.
+/// One more cycle follows.
 /// @verifies FR-4
 TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOverrun) {
   robot.connect();

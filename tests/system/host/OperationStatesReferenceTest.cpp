@@ -5,7 +5,7 @@ namespace wr::test {
 namespace {
 
 // The comparison of the robot with the reference, with the PC and a remote control as sources of
-// orders. It also compares values that no report contains.
+// orders. This comparison also includes values that no report contains.
 class ComparisonInside final : public Comparison {
  public:
   ComparisonInside(HostSteppedRobot& robot, std::mt19937& random)

@@ -15,13 +15,13 @@
 
 namespace wr::test {
 
-/// The constant N of the operation states.
+/// The number N of failed reads in a row that lead to the last waiting state.
 inline constexpr int kN = SystemConstants::instance().waitingCycles();
 
 /// The types of both designs. Each test runs for each of these types.
 using Designs = testing::Types<UsualDesign, PatternDesign>;
 
-/// Names the design in the name of a test.
+/// Returns the name of a design for the names of its tests.
 struct DesignName {
   template <class Design>
   static std::string GetName(int /*index*/) {

@@ -23,8 +23,8 @@ TEST_F(CurrentAlgorithmTest, FR85_WindingAtRest) {
   EXPECT_EQ(calculate(-4000, 0, 0), Tension(-6000));
 }
 
-/// @brief The algorithm predicts the velocity from the last two velocities. It adds the induced
-/// voltage of the predicted velocity.
+/// @brief The algorithm predicts the velocity from the last two velocities. The algorithm adds the
+/// induced voltage of the predicted velocity.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ForeseesTheVelocity) {
   EXPECT_EQ(calculate(0, 1000, 0), Tension(5236));

@@ -22,7 +22,7 @@ TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(-200), Tension(-600));
 }
 
-/// @brief Fractions of a millivolt are not lost: two parts of 0.5 mV raise the integral by 1 mV.
+/// @brief Fractions of a millivolt are not lost: two parts of 500 uV raise the integral by 1 mV.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
   PiRegulator integral({.proportional = 0, .integral = 500});

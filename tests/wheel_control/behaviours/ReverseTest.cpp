@@ -93,7 +93,8 @@ TEST_F(ReverseTest, FR87_AHaltInterruptsTheSlowCycles) {
 }
 
 /// @brief If a wheel turns in the direction of the demand for two cycles, its orientation changes,
-/// at any speed. While the wheel turns against the demand, its orientation does not change.
+/// at any speed. While the wheel turns against the demand at 40 rpm, its orientation does not
+/// change.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(-5000, -2000), Tension(0));

@@ -9,6 +9,7 @@ namespace {
 
 class StopTest : public testing::Test, protected SpiedCommands {
  protected:
+  static constexpr int kFall = 2400;  // [mV per cycle]
   Stop stop{setTension, stopWheel};
 };
 
@@ -20,13 +21,16 @@ TEST_F(StopTest, FR88_TensionFallsStepByStep) {
   for (int cycle = 0; cycle < 4; ++cycle) {
     applied = stop.apply(applied, Velocity(1000));
   }
-  EXPECT_EQ(log, (CommandLog{{"tension", 3600}, {"tension", 1200}, {"stop", 0}, {"stop", 0}}));
+  EXPECT_EQ(
+      log,
+      (CommandLog{
+          {"tension", 6000 - kFall}, {"tension", 6000 - 2 * kFall}, {"stop", 0}, {"stop", 0}}));
 }
 
 /// @brief If the wheel turns backwards, the magnitude of the voltage also falls by 2.4 V per cycle.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
-  EXPECT_EQ(stop.apply(Tension(-3000), Velocity(-1000)), Tension(-600));
+  EXPECT_EQ(stop.apply(Tension(-3000), Velocity(-1000)), Tension(-3000 + kFall));
   EXPECT_EQ(stop.apply(Tension(-600), Velocity(-1000)), Tension(0));
   EXPECT_EQ(log, (CommandLog{{"tension", -600}, {"stop", 0}}));
 }

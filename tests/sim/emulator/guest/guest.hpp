@@ -1,5 +1,6 @@
-// Functions that all guest programs use. They access registers directly by address, without the
-// drivers. Therefore they do not repeat a mistake of the drivers or of the register models.
+// Functions that all guest programs use. These functions access registers directly by address,
+// without the drivers. Therefore they do not repeat a mistake of the drivers or of the register
+// models.
 
 #pragma once
 

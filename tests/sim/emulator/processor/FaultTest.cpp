@@ -145,8 +145,8 @@ TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   EXPECT_EQ(core_.registers.s[0], 0x43800000U);      // the nearest number is 256
 }
 
-/// @brief SMLAD sets Q when the whole sum is too large. It does not set Q when only the sum of the
-/// products is too large (A7.7.144). Unicorn sets Q in both cases.
+/// @brief SMLAD sets Q when the whole sum is too large. SMLAD does not set Q when only the sum of
+/// the products is too large (A7.7.144). Unicorn sets Q in both cases.
 TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
   core_.registers.r[1] = 0x80008000;  // the sum of the products is 2^31
   core_.registers.r[2] = 0xFFFFFFFF;
@@ -180,8 +180,8 @@ TEST_F(FaultTest, BreakpointInBlockIsUnconditional) {
   EXPECT_EQ(execute({0xBE00}), Trap::Breakpoint);
 }
 
-/// @brief A store-exclusive instruction stores only after a load-exclusive instruction. Its result
-/// shows whether it has stored.
+/// @brief A store-exclusive instruction stores only after a load-exclusive instruction. The result
+/// of this instruction shows whether it has stored a value.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
   core_.registers.r[1] = kUpper;
   core_.registers.r[2] = 7;

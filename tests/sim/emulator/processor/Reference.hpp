@@ -26,8 +26,8 @@ inline constexpr std::uint32_t kRam = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x2000;
 
 /// @brief The Cortex-M4 of the Unicorn engine. The engine is an independent emulator. The tests
-/// compare its results with the results of the virtual K64. Its licence is the GPL. Therefore it is
-/// linked only to these tests.
+/// compare its results with the results of the virtual K64. The licence of Unicorn is the GPL.
+/// Therefore Unicorn is linked only to these tests.
 class UnicornCore {
  public:
   UnicornCore();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBluetooth = 2;
 
-// A device, and a design that has a port for it.
+// A Bluetooth device, and a robot with a second serial port for this device.
 template <class Design>
 class BluetoothMode : public testing::Test {
  protected:
@@ -40,8 +40,8 @@ TYPED_TEST(BluetoothMode, FollowsPcAndIsFollowedByRc) {
   }
 }
 
-/// @brief In the mode of the device, the robot reads the orders of the device, and the mode does
-/// not change.
+/// @brief In the mode Bluetooth, the robot reads the orders of the Bluetooth device, and the mode
+/// does not change.
 TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   this->robot.commandByPc();
   this->waitForMode(kBluetooth);
@@ -56,8 +56,8 @@ TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   }
 }
 
-/// @brief While the PC sends orders, the robot does not follow the device. A stop order of the
-/// device still takes effect, until the device releases the stop.
+/// @brief While the PC sends orders, the robot does not follow the Bluetooth device. A stop order
+/// of the device still takes effect, until the device releases the stop.
 TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
   this->robot.commandByPc();
   this->deviceOrders({.id = 900});

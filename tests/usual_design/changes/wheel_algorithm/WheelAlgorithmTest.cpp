@@ -1,6 +1,6 @@
-// A likely change: a new algorithm for the velocity of a wheel. It begins with the present velocity
-// of the wheel. In each cycle, its internal set-point approaches the ordered set-point by at most
-// 20 rpm.
+// A likely change: a new algorithm for the velocity of a wheel. Its internal set-point begins at
+// the present velocity of the wheel. In each cycle, its internal set-point approaches the ordered
+// set-point by at most 20 rpm.
 
 #include "usual_design/host/OneWheelRobot.hpp"
 
@@ -16,8 +16,8 @@ constexpr int unloaded(int tenthRpm) {
   return 5236 * tenthRpm / 1000;
 }
 
-/// @brief The first cycles after a step apply the voltage of a set-point that rises by 20 rpm per
-/// cycle.
+/// @brief In the first cycles after a step of the set-point, an internal set-point rises by 20 rpm
+/// per cycle. The wheel gets the voltage of this internal set-point.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // the measured velocity stays 0
@@ -29,7 +29,8 @@ TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   EXPECT_LT(this->robot.report().tension[0], unloaded(600));
 }
 
-/// @brief After 3 s, the mean velocity over 2 s is within 5 percent of the set-point.
+/// @brief From 3 s after the order on, the mean velocity over 2 s is within 5 percent of the
+/// set-point.
 TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
