@@ -25,11 +25,7 @@ from traceability.schema import Finding, Place
 from traceability.sources import file_hash, text_of
 from traceability.whole_file import write_whole
 
-QUESTIONS = "design/questions.toml"
-PAGES = (
-    *("README.md", "CONTRIBUTING.md", "changes", "docs", "ports"),
-    *(QUESTIONS, "design/frames.toml"),
-)
+PAGES = ("README.md", "CONTRIBUTING.md", "changes", "design", "docs", "ports")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in a style sheet
 PRODUCT = re.compile(r"--product[ =]([a-z]\w*)")
 # A program or a firmware image of the build, without the folder of the preset.
@@ -47,6 +43,7 @@ FUNCTION = re.compile(r"\bk(\w+)Pins\{\{(.*?)\}\};", re.DOTALL)
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
 KEY = re.compile(r"\bkey ``(\w)``")
 PROGRAMS = ("tools", "client", "setup")
+QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
 CACHE = "pages-cache/links"  # path of the cache, in the folder that contains the site
 # If at most this number of pages changed, one process reads them. Several processes would not be
@@ -217,7 +214,7 @@ def _written(
 
 def missing_parts(root: Path) -> Iterator[Finding]:
     """Finds names of products, programs, folders of the build, keys and pins that do not exist, in
-    the hand-written pages, the answers and the table of the frames."""
+    the hand-written pages and the texts of design/."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     parts = (

@@ -1183,10 +1183,10 @@ _FIXED = [
         "Each command of ./wr that a page names exists with its options. An option without a "
         "command is an option of a command or a program that the page names. If an option has a "
         "list of values, a value behind the option is in this list. The products, programs and "
-        "firmware images of the build, folders of the build, used pins and keys that a page, an "
-        "answer or design/frames.toml names exist too. If one of these texts names a signal or a "
-        "connector directly next to a pin, src/k64/pins.hpp lists them for this pin. Pages and "
-        "help texts insert the exit codes.",
+        "firmware images of the build, folders of the build, used pins and keys that a page or a "
+        "text of design/ names exist too. If one of these texts names a signal or a connector "
+        "directly next to a pin, src/k64/pins.hpp lists them for this pin. Pages and help texts "
+        "insert the exit codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "
