@@ -151,6 +151,8 @@ def as_table(report: Report, link: Link) -> str:
     lines += ["", *(conditions(report) or ["no fault; the robot follows its orders"])]
     raised = [f"{name} {count}" for name, count in report.counters.items() if count]
     lines += ["", "counters: " + (", ".join(raised) or "all 0")]
+    if link.welcome and link.welcome.schema_note:
+        lines += ["", link.welcome.schema_note]
     if link.damaged:
         lines.append(f"frames from the robot that were damaged: {link.damaged}")
     return "\n".join(lines)

@@ -15,6 +15,7 @@ SIZE = 26  # size of a pin
 LABEL = 205  # space for a vertical label of a pin of the robot
 SHORT = 112  # space for a short vertical label
 MARGIN = 8
+TIMER = "FTM"  # begin of the names of the PWM outputs
 PLACE = re.compile(r"(J\d)-(\d+)")  # the header J199 of the Bluetooth module is not drawn
 # Supply pins. The firmware does not use them, but the reader needs them for the measurements in
 # step 7 of the page that contains this drawing.
@@ -92,7 +93,9 @@ class Used:
     @property
     def label(self) -> str:
         # A signal in capital letters is the name of a peripheral. Because this name does not help a
-        # reader, the label shows the effect of the pin instead.
+        # reader, the label shows the part or the effect of the pin instead.
+        if self.signal.startswith(TIMER):
+            return f"PWM of the {self.part[0]}"
         named = self.signal.islower()
         return self.signal.replace("_", " ") if named else self.effect.rstrip(".")
 

@@ -52,10 +52,12 @@ struct PinRow {
 };
 
 // The pins that the firmware uses, one pin in each source line. The signals of the peripherals have
-// the names of the manual. After reset PTA2 is the debug output SWO. No debug probe of this board
-// needs SWO. PTE25 is also connected to the accelerometer, which the firmware does not use. The
-// firmware does not use the connector pin J2-2. Up to revision D of the board, J2-2 is PTA0, a pin
-// of the debugger. From revision E on, J2-2 is PTC12.
+// the names of the manual. After reset the pin of wheel_rr_orientation is the debug output SWO. No
+// debug probe of this board needs SWO. The pin of emergency_stop is also connected to the
+// accelerometer, which the firmware does not use. The firmware does not use the connector pin J2-2.
+// Up to revision D of the board, J2-2 is PTA0, a pin of the debugger. From revision E on, J2-2 is
+// PTC12. A comment of this file names a pin only if the table does not contain it, because the
+// documents may name the pins of the table and of these comments.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "The button is not used. The flash configuration disables the non-maskable interrupt of this pin."},

@@ -25,11 +25,13 @@ from traceability.schema import Finding, Place
 from traceability.sources import file_hash, text_of
 from traceability.whole_file import write_whole
 
-PAGES = ("README.md", "CONTRIBUTING.md", "changes", "docs", "ports")
+PAGES = ("README.md", "CONTRIBUTING.md", "changes", "design", "docs", "ports")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # matches a link in a style sheet
-PRODUCT = re.compile(r"--product[ =](\w+)")
+PRODUCT = re.compile(r"--product[ =]([a-z]\w*)")
 # A program or a firmware image of the build, without the folder of the preset.
-PROGRAM = re.compile(r"(?<![\w/])build/\w+/((?:\w+/)+\w+|\w+(?=\.elf\b))(?![\w/]|\.(?!elf\b)\w)")
+PROGRAM = re.compile(
+    r"(?<![\w/])build/\w+/((?:\w+/)+\w+|[a-z]\w*(?=\.elf\b))(?![\w/]|\.(?!elf\b)\w)"
+)
 ADDED = re.compile(r"\badd_(executable|(?:\w+_)?image)\(\s*(?:\$\{)?(\w+)")
 SET = re.compile(r"^set\((\w+) (\w+)\)", re.MULTILINE)
 # A folder of the build. A file directly in the folder build is left out.
@@ -212,7 +214,7 @@ def _written(
 
 def missing_parts(root: Path) -> Iterator[Finding]:
     """Finds names of products, programs, folders of the build, keys and pins that do not exist, in
-    the pages of docs/ and in the other hand-written pages."""
+    the hand-written pages and the texts of design/."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     parts = (
@@ -222,7 +224,7 @@ def missing_parts(root: Path) -> Iterator[Finding]:
         ("key '{}'", KEY, _keys(root)),
         ("pin {} in use", PIN, pins),
     )
-    for place, line in lines_below(root, PAGES, (".md", ".rst")):
+    for place, line in lines_below(root, PAGES, (".md", ".rst", ".toml")):
         for part, pattern, names in parts:
             for name in [name for name in pattern.findall(line) if name not in names]:
                 if names is not pins or name not in _pins_of_port(root, place.file):
@@ -230,7 +232,8 @@ def missing_parts(root: Path) -> Iterator[Finding]:
 
 
 def _pins(root: Path) -> set[str]:
-    """Returns the pins that src/k64/pins.hpp lists or names in comments."""
+    """Returns the pins of the table in src/k64/pins.hpp, and the unused pins that its comments
+    name."""
     text = text_of(root / "src" / "k64" / "pins.hpp")
     return _rows(text).union(PIN.findall(text))
 

@@ -1,5 +1,5 @@
-"""link-doc: a pin in a page or in an answer has the signal and the connector that src/k64/pins.hpp
-lists."""
+"""link-doc: a pin in a page or in a text of design/ has the signal and the connector that
+src/k64/pins.hpp lists."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from traceability.schema import Finding
 from traceability.sources import text_of
 
 PINS = "src/k64/pins.hpp"
-PAGES = ("README.md", "docs", "design/questions.toml")
+PAGES = ("README.md", "docs", "design")
 ROW = re.compile(
     r'\{\{Port::([A-E]), (\d+), \w+::\w+, \w+::\w+\}, "([^"]*)", "([^"]*)", "([^"]*)"\}'
 )

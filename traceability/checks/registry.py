@@ -1216,14 +1216,16 @@ _FIXED = [
         "options. An option without a command is an option of a command or a program that the "
         "page names. If an option has a list of values, a value behind the option is in this "
         "list. Each product, program, firmware image, folder of the build, pin and key that a "
-        "page names exists too. The file src/k64/pins.hpp contains each of these pins. The README "
-        "of a port can also name the pins of this port. If a page or an answer names a signal or "
-        "a connector directly next to a pin, src/k64/pins.hpp lists them for this pin. Pages and "
-        "help texts insert the exit codes.",
+        "page or a text of design/ names exists too. The file src/k64/pins.hpp contains each of "
+        "these pins, also those that it names as unused. The README of a port can also name the "
+        "pins of this port. If one of these texts names a signal or a connector directly next to "
+        "a pin, src/k64/pins.hpp lists them for this pin. Pages and help texts insert the exit "
+        "codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "
-        "the words of the table of pins.",
+        "the words of the table of pins. It accepts a pin that only a comment of src/k64/pins.hpp "
+        "names.",
         "correct the target.",
     ),
     Check(

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from traceability.checks.pin_checks import wrong_pins
+from traceability.checks.pin_checks import PIN, PINS, ROW, wrong_pins
 
+ROOT = Path(__file__).parents[3]
 ROWS = """
 {{Port::A, 1, Mux::Gpio, Role::Input}, "left_end", "J1-8", "High when the end stop is reached."},
 {{Port::C, 18, Mux::Gpio, Role::Input}, "right_end", "J6-8", "High when the end stop is reached."},
@@ -29,3 +30,12 @@ def test_a_pin_next_to_another_signal_is_found(tmp_path: Path, text: str, found:
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(content)
     assert [finding.text for finding in wrong_pins(tmp_path)] == found
+
+
+@pytest.mark.reads("src/k64/pins.hpp")
+def test_comments_of_the_table_name_only_unused_pins() -> None:
+    """A page may name the pins of these comments. If a pin were in the table too, no check would
+    find the pages that name this pin after it has left the table."""
+    text = (ROOT / PINS).read_text(encoding="utf-8")
+    used = {f"PT{row[0]}{row[1]}" for row in ROW.findall(text)}
+    assert used.isdisjoint(PIN.findall(text))

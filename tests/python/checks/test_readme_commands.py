@@ -118,6 +118,8 @@ def test_products_programs_folders_pins_and_keys_that_are_missing_are_found(tmp_
         "CMakePresets.json": '{"configurePresets": [{"name": "host"}]}',
         "tools/steps.py": 'LOGS = root / "build" / "logs"',
         "design/products.toml": "parts = {}\nproduct = []\n",
+        "design/questions.toml": 'answer = "PTB5, `--product NAME`, build/host/PRODUCT.elf"',
+        "design/frames.toml": 'check = "the wire at PTB4"',
         "docs/page.rst": "PTA0 PTB2 PTB3, ``--level PTC6=0``\n"
         "build/host/tests/board_tests build/host/tests/boards\n"
         "key ``r``, key ``x``\n./wr sim --product none\n"
@@ -129,6 +131,8 @@ def test_products_programs_folders_pins_and_keys_that_are_missing_are_found(tmp_
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
     assert [(one.place.line, one.text) for one in missing_parts(tmp_path)] == [
+        (1, "there is no pin PTB4 in use"),
+        (1, "there is no pin PTB5 in use"),
         (1, "there is no pin PTB3 in use"),
         (2, "there is no program 'tests/boards'"),
         (3, "there is no key 'x'"),

@@ -407,6 +407,13 @@ def test_the_monitor_shows_the_fault_before_the_last_start(
         assert told in monitor.as_table(next(link.reports(5.0)), link)
 
 
+def test_the_table_shows_that_the_layouts_of_the_frames_differ(mcu: Any) -> None:
+    """The table replaces the line that the monitor prints when the connection is established."""
+    mcu.schema = 1
+    with Link(mcu.path) as link:
+        assert "the layout 0x00000001" in monitor.as_table(next(link.reports(5.0)), link)
+
+
 def test_the_monitor_shows_the_last_reset_of_a_robot_that_sends_no_reports(mcu: Any) -> None:
     mcu.restarts = True
     mcu.start = (4, 0, 0, 0)
