@@ -86,7 +86,8 @@ class K64Board {
 
   /// @brief Reads one word from the random number generator. To wait for the word, reads the status
   /// of the generator at most 2,000 times.
-  /// @return a word of 32 random bits; nothing when no word was ready in time
+  /// @return a word of 32 random bits, without meaning as a number; nothing when no word was ready
+  /// in time
   /// @pre openGates() was called.
   /// @isr{no}
   /// @satisfies FR-264
