@@ -33,7 +33,7 @@ OWN_SENSE = {
 }
 # Words that contain a term but have another meaning.
 OTHER_WORDS = (
-    *("stop bit", "after a stop that is longer", "halts the core", "after a halt of more"),
+    *("stop bit", "after a stop that is longer", "halts the core"),
     *(
         "product of voltage",
         ">product in ",
