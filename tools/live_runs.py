@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from tools.browser import find_browser, result_of
-from tools.cmake_build import BOARD_PROGRAM, build
+from tools.cmake_build import BOARD_PROGRAM, build, sources_of
 from tools.steps import FailureError
 from tools.task_graph import Outcome
 from traceability.reading.closed_loop_record import EXAMPLES
@@ -72,11 +72,12 @@ class Run:
 
 
 def build_module(root: Path, log: TextIO) -> Outcome:
-    """Builds the module, if the compiler of the module is installed."""
+    """Builds the module, if the compiler of the module is installed. Returns its sources."""
     if shutil.which(COMPILER) is None:
-        return Outcome(f"not built, because {COMPILER} is not installed")
+        return Outcome(f"not built, because {COMPILER} is not installed", values={"file_dep": []})
     build(root, PRESET, log, TARGET)
-    return Outcome(f"{(root / MODULE).stat().st_size} bytes")
+    size = (root / MODULE).stat().st_size
+    return Outcome(f"{size} bytes", values={"file_dep": sources_of(root, PRESET, TARGET)})
 
 
 def examples(root: Path) -> list[Path]:
