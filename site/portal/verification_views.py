@@ -73,11 +73,11 @@ def coverage_of_modules(modules: Iterable[Module]) -> list[ModuleCoverage]:
         for module in modules
         if module.lines_total
     ]
-    return sorted(rows, key=lambda row: (row.lines.per_cent, _per_cent(row.branches), row.module))
 
+    def order(row: ModuleCoverage) -> tuple[float, float, str]:
+        return row.lines.per_cent, row.branches.per_cent if row.branches else 100, row.module
 
-def _per_cent(share: Share | None) -> float:
-    return share.per_cent if share else 100
+    return sorted(rows, key=order)
 
 
 @dataclass
