@@ -80,33 +80,24 @@ def coverage_of_modules(modules: Iterable[Module]) -> list[ModuleCoverage]:
     return sorted(rows, key=order)
 
 
-@dataclass
-class Bar:
-    """A row of the chart: the source lines and branches that the tests of the requirements in one
-    section executed."""
-
-    section: str
-    host_lines: Share | None
-    host_branches: Share | None
-    board_lines: Share | None
-
-
-def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
-    """Returns the rows of the chart, one for each section. A method in several invocation trees is
-    counted once for each tree."""
+def chart(
+    sections: dict[str, list[Requirement]],
+) -> dict[str, tuple[Share | None, Share | None, Share | None]]:
+    """Returns the executed part of three kinds for the requirements of each section: source lines
+    on the host, branches on the host, and source lines on the virtual K64. A method in several
+    invocation trees is counted once for each tree."""
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]
 
-    return [
-        Bar(
-            section,
+    return {
+        section: (
             lines_of(methods(items, HOST)),
             branches_of(methods(items, HOST)),
             lines_of(methods(items, VIRTUAL_K64)),
         )
         for section, items in sections.items()
-    ]
+    }
 
 
 # Name of a filter on the page -> the values that a requirement (or a test) has for this filter.
