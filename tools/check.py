@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterable
 from pathlib import Path
 
 from tools.documents import counted, read_findings, write_time
@@ -13,7 +12,6 @@ from tools.tasks import DOCUMENTS, graph, pages_graph
 from traceability.reading.published import publish
 from traceability.reading.seeded_fault_record import last_seeded
 from traceability.reading.task_record import SEEDED_FAULTS
-from traceability.schema import Finding
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -72,23 +70,21 @@ def check(root: Path, *, drift: bool = False) -> int:
         pages = pages_graph(root, keep=True).run([DOCUMENTS])
         if pages.changed_inputs.get(DOCUMENTS) == 1 and not drift:
             write_time(root, "build.edit_s", time.monotonic() - start)
-        return report(read_findings(root), [*failed, *pages.failed])
+        return report(root, [*failed, *pages.failed])
 
 
-def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
-    """Prints the findings and the failed tasks. Returns the exit code.
-
-    ``findings`` is None if the process of the documents ended early."""
+def report(root: Path, failed: list[str]) -> int:
+    """Prints the findings of the documents and the failed tasks. Returns the exit code."""
     from traceability.checks import message, sort
 
+    findings = read_findings(root)
     # The findings of these checks come first, because the faults that these checks find cause
     # many other findings.
     first = ("syntax-error", "design-entry")
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))
-    names = list(failed)
-    if names:
-        print(f"failed: {', '.join(names)}")
+    if failed:
+        print(f"failed: {', '.join(failed)}")
     unknown = "the findings are not known, because the documents were not built"
     print(unknown if findings is None else counted(findings))
-    return 0 if findings == [] and not names else 1
+    return 0 if findings == [] and not failed else 1

@@ -19,7 +19,7 @@ from typing import Any, TextIO
 from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_image_of
-from traceability.reading.results import cost_of
+from traceability.reading.results import RESULTS, cost_of
 from traceability.schema import Counts
 from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
@@ -89,30 +89,18 @@ def write_failures(results: Path, log: TextIO) -> None:
             log.writelines(f"{failure['failure']}\n" for failure in test["failures"])
 
 
-def results_of(root: Path, run_name: str) -> Path:
-    """Returns the result file of the tests."""
-    return root / "build" / "results" / f"{run_name}.json"
-
-
-def program_of(root: Path, run_name: str) -> Path:
-    """Returns the program with the tests."""
-    if run_name == BOARD:
-        return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
-    return root / "build" / run_name / "tests" / TESTS
-
-
 def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     """Runs the tests of a build, or the tests on the virtual K64. Each processor runs a part of the
     tests."""
     on_board = run_name == BOARD
-    results = results_of(root, run_name)
+    results = root / RESULTS / f"{run_name}.json"
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
+    program = binaries / "tests" / (BOARD_TESTS if on_board else TESTS)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
     # The files with the coverage counters of the last run are removed. Otherwise, the program would
     # add its counts to these counters.
     for counters in binaries.rglob("*.gcda"):
         counters.unlink()
-    program = program_of(root, run_name)
     seed = {"WR_SEED": os.environ.get("WR_SEED") or str(secrets.randbits(31))}
     suites, seconds, ended = run_shards(results, program, log, seed)
     names = of_each_image(suites) if on_board else []

@@ -87,7 +87,8 @@ def target_of(root: Path, options: argparse.Namespace) -> Target:
     name: str | None = options.name
     if name and "::" in name:
         need_file(root / name.partition("::")[0], TEST_ADVICE)
-        return python_target(root, name)
+        pytest = [str(root / ".venv/bin/python"), "-m", "pytest", "-p", "no:xdist", "--pdb"]
+        return Target([*pytest, name])
     if name and name.endswith(SCENARIO):
         need_file(Path(name), SCENARIO_ADVICE)
     if name is None or name.endswith(SCENARIO):
@@ -174,10 +175,6 @@ def host_test(root: Path, name: str, file: str) -> Target:
     preset, target = ("host", BOARD_TESTS) if on_board else (ON_HOST, TESTS)
     gdb = ["gdb", "-q", "--args", str(root / "build" / preset / "tests" / target), filter_of(name)]
     return Target(gdb, images=on_board, program=(preset, target))
-
-
-def python_target(root: Path, name: str) -> Target:
-    return Target([str(root / ".venv/bin/python"), "-m", "pytest", "-p", "no:xdist", "--pdb", name])
 
 
 def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:

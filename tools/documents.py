@@ -12,8 +12,6 @@ import hashlib
 import json
 import subprocess
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
@@ -95,23 +93,13 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 def main(root: Path, texts: str, *, keep: bool) -> int:
     """Runs the process. Returns 0 if no step failed, even if there are findings. Otherwise, returns
     INCOMPLETE."""
-    steps = Steps(root, len(PARTS))
-    with no_collection():
-        findings, complete = make(root, steps, Pages(root, texts, keep))
-    write_whole(root / FINDINGS, json.dumps([asdict(finding) for finding in findings]))
-    return 0 if complete else INCOMPLETE
-
-
-@contextmanager
-def no_collection() -> Iterator[None]:
-    """Disables garbage collection, which would take a fifth of the time. The process keeps the
-    model until its end. There is therefore nothing to collect earlier."""
+    # Garbage collection would take a fifth of the time. The process keeps the model until its end:
+    # there is nothing to collect.
     gc.disable()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        gc.enable()
+    findings, complete = make(root, Steps(root, len(PARTS)), Pages(root, texts, keep))
+    write_whole(root / FINDINGS, json.dumps([asdict(finding) for finding in findings]))
+    gc.freeze()
+    return 0 if complete else INCOMPLETE
 
 
 def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
+from traceability.reading.graphs import reached_from
 from traceability.sources import DESIGN
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
@@ -15,14 +16,7 @@ FOLDERS = (*DESIGN, "tests", ".")  # folders below which the compiler looks for 
 
 def included(root: Path, files: Iterable[Path]) -> set[Path]:
     """Returns the files and all files of the project that they include, directly or indirectly."""
-    reached: set[Path] = set()
-    waiting = list(files)
-    while waiting:
-        file = waiting.pop()
-        if file not in reached:
-            reached.add(file)
-            waiting += direct(root, file)
-    return reached
+    return set(reached_from(files, partial(direct, root)))
 
 
 @cache

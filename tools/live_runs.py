@@ -12,12 +12,11 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
 
 from tools.browser import find_browser, result_of
-from tools.cmake_build import BOARD_PROGRAM, build
+from tools.cmake_build import BOARD_PROGRAM, build, sources_of
 from tools.steps import FailureError
 from tools.task_graph import Outcome
 from traceability.reading.closed_loop_record import EXAMPLES
@@ -61,30 +60,22 @@ const bytes = async (path) => new Uint8Array(await (await fetch(path)).arrayBuff
 </script>"""
 
 
-@dataclass(frozen=True)
-class Run:
-    """The result of a scenario. It contains the reports with the true values, and a hash of all
-    events."""
-
-    reports: str
-    events: int
-    hash: str
-
-
 def build_module(root: Path, log: TextIO) -> Outcome:
-    """Builds the module, if the compiler of the module is installed."""
+    """Builds the module, if the compiler of the module is installed. Returns its sources."""
     if shutil.which(COMPILER) is None:
-        return Outcome(f"not built, because {COMPILER} is not installed")
+        return Outcome(f"not built, because {COMPILER} is not installed", values={"file_dep": []})
     build(root, PRESET, log, TARGET)
-    return Outcome(f"{(root / MODULE).stat().st_size} bytes")
+    size = (root / MODULE).stat().st_size
+    return Outcome(f"{size} bytes", values={"file_dep": sources_of(root, PRESET, TARGET)})
 
 
 def examples(root: Path) -> list[Path]:
     return sorted((root / EXAMPLES).glob("*.scenario"))
 
 
-def play_native(root: Path, scenario: Path) -> Run:
-    """Plays a scenario with the native program of this computer."""
+def play_native(root: Path, scenario: Path) -> dict[str, Any]:
+    """Plays a scenario with the native program of this computer. Returns the reports with the true
+    values, and the number and the hash of all events, in the form of a run of the module."""
     with tempfile.TemporaryDirectory() as folder:
         reports = Path(folder) / "reports.csv"
         words: list[str | Path] = [root / "build/host/sim" / BOARD_PROGRAM]
@@ -94,7 +85,8 @@ def play_native(root: Path, scenario: Path) -> Run:
         trace = TRACE.search(run.stdout)
         if trace is None:
             raise FailureError(f"{scenario.name}: {run.stdout}{run.stderr}")
-        return Run(reports.read_text(encoding="utf-8"), int(trace["count"]), trace["hash"])
+        events = {"count": int(trace["count"]), "hash": trace["hash"]}
+        return {"reports": reports.read_text(encoding="utf-8"), "events": events}
 
 
 def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
@@ -126,16 +118,12 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
     return result
 
 
-def differences(native: Run, run: dict[str, Any]) -> list[str]:
+def differences(native: dict[str, Any], run: dict[str, Any]) -> list[str]:
     """Returns the differences between a run as WebAssembly and the native run, and the failures of
     the run."""
     problems = [run["end"]] if run["end"] != "ended" else []
-    problems += run["failures"]
-    if run["reports"] != native.reports:
-        problems.append("reports")
-    if (run["events"]["count"], run["events"]["hash"]) != (native.events, native.hash):
-        problems.append("events")
-    return problems
+    problems += run["failures"].splitlines()
+    return [*problems, *(part for part in native if run[part] != native[part])]
 
 
 def measure_live(root: Path, log: TextIO) -> Outcome:

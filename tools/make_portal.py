@@ -12,7 +12,7 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 
 from tools.check import report
-from tools.documents import FINDINGS, read_findings, write_time
+from tools.documents import FINDINGS, write_time
 from tools.lock import only_one, outliving
 from tools.serve import STATUS, add_port, serving, wait
 from tools.task_graph import Progress, Task
@@ -79,7 +79,7 @@ def finish(root: Path, failed: list[str], start: float, cold: bool) -> int:
     made = pages_graph(root).run([DOCUMENTS])
     if cold:
         write_time(root, "build.cold_s", time.monotonic() - start)
-    return report(read_findings(root), [*failed, *made.failed])
+    return report(root, [*failed, *made.failed])
 
 
 class Pages(AbstractContextManager["Pages"]):

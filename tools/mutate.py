@@ -86,26 +86,22 @@ def minutes(text: str) -> float:
 
 
 def mutate(root: Path, options: argparse.Namespace) -> int:
-    with only_one(root, "mutate"):
-        return _mutate(root, options)
-
-
-def _mutate(root: Path, options: argparse.Namespace) -> int:
     steps = Steps(root, STEPS)
     seed = random.SystemRandom().randrange(1 << 16) if options.seed is None else options.seed
-    print(f"seed {seed}")
-    ready = not graph(root).run([TESTS_TRACE]).failed
     run = _Run(root, seed, options.minutes, options.resume, steps.out)
-    for title, action in (
-        ("mutants", run.generate),
-        ("mutated build", run.build),
-        ("tests without a mutant", run.measure),
-        ("tests with mutants", run.attempt),
-    ):
-        if ready:
-            ready = steps.run(title, action)
-        else:
-            steps.skip(title, "an earlier step failed")
+    with only_one(root, "mutate"):
+        print(f"seed {seed}")
+        ready = not graph(root).run([TESTS_TRACE]).failed
+        for title, action in (
+            ("mutants", run.generate),
+            ("mutated build", run.build),
+            ("tests without a mutant", run.measure),
+            ("tests with mutants", run.attempt),
+        ):
+            if ready:
+                ready = steps.run(title, action)
+            else:
+                steps.skip(title, "an earlier step failed")
     if not ready:
         return 1
     if options.publish:

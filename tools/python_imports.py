@@ -9,6 +9,7 @@ import re
 from collections.abc import Collection, Iterable
 from pathlib import Path
 
+from traceability.reading.graphs import reached_from
 from traceability.sources import TESTS_OF_TOOLS
 
 IMPORT = re.compile(
@@ -33,13 +34,7 @@ def imported_by(root: Path, test: Path) -> set[str]:
     """Returns the Python files of the project that a test file imports, directly or indirectly. The
     result contains the test file itself."""
     around = [*(root / TESTS_OF_TOOLS).glob("conftest.py"), *test.parent.glob("conftest.py")]
-    found: set[Path] = set()
-    waiting = [test, *around]
-    while waiting:
-        file = waiting.pop()
-        if file not in found:
-            found.add(file)
-            waiting += _imports(root, file)
+    found = reached_from([test, *around], functools.partial(_imports, root))
     return {str(file.relative_to(root)) for file in found}
 
 

@@ -9,6 +9,8 @@ import tarfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from traceability.sources import file_hash
+
 
 def write_archive(path: Path, files: Mapping[str, bytes | Path], when: int) -> None:
     """Writes a tar.gz with the files, sorted by their names.
@@ -30,10 +32,7 @@ def write_archive(path: Path, files: Mapping[str, bytes | Path], when: int) -> N
 
 def sums_text(folder: Path, names: Iterable[str]) -> str:
     """Returns the SHA-256 of each file, in the form that ``sha256sum --check`` reads."""
-    return "".join(
-        f"{hashlib.sha256((folder / name).read_bytes()).hexdigest()}  {name}\n"
-        for name in sorted(names)
-    )
+    return "".join(f"{file_hash(folder / name)}  {name}\n" for name in sorted(names))
 
 
 def below(folder: Path, *without: str) -> dict[str, Path]:

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from tools.check import report
-from tools.documents import read_findings, write_time
+from tools.documents import write_time
 from tools.lint import lint_tasks, record_steps
 from tools.lock import only_one
 from tools.steps import UsageError
@@ -115,7 +115,7 @@ def test(root: Path) -> int:
     with only_one(root, "test"):
         results = graph(root).run(QUICK)
         pages = pages_graph(root, keep=True).run([DOCUMENTS])
-        code = report(read_findings(root), [*results.failed, *pages.failed])
+        code = report(root, [*results.failed, *pages.failed])
         old = [name for name in WHOLE if name not in QUICK and not is_fresh(root, name)]
     counts = counts_of(results)
     if old:
@@ -138,7 +138,7 @@ def test_all(root: Path, *, long: bool, ci: bool) -> int:
             record_steps(root, results, files)
         pages = pages_graph(root).run([DOCUMENTS, PAGES, *([LONG_TESTS] if long else [])])
         counts = counts_of(results) + counts_of(pages)
-        code = report(read_findings(root), [*results.failed, *pages.failed])
+        code = report(root, [*results.failed, *pages.failed])
         if cold:
             write_time(root, "build.ci_s", time.monotonic() - start)
     print(counts)

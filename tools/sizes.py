@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -76,7 +76,7 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     ``recorded`` image, because link-time optimisation removes this information from the other
     image."""
     sizes: dict[str, Size] = defaultdict(Size)
-    all_objects = list(objects(elf, homes(recorded or elf)))
+    all_objects = list(objects(elf, recorded or elf))
     for section in sections(elf):
         rest = section.size
         if whole := owner(section):
@@ -98,15 +98,11 @@ def instructions(elf: Path, section: Section) -> Iterator[tuple[str, int]]:
         yield module_of(frames)[0], 2
 
 
-def homes(elf: Path) -> dict[str, str]:
-    """Returns the module of each object, by the name of the object in the image."""
-    listed = output("arm-none-eabi-nm", "--print-size", "--line-numbers", elf)
-    return {name: module for _, _, name, module in OBJECT.findall(listed) if module}
-
-
-def objects(elf: Path, modules: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
+def objects(elf: Path, recorded: Path) -> Iterator[tuple[int, str, int]]:
     """Yields the address, the module and the size of each object. A virtual method table belongs to
-    its class."""
+    its class. The module of another object is read from the ``recorded`` image."""
+    listed = output("arm-none-eabi-nm", "--print-size", "--line-numbers", recorded)
+    modules = {name: module for _, _, name, module in OBJECT.findall(listed) if module}
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
         plain = name.partition(".lto_priv")[0]
         table = CLASS_TABLE.match(plain)

@@ -156,8 +156,8 @@ def stop(program: subprocess.Popen[Any]) -> None:
         os.killpg(program.pid, signal.SIGTERM)
 
 
-def tail(path: Path, lines: int = TAIL_LINES) -> str:
-    return "\n".join(path.read_text(errors="replace").splitlines()[-lines:])
+def tail(path: Path) -> str:
+    return "\n".join(path.read_text(errors="replace").splitlines()[-TAIL_LINES:])
 
 
 def cannot_write(error: OSError) -> str | None:

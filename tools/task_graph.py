@@ -27,6 +27,7 @@ from doit.task import Task as DoitTask
 from doit.task import dict_to_task
 
 from tools.steps import FailureError, attempt, log_file, log_of, no_program_left, tail
+from traceability.reading.graphs import reached_from
 from traceability.reading.task_record import RECORD
 from traceability.sources import files_below
 from traceability.whole_file import write_whole
@@ -187,13 +188,9 @@ class Reporter:
         self.lock = threading.RLock()
 
     def initialize(self, tasks: dict[str, DoitTask], selected: list[str]) -> None:
-        wanted: set[str] = set()
-        waiting = list(selected)
-        while waiting:
-            name = waiting.pop()
-            if name not in wanted:
-                wanted.add(name)
-                waiting += [*tasks[name].task_dep, *tasks[name].calc_dep]
+        wanted = set(
+            reached_from(selected, lambda name: (*tasks[name].task_dep, *tasks[name].calc_dep))
+        )
         self.progress.waiting = {
             name: self._expected(name) for name in self.tasks if name in wanted
         }

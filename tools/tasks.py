@@ -33,7 +33,6 @@ from tools.cmake_build import (
 )
 from tools.coverage_run import count_coverage
 from tools.documents import CURRENT, FINDINGS, add_metrics, make_documents
-from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
@@ -180,14 +179,6 @@ def builds(root: Path) -> list[Task]:
 
         return Task(name, action, always=True)
 
-    def module(log: TextIO) -> Outcome:
-        outcome = build_module(root, log)
-        built = (root / "build" / WEB / "build.ninja").exists() and not outcome.note.startswith(
-            "not"
-        )
-        found = sources_of(root, WEB, "live") if built else []
-        return Outcome(outcome.note, values={"file_dep": found})
-
     images = tuple(f"{product}.elf" for product in PRODUCTS)
     ports = read_ports(root, Entries(root)).values()
     baselines = tuple(f"{image_name(design)}.elf" for design in DESIGNS)
@@ -198,7 +189,7 @@ def builds(root: Path) -> list[Task]:
         made(VIRTUAL_BOARD, (BOARD_PRESET, (BOARD_PROGRAM,))),
         *(made(f"build ({name})", (name, (TESTS,))) for name in ("trace", "sanitize", "plain")),
         made("build (virtual K64)", (BOARD_PRESET, (BOARD_TESTS,))),
-        Task(LIVE_MODULE, module, always=True),
+        Task(LIVE_MODULE, partial(build_module, root), always=True),
         made(BASELINE_BUILD, ("k64", baselines), (BOARD_PRESET, (BASELINE_TESTS,))),
         made(CHANGES_BUILD, ("k64_calls", (CHANGE_IMAGES,)), (BOARD_PRESET, (CHANGE_TESTS,))),
         made(

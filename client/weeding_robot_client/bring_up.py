@@ -172,7 +172,7 @@ class Step:
     name: str
     expected: str
     check: Callable[[], str]
-    needs: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ("connection",)
 
 
 class BringUp:
@@ -207,60 +207,53 @@ class BringUp:
                 "remote control: enable switch at 'stop'",
                 "the remote control orders a stop",
                 self._enable_stop,
-                ("connection",),
             ),
             Step(
                 "remote control: enable switch at 'PC'",
                 "the remote control orders no stop, and the robot reads the PC's orders",
                 self._enable_pc,
-                ("connection",),
             ),
             Step(
                 "remote control: enable switch at 'drive', sticks centred",
                 "the robot reads the remote control's orders: velocity 0 and steering 0",
                 self._enable_drive,
-                ("connection",),
             ),
             Step(
                 "remote control: transmitter off",
                 f"the stop is reported at most {self._fail_safe_limit():.1f} s after Enter",
                 self._transmitter_off,
-                ("connection",),
             ),
         ]
         first_wheel = wheels[0].name
         return [
-            Step("connection", "the robot answers, and the versions match", self._connection),
+            Step("connection", "the robot answers, and the versions match", self._connection, ()),
             Step(
                 "image",
                 "build/k64 contains a firmware image with the build id that the robot reports",
                 self._image,
-                ("connection",),
             ),
             Step(
                 "reset cause",
                 "the last reset was intended, and no fault was recorded",
                 self._reset_cause,
-                ("connection",),
             ),
             Step(
                 "supply",
                 f"{SUPPLY_VOLTS[0]:g} to {SUPPLY_VOLTS[1]:g} V at the motor supply",
                 self._supply,
+                (),
             ),
             Step(
                 "analog inputs",
                 f"each current within {REST_AMPERES} A of 0, steering angle within "
                 f"{ANGLE_DEGREES:g} degrees and steady",
                 self._analog_inputs,
-                ("connection",),
             ),
             *(
                 Step(
                     f"{side} end stop",
                     "each end stop is reached only while it is pressed",
                     partial(self._end_stop, side),
-                    ("connection",),
                 )
                 for side in ("left", "right")
             ),
@@ -269,7 +262,6 @@ class BringUp:
                 "emergency stop",
                 "pressed: protective stop; released: still stopped; acknowledged: armed",
                 self._emergency_stop,
-                ("connection",),
             ),
             Step(
                 "wheels off the ground",

@@ -10,7 +10,6 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from weeding_robot_client.layout import BY_QUANTITY, FRAMES, Field, Layout, value_name
@@ -38,12 +37,7 @@ class Capture(AbstractContextManager["Capture"]):
         self._write(SECTION, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1))
         self._write(INTERFACE, struct.pack("<HHI", USER0, 0, 0))
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         if self._file:
             self._file.close()
 

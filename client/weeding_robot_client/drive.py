@@ -18,7 +18,7 @@ from weeding_robot_client.keyboard import Hand, raw_keys, read_keys
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, Report, Welcome
 from weeding_robot_client.monitor import as_line, shown, status
-from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, wheel
+from weeding_robot_client.options import add_link, opened, wheel
 from weeding_robot_client.orders import (
     ORDER_EVERY_S,
     ORDER_LIFETIME_S,
@@ -68,14 +68,7 @@ def run(options: argparse.Namespace) -> int:
         print(f"cannot read {error.filename}: {error.strerror}. Name another file with --script.",
               file=sys.stderr)  # fmt: skip
         return MISSING
-    recording = open_recording(options)
-    capture = open_capture(options.capture)
-    if recording is None or capture is None:
-        return MISSING
-    link = open_link(options.link)
-    if isinstance(link, int):
-        return link
-    with link, recording, capture as link.capture:
+    with opened(options) as (link, recording):
         if script:
             return by_script(link, script, recording)
         return by_keyboard(link, recording, tuple(options.wheel) if options.wheel else None)

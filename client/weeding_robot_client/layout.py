@@ -48,13 +48,13 @@ class Entry:
     number: int
     name: str
     shown: str
-    meaning: str
-    detail: str
-    check: str  # first checks of a technician
     firmware: str  # enumerator or constant of the firmware
-    unit: str
-    scale: float
-    limit: int | None
+    meaning: str = ""
+    detail: str = ""
+    check: str = ""  # first checks of a technician
+    unit: str = ""
+    scale: float = 1
+    limit: int | None = None
 
 
 @dataclass(frozen=True)
@@ -255,25 +255,14 @@ def read_frames(text: str) -> FrameTable:
         table = tomllib.loads(text)
         enumerations = {item["name"]: _enumeration(item) for item in table.get("enumeration", [])}
         frames = {item["name"]: _layout(item, enumerations) for item in table["frame"]}
-    except (KeyError, tomllib.TOMLDecodeError) as error:
+    except (KeyError, TypeError, tomllib.TOMLDecodeError) as error:
         raise LayoutError(f"table of frames: {error}") from error
     return FrameTable(enumerations, frames)
 
 
 def _enumeration(item: dict[str, Any]) -> Enumeration:
     entries = tuple(
-        Entry(
-            one["number"],
-            one["name"],
-            one.get("shown", one["name"]),
-            one.get("meaning", ""),
-            one.get("detail", ""),
-            one.get("check", ""),
-            one.get("firmware", f"{item['firmware']}::{one['name']}"),
-            one.get("unit", ""),
-            one.get("scale", 1),
-            one.get("limit"),
-        )
+        Entry(**{"shown": one["name"], "firmware": f"{item['firmware']}::{one['name']}", **one})
         for one in item["values"]
     )
     return Enumeration(item["name"], item.get("page", ""), item.get("detail", ""), entries)

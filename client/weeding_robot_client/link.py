@@ -10,9 +10,9 @@ import os
 import select
 import time
 from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from pathlib import Path
-from types import TracebackType
 
 import serial
 
@@ -69,7 +69,7 @@ def clock_ms(seconds: float) -> int:
     return int(seconds * 1000) % CLOCK_MS
 
 
-class Link:
+class Link(AbstractContextManager["Link"]):
     """A connection to the robot. Call service() at least once in each control cycle, or iterate
     over reports().
 
@@ -92,15 +92,7 @@ class Link:
         self._line: serial.Serial | None = open_line(path)
         self._begin()
 
-    def __enter__(self) -> Link:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:

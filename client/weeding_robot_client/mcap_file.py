@@ -11,7 +11,7 @@ from typing import Any
 from mcap.reader import make_reader
 from mcap.writer import Writer
 
-from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Bit, Field, Layout, value_name
+from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, Layout, value_name
 from weeding_robot_client.messages import Report
 
 TOPIC = "/report"
@@ -27,14 +27,12 @@ def schema_of(layout: Layout) -> dict[str, Any]:
     properties: dict[str, Any] = {}
     for one in layout.fields:
         if one.bits:
-            properties |= {bit.name: _of_bit(bit) for bit in one.bits}
+            properties |= {
+                bit.name: {"type": "boolean", "description": bit.meaning} for bit in one.bits
+            }
         elif not one.valid:
             properties[value_name(one)] = _of_field(one, one.name in missing)
     return {"type": "object", "title": layout.name, "properties": properties}
-
-
-def _of_bit(bit: Bit) -> dict[str, Any]:
-    return {"type": "boolean", "description": bit.meaning}
 
 
 def _of_field(one: Field, may_miss: bool) -> dict[str, Any]:

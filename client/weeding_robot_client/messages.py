@@ -352,10 +352,3 @@ def from_frame(frame: Frame) -> FromMcu:
 def _check_size(frame: Frame, least: int) -> None:
     if len(frame.payload) < least:
         raise MessageError(f"type 0x{frame.kind:02x}: {len(frame.payload)} bytes, not {least}")
-
-
-def all_wheels(
-    quantity: Quantity, value: float
-) -> tuple[WheelSetPoint, WheelSetPoint, WheelSetPoint, WheelSetPoint]:
-    point = WheelSetPoint(quantity, value)
-    return point, point, point, point

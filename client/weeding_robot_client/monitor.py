@@ -6,10 +6,10 @@ import argparse
 import sys
 import time
 
-from weeding_robot_client import exit_codes
+from weeding_robot_client.exit_codes import DONE
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import WHEELS, Report
-from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, positive
+from weeding_robot_client.options import add_link, opened, positive
 from weeding_robot_client.orders import not_connected
 from weeding_robot_client.reasons import conditions, faults, latched
 
@@ -34,17 +34,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    recording = open_recording(options)
-    capture = open_capture(options.capture)
-    if recording is None or capture is None:
-        return exit_codes.MISSING
-    link = open_link(options.link)
-    if isinstance(link, int):
-        return link
     table = sys.stdout.isatty() and not options.lines
     count = 0
     state: tuple[bool, str] | None = None
-    with link, recording, capture as link.capture:
+    with opened(options) as (link, recording):
         while options.reports is None or count < options.reports:
             reports = link.service(PATIENCE_S)
             if state != (link.connected, not_connected(link)):
@@ -56,7 +49,7 @@ def run(options: argparse.Namespace) -> int:
                 count += 1
                 if count == options.reports:
                     break
-    return exit_codes.DONE
+    return DONE
 
 
 def status(link: Link) -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from weeding_robot_client.capture import Capture, write_dissector
@@ -47,6 +49,20 @@ def wheel(text: str) -> int:
         return wheel_number(text)
     except ScriptError as error:
         raise argparse.ArgumentTypeError(str(error)) from error
+
+
+@contextmanager
+def opened(options: argparse.Namespace) -> Iterator[tuple[Link, Recording]]:
+    """Opens the files and the link of a command. If this fails, prints the reason and exits."""
+    recording = open_recording(options)
+    capture = open_capture(options.capture)
+    if recording is None or capture is None:
+        sys.exit(MISSING)
+    link = open_link(options.link)
+    if isinstance(link, int):
+        sys.exit(link)
+    with link, recording, capture as link.capture:
+        yield link, recording
 
 
 def open_link(path: Path) -> Link | int:

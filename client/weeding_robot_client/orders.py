@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Report
@@ -21,11 +21,6 @@ STOP_EVERY_S = 0.05
 Observer = Callable[[Report], None]
 
 
-def order_ids() -> Iterator[int]:
-    """Yields 1 to 65535, and then starts again at 1. Id 0 means an order of the remote control."""
-    return itertools.cycle(range(1, 0x10000))
-
-
 class Orders:
     """Sends the present order every ``ORDER_EVERY_S``. The previous order is then still valid."""
 
@@ -33,7 +28,7 @@ class Orders:
         self.link = link
         self.report: Report | None = None
         self._observe = observe
-        self._ids = order_ids()
+        self._ids = itertools.cycle(range(1, 0x10000))  # 0 means an order of the remote control
         self._due = time.monotonic()
 
     def send(self, wish: Wish) -> bool:
@@ -97,14 +92,13 @@ def not_connected(link: Link) -> str:
 def arm(
     orders: Orders,
     wish: Wish | None = None,
-    within_s: float | None = None,
     progress: Callable[[str], None] = lambda _words: None,
 ) -> str | None:
     """Sends neutral orders until the robot is armed. Returns None, or the reason for a failure."""
     neutral = (wish or Wish()).neutral()
     reason: str | None = None
     rc_drives = False
-    end = time.monotonic() + (ARM_WITHIN_S if within_s is None else within_s)
+    end = time.monotonic() + ARM_WITHIN_S
     while time.monotonic() < end:
         for report in orders.service(neutral):
             if report.ready:

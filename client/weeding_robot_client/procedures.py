@@ -6,9 +6,9 @@ import argparse
 import sys
 
 from weeding_robot_client import orders
-from weeding_robot_client.exit_codes import DONE, FAILED, MISSING
+from weeding_robot_client.exit_codes import DONE, FAILED
 from weeding_robot_client.monitor import status
-from weeding_robot_client.options import add_link, open_capture, open_link, open_recording
+from weeding_robot_client.options import add_link, opened
 from weeding_robot_client.orders import Orders, connect, not_connected
 from weeding_robot_client.script import NEUTRAL_S, Wish
 
@@ -40,14 +40,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace, acknowledges: bool) -> int:
-    recording = open_recording(options)
-    capture = open_capture(options.capture)
-    if recording is None or capture is None:
-        return MISSING
-    link = open_link(options.link)
-    if isinstance(link, int):
-        return link
-    with link, recording, capture as link.capture:
+    with opened(options) as (link, recording):
         sender = Orders(link, recording.add)
         report = connect(sender)
         if report is None:

@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import csv
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
-from types import TracebackType
 from typing import Protocol
 
 from weeding_robot_client.layout import LAYOUTS
@@ -40,16 +39,14 @@ class CsvFile:
 
     def __init__(self, path: Path) -> None:
         self._file = path.open("w", newline="")
-        self._write(COLUMNS)
+        self._table = csv.writer(self._file)
+        self._table.writerow(COLUMNS)
 
     def add(self, report: Report) -> None:
-        self._write(row(report))
+        self._table.writerow(row(report))
 
     def close(self) -> None:
         self._file.close()
-
-    def _write(self, cells: Iterable[object]) -> None:
-        csv.writer(self._file).writerow(cells)
 
 
 class Recording(AbstractContextManager["Recording"]):
@@ -67,12 +64,7 @@ class Recording(AbstractContextManager["Recording"]):
 
             self._files[mcap] = McapFile(mcap)
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._each(lambda file: file.close())
 
     def add(self, report: Report) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from weeding_robot_client.layout import BY_QUANTITY, FRAMES, Bit, Field, Layout, value_name
+from weeding_robot_client.layout import BY_QUANTITY, FRAMES, Field, Layout, value_name
 
 INTEGERS = {
     "u8": "uint8",
@@ -36,7 +36,7 @@ def message(frame: Layout) -> str:
             shown.add(one.values.name)
             lines += _constants(one)
         if one.bits:
-            lines += [f"bool {bit.name}{_comment(bit)}" for bit in one.bits]
+            lines += [f"bool {bit.name}  # {bit.meaning}" for bit in one.bits]
         elif not one.valid:
             lines.append(f"{_type(one, missing)} {value_name(one)}{_text(one, missing)}")
     return "\n".join(lines) + "\n"
@@ -52,10 +52,6 @@ def _constants(one: Field) -> Iterator[str]:
     for entry in one.values.entries:
         name = f"{one.values.name} {entry.name}".upper().replace(" ", "_").replace("-", "_")
         yield f"{INTEGERS[one.type]} {name}={entry.number}"
-
-
-def _comment(one: Field | Bit) -> str:
-    return f"  # {one.meaning}"
 
 
 def _text(one: Field, missing: set[str]) -> str:

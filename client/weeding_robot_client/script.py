@@ -13,7 +13,6 @@ from weeding_robot_client.messages import (
     Order,
     Quantity,
     WheelSetPoint,
-    all_wheels,
 )
 
 ACKNOWLEDGE_S = 0.3  # three control cycles, so that the robot reads the order at least once
@@ -46,7 +45,7 @@ WORDS = re.compile(
 UNITS = {"velocity": "rpm", "tension": "V", "current": "A", "steering": "deg"}
 
 Points = tuple[WheelSetPoint, WheelSetPoint, WheelSetPoint, WheelSetPoint]
-STILL: Points = all_wheels(Quantity.VELOCITY, 0.0)
+STILL: Points = (WheelSetPoint(Quantity.VELOCITY, 0.0),) * 4
 
 
 class ScriptError(ValueError):

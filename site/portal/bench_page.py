@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, Mark, Tick, axis, path
+from portal.plots import HEIGHT, Axis, Drawing, Line, Mark, Tick, axis, path
 from portal.portal import Portal
 from traceability.reading import bench_record
 from traceability.reading.bench_record import (
@@ -114,12 +114,11 @@ def bands(run: Runs) -> Drawing:
     y = axis(0.0, max(max(values) for values in times.values()) / 1000, rounded=True)
     lines = []
     for kind, values in times.items():
-        parts = [values[at : at + GROUP] for at in range(0, len(values), GROUP)]
-        across = [x.place(at) * WIDTH / 100 for at in range(0, len(values), GROUP)]
+        parts = {at: values[at : at + GROUP] for at in range(0, len(values), GROUP)}
         style = "board" if kind == SLOW else "host"
-        high = [point(at, max(part), y) for at, part in zip(across, parts, strict=True)]
-        low = [point(at, min(part), y) for at, part in zip(across, parts, strict=True)]
-        mean = [point(at, sum(part) / len(part), y) for at, part in zip(across, parts, strict=True)]
+        high = [point(x, at, y, max(part)) for at, part in parts.items()]
+        low = [point(x, at, y, min(part)) for at, part in parts.items()]
+        mean = [point(x, at, y, sum(part) / len(part)) for at, part in parts.items()]
         lines.append(Line(f"band {style}", "", f"M{'L'.join([*high, *reversed(low)])}Z"))
         lines.append(Line(f"truth {style} thin", WORDS[kind], f"M{'L'.join(mean)}"))
     words = "; ".join(f"{WORDS[kind]}: up to {max(micros)} us" for kind, micros in times.items())
@@ -156,8 +155,8 @@ def steps(title: str, unit: str, values: list[float]) -> Drawing:
     return Drawing(title, unit, [], y.ticks, [line], words)
 
 
-def point(across: float, time_us: float, y: Axis) -> str:
-    return f"{across:.1f} {HEIGHT - y.place(time_us / 1000) * HEIGHT / 100:.1f}"
+def point(x: Axis, cycle: int, y: Axis, time_us: float) -> str:
+    return f"{x.across(cycle):.1f} {y.down(time_us / 1000):.1f}"
 
 
 def distribution(run: Runs) -> Drawing:
@@ -180,7 +179,7 @@ def outline(counts: Counter[int], x: Axis, y: Axis) -> str:
     """Returns the SVG path of the outline of a histogram."""
     parts: list[str] = []
     for number in range(min(counts), max(counts) + 1):
-        left, right = (x.place(edge * BIN_US / 1000) * WIDTH / 100 for edge in (number, number + 1))
-        down = HEIGHT - y.place(counts[number]) * HEIGHT / 100
-        parts.append(f"{'V' if parts else f'M{left:.1f} {HEIGHT}V'}{down:.1f}H{right:.1f}")
+        left, right = (x.across(edge * BIN_US / 1000) for edge in (number, number + 1))
+        begin = "V" if parts else f"M{left:.1f} {HEIGHT}V"
+        parts.append(f"{begin}{y.down(counts[number]):.1f}H{right:.1f}")
     return "".join([*parts, f"V{HEIGHT}"])

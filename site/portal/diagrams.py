@@ -112,11 +112,14 @@ def role_family(role: str) -> str:
 
 @dataclass
 class Diagram:
-    """A drawing in the language of PlantUML. ``label`` describes it for a screen reader."""
+    """A drawing in the language of PlantUML. ``label`` describes it for a screen reader. The page
+    Exports lists it if it has a title; ``page`` is the address of the page that shows it."""
 
     id: str
     label: str
     text: str
+    title: str = ""
+    page: str = ""
     edges: dict[tuple[str, str], list[Transition]] = field(default_factory=dict)
 
 
@@ -215,7 +218,8 @@ def pattern_diagram(model: Model, application: PatternApplication, links: Links)
     lines.append("@enduml")
     words = "; ".join(f"{name} is {' and '.join(r)}" for name, r in roles.items())
     label = f"Class diagram of {application.title}: {words}"
-    return Diagram(f"pattern-{application.id}", label, "\n".join(lines))
+    page = links.pattern(application.id) or ""
+    return Diagram(f"pattern-{application.id}", label, "\n".join(lines), application.title, page)
 
 
 def relation_lines(model: Model, application: PatternApplication) -> list[str]:
@@ -258,7 +262,8 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
     label = (
         f"State diagram: {machine.title}. The table next to the diagram lists the same transitions."
     )
-    return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)
+    text, page = "\n".join(lines), links.machine(machine.id) or ""
+    return Diagram(f"machine-{machine.id}", label, text, machine.title, page, edges)
 
 
 def is_narrow(machine: StateMachine) -> bool:
@@ -319,7 +324,8 @@ def high_level_diagram(model: Model, links: Links) -> Diagram:
         lines.append(f"{node(link.source)} {LINES[link.kind]} {node(link.target)}{label}")
     lines.append("@enduml")
     label = "High-level diagram. The table below lists the same connections."
-    return Diagram("high-level", label, "\n".join(lines))
+    page = "@/architecture.html#high-level"
+    return Diagram("high-level", label, "\n".join(lines), "High-level diagram", page)
 
 
 def node(name: str) -> str:

@@ -60,19 +60,15 @@ class Group:
 
 
 def hand_written(folder: Path) -> list[Entry]:
-    """Returns the pages below ``docs/``. The pages for beginners come first."""
+    """Returns the pages below ``docs/``. The pages for beginners come first. The title of a page is
+    its first heading, or the name of its file."""
     names = {path: str(path.relative_to(folder).with_suffix("")) for path in folder.rglob("*.rst")}
     pages = [
-        Entry(f"docs/{name}", first_title(path), f"docs/{name}.html")
+        Entry(f"docs/{name}", next(headings(path), path.stem), f"docs/{name}.html")
         for path, name in sorted(names.items())
     ]
     order = {f"docs/{name}": number for number, name in enumerate(chain(*DOCS.values()))}
     return sorted(pages, key=lambda page: (order.get(page.id, len(order)), page.title.lower()))
-
-
-def first_title(path: Path) -> str:
-    """Returns the first heading of a page, or the file name if the page has no heading."""
-    return next(headings(path), path.stem)
 
 
 class Navigation:

@@ -60,7 +60,6 @@ from traceability.schema import (
     TreeNode,
 )
 
-HIGH_LEVEL = "High-level diagram"
 # Order of the families of roles in the list of roles on the page of a pattern application.
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")
 EXAMPLE = "FR-15"  # requirement that the first page shows as an example
@@ -200,23 +199,6 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
         modules=[portal.model.modules[name] for name in modules],
         kin=[a for a in portal.model.patterns.values() if a.pattern == application.pattern],
     )
-
-
-def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
-    """Returns three texts for each diagram: its PlantUML file, the address of the page that shows
-    the diagram, and its title."""
-    sources = []
-    for application in portal.model.patterns.values():
-        page = portal.links.pattern(application.id) or ""
-        sources.append((f"{DIAGRAMS}/pattern-{application.id}.puml", page, application.title))
-    if portal.model.groups:
-        sources.append(
-            (f"{DIAGRAMS}/high-level.puml", "@/architecture.html#high-level", HIGH_LEVEL)
-        )
-    for machine in portal.model.machines.values():
-        page = portal.links.machine(machine.id) or ""
-        sources.append((f"{DIAGRAMS}/machine-{machine.id}.puml", page, machine.title))
-    return sources
 
 
 def execution(portal: Portal) -> dict[str, Any]:
@@ -414,7 +396,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "virtual_k64": virtual_k64,
     "source": lambda portal: {"folders": folders(portal)},
     "exports": lambda portal: {
-        "sources": diagram_sources(portal),
+        "folder": DIAGRAMS,
         "files": available(portal.root),
     },
     "run": run,

@@ -40,6 +40,14 @@ class Axis:
         """Returns the position of a value on the axis [per cent of the length of the axis]."""
         return 100 * (value - self.first) / (self.last - self.first)
 
+    def across(self, value: float) -> float:
+        """Returns the distance of a value from the left edge of the drawing."""
+        return self.place(value) * WIDTH / 100
+
+    def down(self, value: float) -> float:
+        """Returns the distance of a value from the top of the drawing."""
+        return HEIGHT - self.place(value) * HEIGHT / 100
+
 
 @dataclass
 class Line:
@@ -140,8 +148,7 @@ def path(curve: Curve, x: Axis, y: Axis) -> str:
     steps = curve.kind == "set_point"
     parts: list[str] = []
     for at, value in curve.points:
-        across = x.place(at) * WIDTH / 100
-        down = HEIGHT - y.place(value) * HEIGHT / 100
+        across, down = x.across(at), y.down(value)
         if not parts:
             parts.append(f"M{across:.1f} {down:.1f}")
         elif steps:

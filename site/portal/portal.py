@@ -124,11 +124,11 @@ class Portal:
                 diagrams.pattern_diagram(self.model, application, self.links)
                 for application in self.model.patterns.values()
             ),
+            *([diagrams.high_level_diagram(self.model, self.links)] if self.model.groups else []),
             *(
                 diagrams.machine_diagram(machine, self.links, self.model.stale_on(HOST))
                 for machine in self.model.machines.values()
             ),
-            *([diagrams.high_level_diagram(self.model, self.links)] if self.model.groups else []),
             *package_diagrams(self.root),
         ]
 

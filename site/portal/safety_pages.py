@@ -37,21 +37,13 @@ def safety(portal: Portal) -> dict[str, Any]:
     }
 
 
-@dataclass
-class OtherEvidence:
-    """Evidence besides the tests, and the firmware image or code that it is about."""
-
-    title: str
-    page: str  # page that shows the evidence
-    product: str
-    result: object  # None or empty if the pages show no result
-
-
-def evidence(portal: Portal) -> list[OtherEvidence]:
+def evidence(portal: Portal) -> tuple[tuple[str, str, str, object], ...]:
+    """Returns the evidence besides the tests: its title, the page that shows it, the firmware image
+    or code that it is about, and a result that is None or empty if the pages show no result."""
     model = portal.model
     played = any(scenario.runs for scenario in model.closed_loop)
     drivers, lines = model.board_lines, portal.metrics["coverage.line"]
-    rows = (
+    return (
         ("longest control cycle, calculated", "bench.html#bound", DEFAULT, model.times),
         ("control cycle, measured", "bench.html", MEASURED, model.bench),
         ("stack, calculated", "execution.html#stack", DEFAULT, model.stack),
@@ -65,26 +57,17 @@ def evidence(portal: Portal) -> list[OtherEvidence]:
         ("coverage of the other code", "requirements/index.html#module-coverage", ON_HOST, lines),
         ("mutation test", "mutation.html", ON_HOST, model.last.get("mutation")),
     )
-    return [OtherEvidence(*row) for row in rows]
 
 
-@dataclass
-class OpenPoint:
-    """A known exception or an open point of a safety goal, or the part of a requirement that its
-    verification does not show."""
-
-    id: str  # of the goal or of the requirement
-    kind: str
-    text: str
-
-
-def open_points(portal: Portal) -> Iterator[OpenPoint]:
+def open_points(portal: Portal) -> Iterator[tuple[str, str, str]]:
+    """Yields the known exceptions and the open points of the safety goals, and the parts of the
+    requirements that their verification does not show: the id, the kind and the text of each."""
     for goal in portal.model.safety.goals.values():
-        yield from (OpenPoint(goal.id, "known exception", text) for text in goal.exceptions)
-        yield from (OpenPoint(goal.id, "open point", text) for text in goal.open_points)
+        yield from ((goal.id, "known exception", text) for text in goal.exceptions)
+        yield from ((goal.id, "open point", text) for text in goal.open_points)
     for requirement in portal.model.requirements.values():
         if requirement.partly:
-            yield OpenPoint(requirement.id, "partly verified", requirement.partly)
+            yield requirement.id, "partly verified", requirement.partly
 
 
 @dataclass

@@ -93,9 +93,8 @@ class Drawn:
     methods: list[tuple[str, list[str]]]  # each called method, with the shown requirements
 
 
-def declared_sequences(root: Path, entries: Entries | None = None) -> list[DeclaredSequence]:
-    entries = entries or Entries(root)
-    return entries.records(
+def declared_sequences(root: Path) -> list[DeclaredSequence]:
+    return Entries(root).records(
         root / DECLARED, "sequence", DeclaredSequence, "name", may=["participants"]
     )
 

@@ -25,25 +25,7 @@ from portal.pin_map import pin_map
 from portal.portal import Page, Portal
 from portal.sphinx_extension import NAMES
 from portal.sphinx_warnings import WarningCollector
-from portal.tables import (
-    COMMANDS,
-    CONNECTION,
-    DEBIAN,
-    KEYBOARD,
-    PRODUCTS,
-    REVIEWS,
-    ROOMS,
-    VIRTUAL_BOARD,
-    command_table,
-    connection_table,
-    key_table,
-    measures_table,
-    modelled_blocks,
-    package_table,
-    product_table,
-    review_questions,
-    room_table,
-)
+from portal.tables import TABLES, measures_table
 from portal.templates import SITE
 from portal.writing import remove_others, write_changed
 from traceability.schema import Finding, Module
@@ -120,14 +102,7 @@ INCLUDED = (
     (CONTRIBUTING, "contributing.md", lambda root: sections(root, CONTRIBUTING)),
     (README, "folders.md", folder_table),
     (TOOLCHAIN, "compiler_options.txt", compiler_options),
-    (COMMANDS, "commands.csv", command_table),
-    (DEBIAN, "packages.csv", package_table),
-    (PRODUCTS, "products.inc", product_table),
-    (REVIEWS, "review_questions.inc", review_questions),
-    (ROOMS, "rooms.inc", room_table),
-    (VIRTUAL_BOARD, "modelled_blocks.inc", modelled_blocks),
-    (KEYBOARD, "keys.inc", key_table),
-    (CONNECTION, "connection.inc", connection_table),
+    *TABLES,
 )
 FRAME = "frame.txt"  # file with the layout and the navigation that surround each body
 INDEX = "search_index.js"

@@ -7,7 +7,7 @@ import csv
 import io
 import re
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,6 @@ from weeding_robot_client.keyboard import KEYS
 COMMANDS = Path("wr")
 COMMAND_LINE = Path("tools/cli.py")
 DEBIAN = Path("setup/debian.txt")
-PRODUCTS = LIST
 ROOMS = Path("sim/CMakeLists.txt")
 REVIEWS = Path("traceability/model/reviews.py")
 COMMAND = re.compile(r"^  ([a-z-]+) +(.+)$", re.MULTILINE)
@@ -176,3 +175,16 @@ def comma_separated(titles: tuple[str, ...], rows: Iterable[tuple[str, ...]]) ->
     writer.writerow(titles)
     writer.writerows(rows)
     return table.getvalue()
+
+
+# The source file, the name of the generated file, and the function that returns its text.
+TABLES: tuple[tuple[Path, str, Callable[[Path], str]], ...] = (
+    (COMMANDS, "commands.csv", command_table),
+    (DEBIAN, "packages.csv", package_table),
+    (LIST, "products.inc", product_table),
+    (REVIEWS, "review_questions.inc", review_questions),
+    (ROOMS, "rooms.inc", room_table),
+    (VIRTUAL_BOARD, "modelled_blocks.inc", modelled_blocks),
+    (KEYBOARD, "keys.inc", key_table),
+    (CONNECTION, "connection.inc", connection_table),
+)

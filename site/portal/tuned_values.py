@@ -4,7 +4,6 @@ values must be chosen again."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -14,25 +13,18 @@ from traceability.reading.source_lines import place_of
 from traceability.schema import Constant, Place, Tuned
 
 
-@dataclass(frozen=True)
-class ChosenValue:
-    """A constant of a module. ``number`` is the value with its unit. It is empty if the model does
-    not contain the value."""
-
-    name: str
-    number: str
-    place: Place | None
-
-
-def chosen_values(root: Path, model: Model, tuned: Tuned) -> dict[str, list[ChosenValue]]:
-    """Returns the constants that must be chosen again, grouped by module."""
-    values: dict[str, list[ChosenValue]] = {}
+def chosen_values(
+    root: Path, model: Model, tuned: Tuned
+) -> dict[str, list[tuple[str, str, Place | None]]]:
+    """Returns the constants that must be chosen again, grouped by module: the name, the value with
+    its unit, and the place of each. The value is empty if the model does not contain it."""
+    values: dict[str, list[tuple[str, str, Place | None]]] = {}
     for name in tuned.constants:
         module, _, own = name.partition("::")
         parts = dict(parts_of(model, name))
         numbers = [f"{part} {shown(value)}".strip() for part, value in parts.items()]
         place = next((value.place for value in parts.values()), None)
-        value = ChosenValue(own, ", ".join(numbers), place or declared_at(root, model, name))
+        value = own, ", ".join(numbers), place or declared_at(root, model, name)
         values.setdefault(module, []).append(value)
     return values
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from portal.portal import Portal
@@ -20,16 +19,6 @@ CONTROL = (
     "src/functions/",
     "extensions/safety/",
 )
-
-
-@dataclass(frozen=True)
-class Value:
-    """A named constant of a module. ``chosen_for`` lists the other constants on which its value
-    depends."""
-
-    name: str
-    constant: Constant
-    chosen_for: list[str]
 
 
 def tuning(portal: Portal) -> dict[str, Any]:
@@ -59,10 +48,10 @@ def dimensions(portal: Portal) -> list[tuple[Tuned, Constant]]:
     return found
 
 
-def control_values(model: Model) -> dict[str, list[Value]]:
-    """Returns the named constants that have a unit or depend on another constant. The constants are
-    grouped by module."""
-    values: dict[str, list[Value]] = {}
+def control_values(model: Model) -> dict[str, list[tuple[str, Constant, list[str]]]]:
+    """Returns the named constants that have a unit or depend on other constants, grouped by module:
+    the name, the constant, and the names of the constants on which its value depends."""
+    values: dict[str, list[tuple[str, Constant, list[str]]]] = {}
     for name, constant in model.constants.items():
         chosen_for = [
             tuned.to for tuned in model.tuned if name.partition(".")[0] in tuned.constants
@@ -71,5 +60,5 @@ def control_values(model: Model) -> dict[str, list[Value]]:
         if not constant.place.file.startswith(CONTROL) or not own.startswith("k"):
             continue
         if constant.unit or chosen_for:
-            values.setdefault(module, []).append(Value(name, constant, chosen_for))
+            values.setdefault(module, []).append((name, constant, chosen_for))
     return values

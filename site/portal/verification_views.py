@@ -73,40 +73,31 @@ def coverage_of_modules(modules: Iterable[Module]) -> list[ModuleCoverage]:
         for module in modules
         if module.lines_total
     ]
-    return sorted(rows, key=lambda row: (row.lines.per_cent, _per_cent(row.branches), row.module))
+
+    def order(row: ModuleCoverage) -> tuple[float, float, str]:
+        return row.lines.per_cent, row.branches.per_cent if row.branches else 100, row.module
+
+    return sorted(rows, key=order)
 
 
-def _per_cent(share: Share | None) -> float:
-    return share.per_cent if share else 100
-
-
-@dataclass
-class Bar:
-    """A row of the chart: the source lines and branches that the tests of the requirements in one
-    section executed."""
-
-    section: str
-    host_lines: Share | None
-    host_branches: Share | None
-    board_lines: Share | None
-
-
-def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
-    """Returns the rows of the chart, one for each section. A method in several invocation trees is
-    counted once for each tree."""
+def chart(
+    sections: dict[str, list[Requirement]],
+) -> dict[str, tuple[Share | None, Share | None, Share | None]]:
+    """Returns the executed part of three kinds for the requirements of each section: source lines
+    on the host, branches on the host, and source lines on the virtual K64. A method in several
+    invocation trees is counted once for each tree."""
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]
 
-    return [
-        Bar(
-            section,
+    return {
+        section: (
             lines_of(methods(items, HOST)),
             branches_of(methods(items, HOST)),
             lines_of(methods(items, VIRTUAL_K64)),
         )
         for section, items in sections.items()
-    ]
+    }
 
 
 # Name of a filter on the page -> the values that a requirement (or a test) has for this filter.

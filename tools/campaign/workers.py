@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
 
@@ -43,17 +43,12 @@ def run_here(kind: Kind, root: Path, chunks: Sequence[Chunk], workers: int) -> I
     """Yields each chunk as soon as it is finished."""
     files = [root / file for file in kind.files]
     with ThreadPoolExecutor(workers) as pool:
-        waiting = iter(chunks)
-        running: dict[Future[list[dict[str, Any]]], Chunk] = {}
+        futures = {pool.submit(execute, kind.words(files, chunk)): chunk for chunk in chunks}
         try:
-            while True:
-                while len(running) < workers and (chunk := next(waiting, None)):
-                    running[pool.submit(execute, kind.words(files, chunk))] = chunk
-                if not running:
-                    return
-                for future in wait(running, return_when=FIRST_COMPLETED).done:
-                    yield running.pop(future), future.result()
+            for future in as_completed(futures):
+                yield futures[future], future.result()
         finally:
+            pool.shutdown(wait=False, cancel_futures=True)
             stop_programs()
 
 
@@ -84,7 +79,8 @@ def run_on_dask(
 
     The workers need the tools of the project. Start the workers in the folder of the project, with
     the Python of the project."""
-    from distributed import Client, as_completed
+    from distributed import Client
+    from distributed import as_completed as completed_on
 
     with Client(scheduler, timeout="20s") as client:  # type: ignore[no-untyped-call]  # no types
         contents = client.scatter(
@@ -102,6 +98,6 @@ def run_on_dask(
             ): chunk
             for chunk in chunks
         }
-        for future in as_completed(list(futures)):  # type: ignore[no-untyped-call]  # no types
+        for future in completed_on(list(futures)):  # type: ignore[no-untyped-call]  # no types
             yield futures[future], future.result()
             future.release()

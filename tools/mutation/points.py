@@ -79,13 +79,10 @@ def compiler_arguments(root: Path) -> list[str]:
     return [*clang_arguments(board=False), *include_options(root), *parsed]
 
 
-def find_points(
-    root: Path, unit: str, files: list[str], wanted: set[str] | None = None
-) -> dict[str, list[Point]]:
-    """Returns the points in the bodies of the requested functions, by file and in the order of the
-    text. By default, all functions are searched."""
+def find_points(root: Path, unit: str, files: list[str]) -> dict[str, list[Point]]:
+    """Returns the points in the bodies of the functions, by file and in the order of the text."""
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
-    finder = _Finder(root, {str(root / file): file for file in files}, wanted)
+    finder = _Finder(root, {str(root / file): file for file in files})
     finder.units(tree.cursor)
     return {
         file: sorted(points, key=lambda point: (point.start, -point.end))
@@ -94,25 +91,22 @@ def find_points(
 
 
 class _Finder:
-    def __init__(self, root: Path, files: dict[str, str], wanted: set[str] | None) -> None:
+    def __init__(self, root: Path, files: dict[str, str]) -> None:
         self.files = files
-        self.wanted = wanted
         self.texts = {file: (root / file).read_bytes() for file in files.values()}
         self.points: dict[str, list[Point]] = {}
         self.file = ""
         self.method = ""
 
     def units(self, cursor: Cursor) -> None:
-        """Searches the bodies of the requested functions."""
+        """Searches the bodies of the functions."""
         for child in cursor.get_children():
             place = child.location.file
             if place is None or place.name not in self.files:
                 continue
             if is_function(child) and child.is_definition():
-                self.method = function_id(child)
-                wanted = self.wanted is None or self.method in self.wanted
-                if wanted and not self.is_constant(child):
-                    self.file = self.files[place.name]
+                if not self.is_constant(child):
+                    self.method, self.file = function_id(child), self.files[place.name]
                     self.body(child)
             else:
                 self.units(child)

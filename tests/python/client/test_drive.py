@@ -349,7 +349,8 @@ def test_a_recording_that_cannot_be_written_is_named(
 ) -> None:
     script = script_in(tmp_path, "at 0s end\n")
     table = tmp_path / "no folder" / "reports.csv"
-    assert run(options(mcu, csv=table, script=script, reports=1)) == exit_codes.MISSING
+    with pytest.raises(SystemExit, match=str(exit_codes.MISSING)):
+        run(options(mcu, csv=table, script=script, reports=1))
     assert capsys.readouterr().err == (
         f"cannot write {table}: No such file or directory. Name another file.\n"
     )
@@ -384,7 +385,8 @@ def test_a_missing_line_is_explained(tmp_path: Path, capsys: pytest.CaptureFixtu
     missing = argparse.Namespace(
         link=tmp_path / "none", csv=None, mcap=None, capture=None, lines=True, reports=1
     )
-    assert monitor.run(missing) == exit_codes.MISSING
+    with pytest.raises(SystemExit, match=str(exit_codes.MISSING)):
+        monitor.run(missing)
     assert "./wr sim" in capsys.readouterr().err
 
 
@@ -688,8 +690,8 @@ def test_a_program_that_is_suspended_stops_the_robot_first(mcu: Any, terminal: T
 
 
 def test_a_busy_line_is_explained(mcu: Any, capsys: pytest.CaptureFixture[str]) -> None:
-    with Link(mcu.path):
-        assert monitor.run(options(mcu, reports=1)) == exit_codes.BUSY
+    with Link(mcu.path), pytest.raises(SystemExit, match=str(exit_codes.BUSY)):
+        monitor.run(options(mcu, reports=1))
     assert "is in use: another program drives or monitors the robot" in capsys.readouterr().err
 
 

@@ -524,7 +524,7 @@ def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> 
     }
     tuned = [Tuned("SystemConstants::winding", "It is.", ["A::kGains"], place)]
     found = control_values(replace(make_model(), constants=constants, tuned=tuned))
-    assert [(one.name, one.chosen_for) for one in found["A"]] == [
+    assert [(name, chosen_for) for name, _, chosen_for in found["A"]] == [
         ("A::kGains.integral", ["SystemConstants::winding"]),
         ("A::kLimit", []),
     ]
@@ -548,7 +548,7 @@ def test_the_values_to_choose_again_are_listed_by_module_with_their_numbers(tmp_
     lines = ["client/orders.py: EVERY_S", "client/orders.py: EVERY"]
     tuned = Tuned("SystemConstants::winding", "It is.", constants, place, lines)
     found = chosen_values(tmp_path, model, tuned)
-    assert {module: [(one.name, one.number) for one in ones] for module, ones in found.items()} == {
+    assert {module: [one[:2] for one in ones] for module, ones in found.items()} == {
         "A": [("kGains", "integral 2094 uV per 0.1 rpm"), ("kTrack", "1.582 m")],
         "B": [("kMost", "17.6 rpm")],
         "C": [("kUnknown", "")],

@@ -95,8 +95,7 @@ def test_the_page_lists_all_exceptions_and_open_points(tmp_path: Path) -> None:
     case = replace(portal.model.safety, goals={"SG-1": goal})
     requirement = replace(portal.model.requirements["FR-1"], partly="only one product.")
     model = replace(portal.model, safety=case, requirements={"FR-1": requirement})
-    found = list(open_points(Portal(tmp_path, model, portal.report, [])))
-    assert [(one.id, one.kind, one.text) for one in found] == [
+    assert list(open_points(Portal(tmp_path, model, portal.report, []))) == [
         ("SG-1", "known exception", "Late."),
         ("SG-1", "open point", "Slope."),
         ("FR-1", "partly verified", "only one product."),
@@ -135,7 +134,7 @@ def test_the_page_of_a_requirement_lists_the_scenarios_that_its_tests_play(tmp_p
 
 def test_evidence_without_a_result_is_marked(tmp_path: Path) -> None:
     portal = portal_of(tmp_path, "verified")
-    results = {one.title: bool(one.result) for one in evidence(portal)}
+    results = {title: bool(result) for title, _, _, result in evidence(portal)}
     assert results["distances, settling times and other values"]
     assert not results["stack, measured"]
     text = pages(portal)["safety/index"].text

@@ -62,7 +62,7 @@ def test_each_processor_runs_a_part_of_the_tests(root: Path) -> None:
     assert run_tests(root) == Counts(4, 0, 0)
     assert runs(root) == 2
     assert sorted((root / "shards").read_text().split()) == ["0/2", "1/2"]
-    results = json.loads(cmake_build.results_of(root, "trace").read_text())
+    results = json.loads((root / "build/results/trace.json").read_text())
     assert len(results["testsuites"]) == 2
 
 

@@ -64,9 +64,16 @@ def tree(tmp_path: Path) -> Path:
 FILES = ["src/Limiter.cpp", "src/Limiter.hpp"]
 
 
+def points_of(tree: Path, *wanted: str) -> dict[str, list[Point]]:
+    """Returns the points of some methods."""
+    return {
+        file: [point for point in points if point.mutants[0].method in wanted]
+        for file, points in find_points(tree, FILES[0], FILES).items()
+    }
+
+
 def points(tree: Path, *wanted: str) -> list[Point]:
-    found = find_points(tree, FILES[0], FILES, set(wanted))
-    return [point for held in found.values() for point in held]
+    return [point for held in points_of(tree, *wanted).values() for point in held]
 
 
 def changes(tree: Path, *wanted: str) -> list[tuple[str, str]]:
@@ -94,7 +101,7 @@ def test_each_kind_of_mutant_is_found_in_the_wanted_method(tree: Path) -> None:
 
 
 def test_a_mutant_that_does_not_compile_is_left_out(tree: Path, tmp_path: Path) -> None:
-    found = find_points(tree, FILES[0], FILES, {"Limiter::limited"})
+    found = points_of(tree, "Limiter::limited")
     with (tmp_path / "log").open("w") as log:
         _, held = compiling(tree, FILES[0], found, 1, log)
     assert not any("3" in one.change or "4" in one.change for one in held), (
@@ -115,7 +122,7 @@ int main() {
 
 
 def test_each_number_switches_its_own_mutant_on(tree: Path) -> None:
-    found = find_points(tree, FILES[0], FILES, {"Limiter::limited"})
+    found = points_of(tree, "Limiter::limited")
     with (tree / "log").open("w") as log:
         texts, held = compiling(tree, FILES[0], found, 1, log)
     folder = tree / "changed"

@@ -37,7 +37,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         run_tests, "pages_graph", lambda _root, **_: graph_of(DOCUMENTS, PAGES, LONG_TESTS)
     )
     monkeypatch.setattr(run_tests, "lint_tasks", lambda _root, **_: [])
-    monkeypatch.setattr(run_tests, "report", lambda _findings, _failed: 0)
+    monkeypatch.setattr(run_tests, "report", lambda _root, _failed: 0)
     return tmp_path
 
 
