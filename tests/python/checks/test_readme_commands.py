@@ -85,17 +85,15 @@ def test_a_value_that_the_option_does_not_accept_is_found(tmp_path: Path) -> Non
 
 
 def test_an_exit_code_that_is_a_number_is_found(tmp_path: Path) -> None:
-    (tmp_path / "docs").mkdir()
     page = "It ends with exit code 5.\nThe exit code is then :exit:`FOUND`, or exit code\n"
-    (tmp_path / "docs" / "page.rst").write_text(page)
+    write_files(tmp_path, {"docs/page.rst": page})
     (found,) = literal_exit_codes(tmp_path)
     assert (found.place.line, found.text) == (1, "the exit code 5 is not inserted")
 
 
 def test_an_exit_code_in_a_table_that_is_a_number_is_found(tmp_path: Path) -> None:
-    (tmp_path / "docs").mkdir()
     table = ".. list-table:: Exit codes\n\n   * - :exit:`DONE`\n     - done\n   * - 3\n"
-    (tmp_path / "docs" / "page.rst").write_text(f"{table}\nText\n\n   * - 7\n")
+    write_files(tmp_path, {"docs/page.rst": f"{table}\nText\n\n   * - 7\n"})
     assert [one.place.line for one in literal_exit_codes(tmp_path)] == [5]
 
 
