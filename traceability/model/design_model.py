@@ -103,6 +103,11 @@ class Model:
     measured: Mapping[str, Any] = field(default_factory=dict)
     files: Sequence[str] = field(default_factory=list)  # source files that have a page in the site
 
+    @property
+    def methods(self) -> list[schema.Method]:
+        """Returns the methods of all modules and value types."""
+        return [method for module in self.modules.values() for method in module.methods]
+
     def stale_on(self, binding: str) -> bool:
         """Returns true if a target has no test results, or if its test results do not belong to the
         present sources."""
