@@ -73,14 +73,12 @@ class CallGraph:
         self.links = links
         self.callers: dict[str, list[End]] = {}
         self.callees: dict[str, list[Method]] = {}  # caller -> the methods that it calls
-        for module in model.modules.values():
-            for method in module.methods:
-                self._add(method.id, method.calls, links.method(method.id))
+        for method in model.methods:
+            self._add(method.id, method.calls, links.method(method.id))
         for function in model.functions.values():
             self._add(function.id, function.calls, links.source(function.place))
-        for module in model.modules.values():
-            for method in module.methods:
-                self._add_nested(method, model)
+        for method in model.methods:
+            self._add_nested(method, model)
 
     def _add(self, caller: str, calls: Iterable[Call], link: str | None) -> None:
         for call in calls:

@@ -44,7 +44,7 @@ class Links:
         self.model = model
         self.checks = checks
         self.files = set(model.files)
-        self.methods = {m.id: m for module in model.modules.values() for m in module.methods}
+        self.methods = {method.id: method for method in model.methods}
         self.requirement = partial(address_in, model.requirements, "requirements/{}.html")
         self.pattern = partial(address_in, model.patterns, "patterns/{}.html")
         self.change = partial(address_in, model.changes, "changes/{}.html")

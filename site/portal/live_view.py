@@ -214,8 +214,7 @@ def address(link: str | None) -> str:
 def entered_by_hardware(model: Model) -> set[str]:
     """Returns the functions outside classes that no code calls. The hardware enters these functions
     through the vector table of the firmware image."""
-    methods = [m for module in model.modules.values() for m in module.methods]
-    called = {call.target for method in methods for call in method.calls}
+    called = {call.target for method in model.methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
     return set(model.functions) - called
 
@@ -231,10 +230,9 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
 def overriders(model: Model) -> dict[str, list[str]]:
     """Returns the direct and indirect overrides of each overridden method."""
     direct: dict[str, list[str]] = {}
-    for module in model.modules.values():
-        for method in module.methods:
-            if method.overrides:
-                direct.setdefault(method.overrides, []).append(method.id)
+    for method in model.methods:
+        if method.overrides:
+            direct.setdefault(method.overrides, []).append(method.id)
 
     def below(name: str) -> list[str]:
         return [method for own in direct.get(name, []) for method in (own, *below(own))]

@@ -77,18 +77,10 @@ def driver_coverage(portal: Portal) -> list[DriverFile] | None:
 
 
 def missed_lines(model: Model, place: Place) -> MissedLines:
-    methods = {
-        method.id: method
-        for module in model.modules.values()
-        for method in module.methods
-        if method.body and overlap(method.body, place)
-    }
+    methods = {m.id: m for m in model.methods if m.body and overlap(m.body, place)}
     functions = [one for one in model.functions.values() if overlap(one.place, place)]
     called = {target for one in functions for call in one.calls for target in call.targets}
-    serving = [
-        *methods.values(),
-        *(m for module in model.modules.values() for m in module.methods if m.id in called),
-    ]
+    serving = [*methods.values(), *(method for method in model.methods if method.id in called)]
     requirements = {name: None for method in serving for name in method.satisfies}
     return MissedLines(place, [*methods, *(one.id for one in functions)], list(requirements))
 

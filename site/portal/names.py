@@ -88,8 +88,7 @@ class Names:
         self.logic_names = Counter(module.name for module in model.logic_modules.values())
         self.called = {
             target.partition("::")[0]
-            for module in model.modules.values()
-            for method in module.methods
+            for method in model.methods
             for call in method.calls
             for target in [call.target, *call.targets]
         }

@@ -329,11 +329,10 @@ class Portal:
             if name not in names:
                 names.append(name)
 
-        for module in self.model.modules.values():
-            for method in module.methods:
-                for place in (method.place, method.body):
-                    if place:
-                        add(place, method.id)
+        for method in self.model.methods:
+            for place in (method.place, method.body):
+                if place:
+                    add(place, method.id)
         for test in self.model.tests.values():
             add(test.place, test.id)
         return marks
@@ -438,7 +437,7 @@ class Portal:
     def computed_from(self, constant: str) -> list[Markup]:
         """Returns links to the methods and constants that use a constant. The constant is the
         result of a method, and ``constant`` is the id of this method."""
-        methods = (method for module in self.model.modules.values() for method in module.methods)
+        methods = self.model.methods
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:

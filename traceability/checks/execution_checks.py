@@ -192,12 +192,7 @@ def _declared(place: Place, text: str) -> Finding:
 
 def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds methods with @isr{no} that the handler of an interrupt reaches by calls."""
-    forbidden = {
-        method.id: method
-        for module in model.modules.values()
-        for method in module.methods
-        if method.interrupt == "no"
-    }
+    forbidden = {method.id: method for method in model.methods if method.interrupt == "no"}
     for context, reached in _of_interrupts(model, facts):
         for name in sorted(reached.keys() & forbidden.keys()):
             way = " > ".join(way_to(name, reached))
@@ -208,10 +203,7 @@ def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
 def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds methods with @isr{yes} that call a method with @isr{no}."""
     claims = {
-        method.id: method.interrupt
-        for module in model.modules.values()
-        for method in module.methods
-        if method.kind != "constructor"
+        method.id: method.interrupt for method in model.methods if method.kind != "constructor"
     }
     for body in facts.syntax.bodies:
         if claims.get(body.id) == "yes":

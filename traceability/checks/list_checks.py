@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 from pathlib import Path
 
+from traceability.model.requirement_numbers import WORDS
 from traceability.reading.bench_record import FOLDER as BENCH
 from traceability.reading.source_lines import place_at, texts_below
 from traceability.schema import Finding, Place
@@ -17,9 +18,7 @@ from traceability.sources import files_below, text_of
 PAGES = ("README.md", "CONTRIBUTING.md", "docs", "changes", "ports")
 TEXTS = (*PAGES, "design/questions.toml", "requirements", "site/templates")
 SUFFIXES = (".md", ".rst", ".toml", ".dox", ".html")
-_WORDS = "two three four five six seven eight nine ten eleven twelve thirteen"
-WORDS = _WORDS.split(" ")
-NUMBERS = {word: number for number, word in enumerate(WORDS, 2)}
+NUMBERS = WORDS | {"thirteen": 13}
 WORD = re.compile(rf"\b({'|'.join(NUMBERS)})\b", re.IGNORECASE)
 ITEM = re.compile(r"( *)(?:[*-]|\d+\.|#\.) ")
 # Part of the project -> the texts that mean all parts of this kind. {} is the number.
@@ -35,7 +34,7 @@ TOTALS = {
     "module": r"[Tt]he {} (?:design )?modules",
 }
 SOME = r"(?! (?:above|below|that|with|without)\b)"  # These words begin a limitation.
-NUMBER = rf"(\d+|{'|'.join(WORDS)}|{'|'.join(map(str.capitalize, WORDS))})"
+NUMBER = rf"(\d+|{'|'.join(NUMBERS)}|{'|'.join(map(str.capitalize, NUMBERS))})"
 SENTENCE = re.compile(r"(?<=[.?]) ")
 
 

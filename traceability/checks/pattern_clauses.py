@@ -102,14 +102,9 @@ class Shape:
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
         """Yields the places at which the code of a class names one of the target classes or
         includes its header. Yields the target with each place."""
-        for name in self.facts.names_of.get(by, []):
-            target = owner_of(name.target)
+        for place, target in self.facts.named_by(by):
             if target in targets and target != by:
-                yield name.place, target
-        for include in self.facts.includes_of.get(by, []):
-            target = self.facts.written_in.get(include.target, "")
-            if target in targets and target != by:
-                yield include.place, target
+                yield place, target
 
     def marks(self, module: str) -> set[tuple[str, str]]:
         """Returns the enumerators that the code of a class names, each as enumeration and

@@ -60,8 +60,7 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
 def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
     """Finds hand-written steps of the model without a comment that names the modelled methods. Also
     finds comments that name a method that does not exist."""
-    methods = {method.id for module in model.modules.values() for method in module.methods}
-    methods |= set(facts.bodies)
+    methods = {*(method.id for method in model.methods), *facts.bodies}
     for above, line in zip([Line("", lines[0].place), *lines], lines, strict=False):
         match, named = INLINE.match(line.text), CODE.match(above.text)
         if match and not named and above.text not in APART:

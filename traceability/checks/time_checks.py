@@ -56,12 +56,7 @@ def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
 def _low_bounds(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds loops over an array with a bound that is lower than the number of elements. A bound
     that is a formula or a name can be lower if its loop reads only the first elements."""
-    values = {
-        name: constant.number
-        for name, constant in model.constants.items()
-        if isinstance(constant.number, int)
-    }
-    bounds = Bounds(facts.root, values)
+    bounds = Bounds(facts.root, model.integers)
     before = ""
     for place, line in lines_below(facts.root, DESIGN, (".cpp", ".hpp")):
         loop, bound = LOOP.search(line), DECLARED.match(before)

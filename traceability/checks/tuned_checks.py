@@ -68,8 +68,7 @@ def written(facts: Facts) -> Iterator[Written]:
 
 def _unknown(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
     """Finds entries of design/tuned.toml that name a constant or a line which does not exist."""
-    methods = {method.id for module in model.modules.values() for method in module.methods}
-    known = methods | constants.keys()
+    known = {*(method.id for method in model.methods), *constants}
     simulated = plain_constants(facts.root) if {item.to for item in model.tuned} - known else {}
     for item in model.tuned:
         names = [] if item.to in simulated else [item.to]

@@ -172,20 +172,11 @@ def _apart(facts: Facts) -> Iterator[Finding]:
         for one, two in product(rule.modules, rule.others)
         for pair in ((one, two), (two, one))
     }
-    named = [
-        (user, fact.target.split("::", maxsplit=1)[0], fact.place)
-        for user, facts_of in facts.names_of.items()
-        for fact in facts_of
-    ]
-    named += [
-        (user, facts.written_in.get(include.target, ""), include.place)
-        for user, includes in facts.includes_of.items()
-        for include in includes
-    ]
     first: dict[tuple[str, int, str, str], Place] = {}
-    for user, target, place in named:
-        if (user, target) in pairs:
-            first[place.file, place.line, user, target] = place
+    for user in {user for user, _ in pairs}:
+        for place, target in facts.named_by(user):
+            if (user, target) in pairs:
+                first[place.file, place.line, user, target] = place
     for (_, _, user, target), place in first.items():
         text = (
             f"{user} names {target}, but design/uses.toml demands that these modules do not name "

@@ -86,9 +86,7 @@ def _methods(model: Model) -> list[TraceItem]:
     for item in model.requirements.values():
         for method in item.satisfied_by:
             satisfied.setdefault(method, []).append(item.id)
-    places = {
-        method.id: method.place for module in model.modules.values() for method in module.methods
-    }
+    places = {method.id: method.place for method in model.methods}
     items = []
     for name, links in sorted(satisfied.items()):
         place = places.get(name, Place("", 0))

@@ -103,6 +103,17 @@ class Model:
     measured: Mapping[str, Any] = field(default_factory=dict)
     files: Sequence[str] = field(default_factory=list)  # source files that have a page in the site
 
+    @property
+    def methods(self) -> list[schema.Method]:
+        """Returns the methods of all modules and value types."""
+        return [method for module in self.modules.values() for method in module.methods]
+
+    @property
+    def integers(self) -> dict[str, int]:
+        """Returns the values of the constants that have an integer type."""
+        numbers = {name: constant.number for name, constant in self.constants.items()}
+        return {name: number for name, number in numbers.items() if isinstance(number, int)}
+
     def stale_on(self, binding: str) -> bool:
         """Returns true if a target has no test results, or if its test results do not belong to the
         present sources."""

@@ -240,11 +240,10 @@ def by_distance(elements: Iterable[Reached]) -> list[Reached]:
 
 def overriding_modules(model: Model) -> dict[str, list[str]]:
     """Returns a map from each abstract method to the modules that override it."""
-    methods = [(module.name, m) for module in model.modules.values() for m in module.methods]
-    modules: dict[str, list[str]] = {m.id: [] for _, m in methods if m.kind == "pure"}
-    for name, method in methods:
+    modules: dict[str, list[str]] = {m.id: [] for m in model.methods if m.kind == "pure"}
+    for method in model.methods:
         if method.overrides in modules:
-            modules[method.overrides].append(name)
+            modules[method.overrides].append(method.module)
     return modules
 
 

@@ -21,7 +21,7 @@ def serving_methods(model: Model) -> set[str]:
     If a method serves a requirement, the method that it overrides and all other methods that
     override the same method also serve a requirement. If a method of a class serves a requirement,
     the constructors of the class also serve a requirement."""
-    methods = {item.id: item for module in model.modules.values() for item in module.methods}
+    methods = {item.id: item for item in model.methods}
     served = {item.id for item in methods.values() if item.satisfies}
     for requirement in model.requirements.values():
         served |= {node.resolved for node in nodes_of(requirement.tree) if node.resolved}

@@ -113,12 +113,7 @@ def declared_times(
     """Returns the object that computes the execution times in a firmware image. It uses the facts
     that ``design/times.toml`` declares."""
     prover = Prover(image.graph, facts, model, read_declared(root, facts))
-    integers = {
-        name: constant.number
-        for name, constant in model.constants.items()
-        if isinstance(constant.number, int)
-    }
-    values = integers | declared["values"]
+    values = model.integers | declared["values"]
     once = [name for entry in declared["once"] for name in entry["methods"]]
     bounds = Bounds(root, values)
     limits = [

@@ -169,12 +169,11 @@ class LinkTexts:
         for path in files_below(self.facts.root, EVIDENCE, (".cpp", ".hpp")):
             file = str(path.relative_to(self.facts.root))
             yield Place(file, 1), 0, f"the code\n{code_of(self.support.text(file))}"
-        for module in self.model.modules.values():
-            for method in module.methods:
-                if f"method {method.id}" not in covered:
-                    place, text = self._specification(method)
-                    if text:
-                        yield place, place.end or place.line, f"{method.id}\n{text}"
+        for method in self.model.methods:
+            if f"method {method.id}" not in covered:
+                place, text = self._specification(method)
+                if text:
+                    yield place, place.end or place.line, f"{method.id}\n{text}"
 
     def _own(self, requirement: Requirement) -> Iterator[LinkText]:
         name, place = requirement.id, requirement.place

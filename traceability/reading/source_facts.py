@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -83,6 +83,14 @@ class Facts:
         its code belongs to the class after which the file is named."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
+
+    def named_by(self, user: str) -> Iterator[tuple[Place, str]]:
+        """Yields the classes that the code of a class names, or whose headers it includes, each
+        with its place."""
+        for name in self.names_of.get(user, []):
+            yield name.place, name.target.split("::", maxsplit=1)[0]
+        for include in self.includes_of.get(user, []):
+            yield include.place, self.written_in.get(include.target, "")
 
     def comment(self, fact: ClassFact | MethodFact | FieldFact) -> Comment:
         return self.comments.at(fact.place.file, fact.comment)

@@ -3,6 +3,7 @@ not have. It also finds an attribute that is missing in the table of the attribu
 
 from pathlib import Path
 
+from tests.python.project_files import write_files
 from traceability.checks.name_checks import wrong_attributes
 
 MESSAGES = """class WheelReport:
@@ -29,9 +30,7 @@ PAGE = """.. list-table:: Attributes of a report
 
 def test_an_attribute_that_the_client_does_not_have_is_found(tmp_path: Path) -> None:
     files = {"client/weeding_robot_client/messages.py": MESSAGES, "docs/page.rst": PAGE}
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write_files(tmp_path, files)
     assert [(one.place.line, one.text) for one in wrong_attributes(tmp_path)] == [
         (3, "a report of the client has no attribute 'cycles'"),
         (7, "a report of the client has no attribute 'lats'"),

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from tests.python.project_files import write_files
 from traceability.checks.example_checks import wrong_examples
 
 MODULE = """\
@@ -43,11 +44,7 @@ WRONG = """\
 
 def write(root: Path, page: str, text: str) -> list[tuple[int, str]]:
     """Writes a page, and returns the lines and texts of the findings in it."""
-    client = root / "client" / "weeding_robot_client"
-    client.mkdir(parents=True, exist_ok=True)
-    (client / "link.py").write_text(MODULE)
-    (root / page).parent.mkdir(exist_ok=True)
-    (root / page).write_text(text)
+    write_files(root, {"client/weeding_robot_client/link.py": MODULE, page: text})
     return sorted((one.place.line, one.text) for one in wrong_examples(root))
 
 

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import write_files
 from traceability.checks import id_checks
 from traceability.model.build import build
 
@@ -15,9 +16,7 @@ def test_an_id_in_a_text_that_does_not_exist_is_found(tmp_path: Path) -> None:
         "sim/robot.cpp": "\n// See SG-4.\n/// @satisfies FR-98\n",
         "design/tours.toml": 'ids = ["FR-97"]\n',
     }
-    for name, text in files.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text)
+    write_files(root, files)
     model, facts = build(root)
     found = [(one.place.file, one.place.line, one.text) for one in id_checks.check(model, facts)]
     assert found == [

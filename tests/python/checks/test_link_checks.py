@@ -6,16 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.checks.link_checks import check, dead_links
 from traceability.checks.path_checks import missing_paths
 from traceability.model.design_model import Model
-
-
-def write(root: Path, files: dict[str, str]) -> None:
-    for name, text in files.items():
-        path = root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
 
 
 @pytest.mark.parametrize(
@@ -31,20 +25,22 @@ def write(root: Path, files: dict[str, str]) -> None:
 )
 def test_a_link_without_a_target_is_dead(tmp_path: Path, page: str, dead: list[str]) -> None:
     rc = '<h1 id="secret">Secret</h1><a href="../index.html">back</a>'
-    write(tmp_path, {"index.html": page, "modules/RC.html": rc})
+    write_files(tmp_path, {"index.html": page, "modules/RC.html": rc})
     assert [link for _, _, link, _ in dead_links(tmp_path)] == dead
 
 
 def test_a_style_sheet_names_files_that_exist(tmp_path: Path) -> None:
-    write(tmp_path, {"look.css": ".a { background: url('none.svg'); }"})
+    write_files(tmp_path, {"look.css": ".a { background: url('none.svg'); }"})
     assert [link for _, _, link, _ in dead_links(tmp_path)] == ["none.svg"]
 
 
 def test_a_changed_page_is_read_again(tmp_path: Path) -> None:
     site = tmp_path / "site"
-    write(site, {"index.html": '<a href="other.html#a">a</a>', "other.html": '<b id="a">A</b>'})
+    write_files(
+        site, {"index.html": '<a href="other.html#a">a</a>', "other.html": '<b id="a">A</b>'}
+    )
     assert dead_links(site) == []
-    write(site, {"other.html": '<b id="else">A</b>'})
+    write_files(site, {"other.html": '<b id="else">A</b>'})
     assert [link for _, _, link, _ in dead_links(site)] == ["other.html#a"]
 
 
@@ -61,16 +57,16 @@ def test_a_dead_link_is_one_finding_where_it_is_written(
 ) -> None:
     page = '<a href="../gone.html">x</a>'
     site = tmp_path / "build" / "site"
-    write(tmp_path, {source: text, "build/site/docs/a.html": page})
+    write_files(tmp_path, {source: text, "build/site/docs/a.html": page})
     if place[0].startswith("site"):
-        write(tmp_path, {"build/site/docs/b.html": page})
+        write_files(tmp_path, {"build/site/docs/b.html": page})
     (found,) = check(Model("", "", "", {}), site)
     assert (found.place.file, found.place.line) == place
     assert "dead link 'gone.html'" in found.text
 
 
 def test_paths_of_the_project_that_pages_name_exist(tmp_path: Path) -> None:
-    write(
+    write_files(
         tmp_path,
         {
             "src/there.hpp": "",
@@ -87,7 +83,7 @@ def test_paths_of_the_project_that_pages_name_exist(tmp_path: Path) -> None:
 
 
 def test_all_texts_name_paths_of_the_project_that_exist(tmp_path: Path) -> None:
-    write(
+    write_files(
         tmp_path,
         {
             "src/there.hpp": '#include "src/none.hpp"\n// See src/gone.hpp, src/there.hpp.\n',

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.checks.list_checks import wrong_counts, wrong_totals
 
 LIST = "* first\n  and more\n\n  * inner\n* second\n\nNo item.\n* other\n"
@@ -24,8 +25,7 @@ LIST = "* first\n  and more\n\n  * inner\n* second\n\nNo item.\n* other\n"
     ],
 )
 def test_a_wrong_number_of_items_is_found(tmp_path: Path, sentence: str, found: list[str]) -> None:
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs" / "page.rst").write_text(f"Text.\n\n{sentence}\n\n{LIST}")
+    write_files(tmp_path, {"docs/page.rst": f"Text.\n\n{sentence}\n\n{LIST}"})
     assert [finding.text for finding in wrong_counts(tmp_path)] == found
 
 
@@ -46,9 +46,7 @@ def test_a_wrong_number_of_parts_is_found(tmp_path: Path, text: str, found: list
         "design/applications.toml": 'pattern = "State"\npattern = "State"\npattern = "Pool"\n',
         "docs/page.rst": text,
     }
-    for name, content in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(content)
+    write_files(tmp_path, files)
     findings = [finding.text for finding in wrong_totals(tmp_path)]
     assert len(findings) == len(found)
     assert all(one.startswith(part) for one, part in zip(findings, found, strict=True))

@@ -4,6 +4,7 @@ and a function in a comment that neither the module nor its uses have."""
 from pathlib import Path
 
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import write_files
 from traceability.checks import name_checks
 from traceability.model.build import build
 
@@ -17,12 +18,8 @@ from :module:`Waiting`. ``PC`` derives from :module:`Mode`, RC derives from RC::
 
 
 def test_a_test_or_a_base_class_that_does_not_exist_is_found(tmp_path: Path) -> None:
-    root = write_tree(tmp_path)
-    page = root / "docs" / "page.rst"
-    page.parent.mkdir(exist_ok=True)
-    page.write_text(PAGE)
-    model, facts = build(root)
-    found = [(one.place.line, one.text) for one in name_checks.check(model, facts)]
+    root = write_files(write_tree(tmp_path), {"docs/page.rst": PAGE})
+    found = [(one.place.line, one.text) for one in name_checks.check(*build(root))]
     missing = "the text names the test {}, which does not exist"
     assert [each for each in found if "test" in each[1]] == [
         (1, missing.format("Working.WaitsWithMessage")),

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.checks.pin_checks import PIN, PINS, ROW, wrong_pins
 
 ROOT = Path(__file__).parents[3]
@@ -26,9 +27,7 @@ ROWS = """
     ],
 )
 def test_a_pin_next_to_another_signal_is_found(tmp_path: Path, text: str, found: list[str]) -> None:
-    for name, content in (("src/k64/pins.hpp", ROWS), ("docs/page.rst", text)):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(content)
+    write_files(tmp_path, {"src/k64/pins.hpp": ROWS, "docs/page.rst": text})
     assert [finding.text for finding in wrong_pins(tmp_path)] == found
 
 

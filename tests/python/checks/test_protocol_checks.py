@@ -8,6 +8,7 @@ import pytest
 
 from tests.python.client.examples import BY_KIND, examples
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import write_files
 from traceability.checks import run_checks
 from traceability.checks.protocol_checks import not_in_body
 from traceability.model.build import build
@@ -72,9 +73,7 @@ int* made() { return new int(3); }
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[str, str, int, str]]:
     root: Path = write_tree(tmp_path_factory.mktemp("tree"))
-    for name, text in FILES.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text)
+    write_files(root, FILES)
     findings = run_checks(*build(root)).findings
     return [(one.check, Path(one.place.file).name, one.place.line, one.text) for one in findings]
 

@@ -3,6 +3,7 @@ checks find all other names."""
 
 from pathlib import Path
 
+from tests.python.project_files import write_files
 from traceability.checks.link_checks import missing_parts
 from traceability.checks.option_checks import literal_exit_codes, missing_options, wrong_values
 from traceability.checks.path_checks import missing_paths
@@ -48,9 +49,7 @@ def test_commands_and_options_that_are_missing_are_found(tmp_path: Path) -> None
         "design/answers.toml": "# of ./wr and\n[[a]]\n`--csv`: ./wr sim\n"
         "[[b]]\n`--csv`: ./wr drive",
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write_files(tmp_path, files)
     found = [
         (one.place.file, one.place.line, one.text.replace(NONE, "*"))
         for one in missing_options(tmp_path)
@@ -77,9 +76,7 @@ def test_a_value_that_the_option_does_not_accept_is_found(tmp_path: Path) -> Non
         "docs/page.rst": "``--mode warn``, ``--mode=halt``, ``--mode`` or\n"
         "--line tcp:0 --image any --line udp:0\n``--with drive``, ``--with usb``\n",
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write_files(tmp_path, files)
     assert [(one.place.line, one.text) for one in wrong_values(tmp_path)] == [
         (1, "the option --mode does not accept halt"),
         (2, "the option --line does not accept udp:0"),
@@ -88,17 +85,15 @@ def test_a_value_that_the_option_does_not_accept_is_found(tmp_path: Path) -> Non
 
 
 def test_an_exit_code_that_is_a_number_is_found(tmp_path: Path) -> None:
-    (tmp_path / "docs").mkdir()
     page = "It ends with exit code 5.\nThe exit code is then :exit:`FOUND`, or exit code\n"
-    (tmp_path / "docs" / "page.rst").write_text(page)
+    write_files(tmp_path, {"docs/page.rst": page})
     (found,) = literal_exit_codes(tmp_path)
     assert (found.place.line, found.text) == (1, "the exit code 5 is not inserted")
 
 
 def test_an_exit_code_in_a_table_that_is_a_number_is_found(tmp_path: Path) -> None:
-    (tmp_path / "docs").mkdir()
     table = ".. list-table:: Exit codes\n\n   * - :exit:`DONE`\n     - done\n   * - 3\n"
-    (tmp_path / "docs" / "page.rst").write_text(f"{table}\nText\n\n   * - 7\n")
+    write_files(tmp_path, {"docs/page.rst": f"{table}\nText\n\n   * - 7\n"})
     assert [one.place.line for one in literal_exit_codes(tmp_path)] == [5]
 
 
@@ -127,9 +122,7 @@ def test_products_programs_folders_pins_and_keys_that_are_missing_are_found(tmp_
         "build/host/robot.elf, build/host/rover.elf, build/host/robot.map,\n"
         "build/host/ports/a/port_a.elf, build/host/a/port_a.elf, build/logs/A.log\n",
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write_files(tmp_path, files)
     assert [(one.place.line, one.text) for one in missing_parts(tmp_path)] == [
         (1, "there is no pin PTB4 in use"),
         (1, "there is no pin PTB5 in use"),

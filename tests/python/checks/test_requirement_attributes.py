@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from tests.python.model.small_case import make_model, write_case
+from tests.python.project_files import write_files
 from traceability.checks.requirement_checks import _attributes, _sources
 from traceability.model.design_model import Model
 from traceability.model.evidence import read_evidence
@@ -138,8 +139,7 @@ def test_a_goal_that_is_the_source_is_named_too(tmp_path: Path) -> None:
 
 
 def facts_of(root: Path) -> Any:
-    page = root / "docs" / "protocol.rst"
-    page.parent.mkdir(exist_ok=True)
-    page.write_text("PC protocol\n===========\n\nFrames\n------\n\nA text.\n\n---\n")
-    assert list(headings(page)) == ["PC protocol", "Frames"]
+    page = "PC protocol\n===========\n\nFrames\n------\n\nA text.\n\n---\n"
+    write_files(root, {"docs/protocol.rst": page})
+    assert list(headings(root / "docs/protocol.rst")) == ["PC protocol", "Frames"]
     return SimpleNamespace(root=root, comments=Comments(root))

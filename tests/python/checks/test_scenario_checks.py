@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.checks.scenario_checks import missing_numbers, wrong_words
 
 READER = """if (word == "mark" || words.takeIf("replay")) {
@@ -33,9 +34,7 @@ def test_words_of_the_page_and_of_the_reader_are_compared(tmp_path: Path) -> Non
         "docs/scenarios.rst": PAGE,
         "design/frames.toml": 'values = [{ name = "yes" }]\n',
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    write_files(tmp_path, files)
     found = [(one.place.file, one.place.line, one.text) for one in wrong_words(tmp_path)]
     assert found == [
         ("docs/scenarios.rst", 1, "scenarios have no word wait"),

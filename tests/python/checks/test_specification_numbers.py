@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import write_files
 from traceability.checks import number_checks
 from traceability.model.build import build
 
@@ -54,12 +55,10 @@ def test_a_number_is_the_value_of_a_constant(
 
 
 def test_a_number_of_a_port_is_the_value_of_a_constant(tmp_path: Path) -> None:
-    root = write_tree(tmp_path)
-    port = root / "ports" / "board"
-    port.mkdir(parents=True)
-    (port / "README.md").write_text("A clock of 25 MHz,\nnot of 50 MHz, for 25 s at 1 kbit/s.\n")
+    readme = "A clock of 25 MHz,\nnot of 50 MHz, for 25 s at 1 kbit/s.\n"
     constants = "constexpr int kClock = 25'000'000;  // [Hz]\nconstexpr int kRate = 1000;\n"
-    (port / "registers.hpp").write_text(constants)
+    root = write_tree(tmp_path)
+    write_files(root, {"ports/board/README.md": readme, "ports/board/registers.hpp": constants})
     found = [one for one in number_checks.check(*build(root)) if one.check == "doc-number"]
     assert [(one.place.line, one.text.split(",")[0]) for one in found] == [
         (2, "the text states 50 MHz"),

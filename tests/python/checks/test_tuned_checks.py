@@ -8,14 +8,15 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import replace_in, write_files
 from traceability.checks.tuned_checks import check
 from traceability.model.build import build
 from traceability.schema import Finding
 
 CONTROLLER = "src/main_control/MainController.cpp"
 DESIGN = {
-    "clauses.toml": '[[pattern]]\nname = "State"\nroles = ["State"]\napplications = 2\n',
-    "requirement_numbers.toml": '[[requirement]]\nid = "FR-15"\n'
+    "design/clauses.toml": '[[pattern]]\nname = "State"\nroles = ["State"]\napplications = 2\n',
+    "design/requirement_numbers.toml": '[[requirement]]\nid = "FR-15"\n'
     'constants = { "300 ms" = "MainController::kLifetime" }\n',
 }
 
@@ -30,16 +31,11 @@ def root(tmp_path: Path) -> Path:
     """Returns a project with a constant that has no comment. A requirement is linked to this
     constant, and the rationale of the requirement counts cycles."""
     write_tree(tmp_path)
-    for name, text in DESIGN.items():
-        (tmp_path / "design" / name).write_text(text)
-    source = tmp_path / CONTROLLER
-    text = source.read_text()
-    source.write_text(
-        text.replace("namespace wr {", "namespace wr {\n\nconstexpr int kLifetime = 300;")
-    )
-    requirement = tmp_path / "requirements/reading.dox"
-    text = requirement.read_text()
-    requirement.write_text(text.replace("a lost link.", "a lost link. It lasts for three cycles."))
+    write_files(tmp_path, DESIGN)
+    constant = "namespace wr {\n\nconstexpr int kLifetime = 300;"
+    replace_in(tmp_path / CONTROLLER, "namespace wr {", constant)
+    rationale = "a lost link. It lasts for three cycles."
+    replace_in(tmp_path / "requirements/reading.dox", "a lost link.", rationale)
     return tmp_path
 
 

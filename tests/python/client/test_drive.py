@@ -258,13 +258,24 @@ def test_a_script_arms_drives_and_its_end_orders_standstill(
     assert "Send neutral orders for 0.5 s" in shown.err
 
 
-def test_a_script_does_not_release_a_stop(
-    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    ("state", "reason"),
+    [
+        ({"stop": True}, "./wr arm"),
+        ({"versions": (1, 1)}, "version 1 of the PC protocol"),
+    ],
+)
+def test_a_script_does_not_start(
+    mcu: Any,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    state: dict[str, Any],
+    reason: str,
 ) -> None:
-    mcu.stop = True
+    vars(mcu).update(state)
     script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 1s end\n")
     assert drive.run(options(mcu, script=script)) == 1
-    assert "./wr arm" in capsys.readouterr().err
+    assert reason in capsys.readouterr().err
     assert not orders(mcu)
 
 
@@ -284,15 +295,6 @@ def test_each_cause_of_a_protective_stop_has_a_text_and_first_checks() -> None:
     assert CAUSES.keys() == causes
     assert causes == {cause for cause, check in CHECKS.items() if check}
     assert not any("`" in check for check in CHECKS.values())
-
-
-def test_a_script_is_refused_by_a_robot_of_another_version(
-    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    mcu.versions = (1, 1)
-    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 1s end\n")
-    assert drive.run(options(mcu, script=script)) == 1
-    assert "version 1 of the PC protocol" in capsys.readouterr().err
 
 
 def test_a_script_ends_with_an_error_when_the_connection_is_lost(
@@ -315,29 +317,27 @@ def test_a_script_that_is_ended_orders_stop(mcu: Any, tmp_path: Path, sent: int)
     assert mcu.stop
 
 
-def test_a_script_that_is_wrong_is_wrong_usage(
-    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    script = script_in(tmp_path, "at 0s fly\n")
-    assert drive.run(options(mcu, script=script)) == 2
-    assert f"{script}:1:" in capsys.readouterr().err
-
-
-def test_a_script_that_is_no_text_is_wrong_usage(
-    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    script = tmp_path / "script"
-    script.write_bytes(b"\xff\xfe")
-    assert drive.run(options(mcu, script=script)) == exit_codes.USAGE
-    assert f"{script}: the file is not UTF-8 text; save it as UTF-8" in capsys.readouterr().err
-
-
-def test_a_missing_script_is_named(
-    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        (b"at 0s fly\n", (exit_codes.USAGE, "{}:1:")),
+        (b"\xff\xfe", (exit_codes.USAGE, "{}: the file is not UTF-8 text; save it as UTF-8")),
+        (None, (exit_codes.MISSING, "cannot read {}: No such file or directory.")),
+    ],
+)
+def test_a_script_that_cannot_be_read_is_named(
+    mcu: Any,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    content: bytes | None,
+    told: tuple[int, str],
 ) -> None:
     script = tmp_path / "script"
-    assert drive.run(options(mcu, script=script)) == exit_codes.MISSING
-    assert f"cannot read {script}: No such file or directory." in capsys.readouterr().err
+    if content is not None:
+        script.write_bytes(content)
+    code, reason = told
+    assert drive.run(options(mcu, script=script)) == code
+    assert reason.format(script) in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("run", [monitor.run, procedures.run_arm, drive.run])

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.reading.declared import read_declared
 
 ROOT = Path(__file__).parents[3]
@@ -40,9 +41,7 @@ REFUSED = "module switch does not depend on a module exporting 'bulb/Bulb.hpp'"
 def build(root: Path, file: str, before: str, after: str) -> str:
     """Builds the small project of a lamp after one change of a file. Returns the messages of a
     failed build. Returns an empty text if the build does not fail."""
-    for name, text in TREE.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text, encoding="utf-8")
+    write_files(root, TREE)
     assert before in TREE[file]
     (root / file).write_text(TREE[file].replace(before, after, 1), encoding="utf-8")
     configure = ["cmake", "-G", "Ninja", "-DCMAKE_CXX_COMPILER=clang++", "-S", root, "-B", "build"]

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from tests.python.project_files import write_files
 from traceability.model.design_model import Model
 from traceability.model.report import Report, Verdict
 from traceability.model.safety_case import safety_verdicts
@@ -91,9 +92,7 @@ def write_case(root: Path, *changes: tuple[str, str]) -> None:
         "sim/scenario/safety/lost.scenario": SCENARIO,
         "tests/SafetyTest.cpp": TEST,
     }
-    for name, content in files.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(content)
+    write_files(root, files)
 
 
 def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:

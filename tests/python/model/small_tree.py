@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tests.python.project_files import write_files
+
 # The two modes, and the two states, differ only in their names.
 MODE_HEADER = """\
 #pragma once
@@ -336,8 +338,4 @@ def write_tree(root: Path) -> Path:
         for name in names:
             files[f"{folder}/{name}.hpp"] = header.replace("NAME", name)
             files[f"{folder}/{name}.cpp"] = source.replace("NAME", name)
-    for name, text in files.items():
-        path = root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-    return root
+    return write_files(root, files)

@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import write_files
 from tests.python.reading.task_records import record_task
 from traceability.checks.board_checks import check
 from traceability.model.build import build
@@ -35,23 +36,16 @@ TEST(Findings, Nothing) {
 
 
 def write_board(root: Path) -> Path:
-    write_tree(root)
-    for name, text in (
-        ("design/board_findings.toml", DECLARED),
-        ("tests/sim/emulator/FindingsTest.cpp", TESTS),
-    ):
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text, encoding="utf-8")
-    return root
+    files = {"design/board_findings.toml": DECLARED, "tests/sim/emulator/FindingsTest.cpp": TESTS}
+    return write_files(write_tree(root), files)
 
 
 def test_faults_count_only_for_the_sources_they_were_seeded_in(tmp_path: Path) -> None:
     root = write_board(tmp_path)
     fault = {"fault": "F", "file": "src/a.cpp", "finding": "other", "caught": True, "text": "t"}
-    path = root / "build/results/driver_faults.json"
-    path.parent.mkdir(parents=True)
     for sources, known in (("older", None), (source_hash(root), 1)):
-        path.write_text(json.dumps({"sources": sources, "faults": [fault]}), encoding="utf-8")
+        record = json.dumps({"sources": sources, "faults": [fault]})
+        write_files(root, {"build/results/driver_faults.json": record})
         model, facts = build(root)
         assert (model.driver_faults and len(model.driver_faults)) == known
     assert any("'F' caused the finding other" in one.text for one in check(model, facts))
@@ -59,12 +53,10 @@ def test_faults_count_only_for_the_sources_they_were_seeded_in(tmp_path: Path) -
 
 def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
     root = write_board(tmp_path)
-    results = root / "build" / "results"
-    results.mkdir(parents=True)
     record = {"name": "ClockGate", "status": "RUN", "result": "COMPLETED", "time": "0.002s"}
     failed = record | {"name": "Nothing", "failures": [{"failure": "not nothing"}]}
     suites = {"testsuites": [{"name": "Findings", "testsuite": [record, failed]}]}
-    (results / "board.json").write_text(json.dumps(suites))
+    write_files(root, {"build/results/board.json": json.dumps(suites)})
     record_task(root, TESTS_BOARD, "src", "tests")
     model = build(root).model
     assert not model.stale_on(VIRTUAL_K64)

@@ -12,6 +12,7 @@ import pytest
 
 from tests.python.git_project import git
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import replace_in, write_files
 from tools.review import review
 from tools.steps import FailureError
 from traceability.checks import run_checks
@@ -52,22 +53,13 @@ def options(*ids: str, baseline: bool = False, **person: str) -> argparse.Namesp
 def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
     root = write_tree(tmp_path_factory.mktemp("baseline"))
     (root / TEST).write_text('#include "support/helper.hpp"\n' + (root / TEST).read_text())
-    change(root, TEST, "EXPECT_TRUE(true)", 'EXPECT_TRUE(plays("waiting"))')
-    for file, text in ((HELPER, "constexpr int kLimit = 5;\n"), (SCENARIO, "at 5 order 1\n")):
-        (root / file).parent.mkdir(parents=True, exist_ok=True)
-        (root / file).write_text(text)
+    replace_in(root / TEST, "EXPECT_TRUE(true)", 'EXPECT_TRUE(plays("waiting"))')
+    write_files(root, {HELPER: "constexpr int kLimit = 5;\n", SCENARIO: "at 5 order 1\n"})
     assert review(root, options(baseline=True)) == 0
     git(root, "init", "-q")
     git(root, "add", "src", "tests", "requirements", "design", "sim")
     git(root, "commit", "-qm", "x")
     return root
-
-
-def change(root: Path, file: str, old: str, new: str) -> None:
-    path = root / file
-    text = path.read_text()
-    assert old in text
-    path.write_text(text.replace(old, new))
 
 
 def findings(root: Path, check: str) -> list[tuple[str, str]]:
@@ -134,7 +126,7 @@ def test_one_without_a_baseline_is(tree: Path) -> None:
 def test_each_text_that_carries_the_verdict_counts(
     tree: Path, file: str, old: str, new: str, check: str
 ) -> None:
-    change(tree, file, old, new)
+    replace_in(tree / file, old, new)
     assert {name for name, _ in findings(tree, "suspect")} == {check}
 
 
@@ -149,7 +141,7 @@ def test_each_text_that_carries_the_verdict_counts(
     ],
 )
 def test_formatting_and_remarks_do_not_matter(tree: Path, file: str, old: str, new: str) -> None:
-    change(tree, file, old, new)
+    replace_in(tree / file, old, new)
     assert findings(tree, "suspect") == []
 
 
@@ -184,7 +176,7 @@ def test_the_constants_of_a_file_are_whole_tables_and_objects() -> None:
 
 
 def test_a_lost_tag_is_shown_at_the_method(tree: Path) -> None:
-    change(tree, HEADER, "  /// @satisfies FR-15\n", "")
+    replace_in(tree / HEADER, "  /// @satisfies FR-15\n", "")
     (found,) = (one for one in run_checks(*build(tree)).findings if one.check == "suspect-method")
     assert found.place.file == HEADER
     assert "has lost the tag @satisfies FR-15" in found.text
@@ -204,12 +196,10 @@ def test_a_lost_tag_is_shown_at_the_method(tree: Path) -> None:
 def test_a_text_without_a_requirement_has_a_baseline(
     tree: Path, file: str, old: str, new: str, name: str
 ) -> None:
-    for added, text in TEXTS.items():
-        (tree / added).parent.mkdir(parents=True, exist_ok=True)
-        (tree / added).write_text(text)
+    write_files(tree, TEXTS)
     assert review(tree, options(baseline=True)) == 0
     assert findings(tree, "suspect") == []
-    change(tree, file, old, new)
+    replace_in(tree / file, old, new)
     expected = ("suspect-design", f"{name} changed since the baseline")
     assert findings(tree, "suspect") == [expected]
     assert review(tree, options("design", baseline=True)) == 0
@@ -217,17 +207,16 @@ def test_a_text_without_a_requirement_has_a_baseline(
 
 
 def test_other_words_of_a_page_may_change(tree: Path) -> None:
-    (tree / PAGE).parent.mkdir(exist_ok=True)
-    (tree / PAGE).write_text(TEXTS[PAGE])
+    write_files(tree, {PAGE: TEXTS[PAGE]})
     assert review(tree, options(baseline=True)) == 0
-    change(tree, PAGE, "has", "owns")
+    replace_in(tree / PAGE, "has", "owns")
     assert findings(tree, "suspect") == []
 
 
 def test_a_baseline_takes_the_change_and_is_no_review(
     tree: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    change(tree, TEST, "EXPECT_TRUE", "EXPECT_FALSE")
+    replace_in(tree / TEST, "EXPECT_TRUE", "EXPECT_FALSE")
     assert review(tree, options("FR-15", baseline=True)) == 0
     printed = capsys.readouterr().out
     assert "FR-15: test Working.WaitsWithoutMessage changed since the baseline" in printed
@@ -239,7 +228,7 @@ def test_a_baseline_takes_the_change_and_is_no_review(
 def test_a_person_who_wrote_nothing_reviews(
     tree: Path, answers: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    change(tree, TEST, "EXPECT_TRUE", "EXPECT_FALSE")
+    replace_in(tree / TEST, "EXPECT_TRUE", "EXPECT_FALSE")
     git(tree, "commit", "-qam", "y")
     assert review(tree, options("FR-15", **OTHER)) == 0
     printed = capsys.readouterr().out
@@ -249,7 +238,7 @@ def test_a_person_who_wrote_nothing_reviews(
     requirement = build(tree).model.requirements["FR-15"]
     assert requirement.reviewed
     assert [one.remark for one in requirement.reviews] == [answers[-1]]
-    change(tree, SCENARIO, "order 1", "order 2")
+    replace_in(tree / SCENARIO, "order 1", "order 2")
     assert not build(tree).model.requirements["FR-15"].reviewed
 
 
@@ -284,8 +273,8 @@ def test_an_author_does_not_review(tree: Path, person: dict[str, str], says: str
 @pytest.mark.usefixtures("answers")
 def test_a_record_that_is_no_review_is_found(tree: Path) -> None:
     assert review(tree, options("FR-15", **OTHER)) == 0
-    change(tree, str(REVIEWS), "Ada Reader", "Ida Author")
-    change(tree, str(REVIEWS), 'tests = "yes"', 'tests = "later"')
+    replace_in(tree / REVIEWS, "Ada Reader", "Ida Author")
+    replace_in(tree / REVIEWS, 'tests = "yes"', 'tests = "later"')
     found = sorted(
         text.split("is not a valid review: ")[1] for _, text in findings(tree, "req-review")
     )
@@ -297,7 +286,7 @@ def test_a_record_that_is_no_review_is_found(tree: Path) -> None:
 
 @pytest.mark.usefixtures("answers")
 def test_only_what_is_committed_is_reviewed(tree: Path) -> None:
-    change(tree, TEST, "EXPECT_TRUE", "EXPECT_FALSE")
+    replace_in(tree / TEST, "EXPECT_TRUE", "EXPECT_FALSE")
     with pytest.raises(FailureError, match="not committed"):
         review(tree, options("FR-15", **OTHER))
 

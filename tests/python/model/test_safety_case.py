@@ -29,8 +29,9 @@ pytestmark = pytest.mark.reads("design/safety_case.toml", "sim/scenario/safety")
 ROOT = Path(__file__).resolve().parents[3]
 
 
-def settled(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:
-    model = make_model(root, result, fresh=fresh)
+def settled(root: Path, model: Model | None = None) -> Model:
+    """Returns the model, or the model of ``make_model``, with the links of its safety case."""
+    model = model or make_model(root)
     facts: Any = SimpleNamespace(root=root, declared=Declared(safety=model.safety))
     return replace(model, safety=safety_of(model, facts))
 
@@ -116,7 +117,7 @@ def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
     tmp_path: Path, result: str | None, fresh: bool, scenario: str, goal: str
 ) -> None:
     write_case(tmp_path)
-    report = report_of(settled(tmp_path, result, fresh=fresh))
+    report = report_of(settled(tmp_path, make_model(tmp_path, result, fresh=fresh)))
     assert report.scenarios["lost"] == scenario
     assert report.goals["SG-1"].state == goal
 
@@ -128,7 +129,7 @@ def test_an_instance_of_a_test_decides_about_its_scenario(
     """The test has an instance for each scenario. A failed instance for another scenario does not
     change the verdict of the scenario ``lost``."""
     write_case(tmp_path)
-    model = settled(tmp_path, "failed")
+    model = settled(tmp_path, make_model(tmp_path, "failed"))
     runs = model.tests["Safety.FR1_Stops"].results
     instances = {"All_Safety.FR1_Stops_lost": own, "All_Safety.FR1_Stops_found": "failed"}
     runs[HOST] = replace(runs[HOST], instances=instances)
@@ -163,8 +164,7 @@ def test_a_goal_that_nothing_names_is_open(tmp_path: Path) -> None:
     (tmp_path / "sim/scenario/safety/lost.scenario").write_text("# The radio is lost.\n")
     model = make_model(tmp_path)
     model.requirements["FR-1"] = replace(model.requirements["FR-1"], goals=[])
-    facts: Any = SimpleNamespace(root=tmp_path, declared=Declared(safety=model.safety))
-    goal = report_of(replace(model, safety=safety_of(model, facts))).goals["SG-1"]
+    goal = report_of(settled(tmp_path, model)).goals["SG-1"]
     reasons = ["no requirement serves this goal", "no fault scenario tests this goal"]
     assert (goal.state, goal.reasons) == ("open", reasons)
 

@@ -6,6 +6,7 @@ import subprocess
 from collections.abc import Sequence
 from math import inf
 from pathlib import Path
+from typing import Any
 from unittest.mock import Mock
 
 import pytest
@@ -141,10 +142,12 @@ def code_of(folder: Path, text: str) -> Code:
     return read_code(folder / "p.elf")["run"]
 
 
-def longest(code: Code, rounds: int = 0) -> int | None:
+def longest(code: Code, rounds: int = 0, *more: Any, never: Sequence[int] = ()) -> int | None:
+    """Returns the cycles of the longest path. ``never`` are the blocks that no path contains, and
+    ``more`` are the further arguments of a Problem."""
     cost = {start: block.cycles for start, block in code.blocks.items()}
     bounds = [(loop, Bound(rounds, in_all=False)) for loop in code.loops]
-    return Problem(code, cost, bounds, []).solve()
+    return Problem(code, cost, bounds, [(start, 0) for start in never], *more).solve()
 
 
 def test_a_loop_costs_its_rounds(tmp_path: Path) -> None:
@@ -173,11 +176,8 @@ def test_a_loop_with_its_condition_in_the_middle_begins_once_more_than_it_has_ro
 
 def test_the_end_of_an_assertion_is_not_the_condition_of_a_loop(tmp_path: Path) -> None:
     code = code_of(tmp_path, ASSERTED)
-    cost = {start: block.cycles for start, block in code.blocks.items()}
     end = next(s for s, b in code.blocks.items() if b.instructions[0].name.startswith("udf"))
-    rounds = [(loop, Bound(10, in_all=False)) for loop in code.loops]
-    whole = Problem(code, cost, rounds, [(end, 0)]).solve()
-    assert whole == 1 + 10 * 4 + 9 * REFILL + 1 + REFILL
+    assert longest(code, 10, never=[end]) == 1 + 10 * 4 + 9 * REFILL + 1 + REFILL
 
 
 def test_the_longer_way_counts(tmp_path: Path) -> None:
@@ -198,9 +198,8 @@ def test_a_busy_loop_moves_the_bound(tmp_path: Path) -> None:
 
 def test_a_block_that_is_never_passed_costs_nothing(tmp_path: Path) -> None:
     code = code_of(tmp_path, FORK)
-    cost = {start: block.cycles for start, block in code.blocks.items()}
     division = next(s for s, b in code.blocks.items() if b.instructions[0].name == "sdiv")
-    assert Problem(code, cost, [], [(division, 0)]).solve() == 1 + 1 + REFILL + 1 + 1 + REFILL
+    assert longest(code, never=[division]) == 1 + 1 + REFILL + 1 + 1 + REFILL
 
 
 @pytest.mark.parametrize(
@@ -242,20 +241,16 @@ def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
     """The fact limits a sum to 7. Each iteration of the loop adds 1 to the sum, and the exit from
     the loop adds 2. The longest path therefore has five iterations."""
     code = code_of(tmp_path, LOOP)
-    cost = {start: block.cycles for start, block in code.blocks.items()}
     (loop,) = code.loops
     after = max(code.blocks)
     fact = FlowFact({loop.head: 1, after: 2}, 7)
-    rounds = [(loop, Bound(10, in_all=False))]
-    assert Problem(code, cost, rounds, [], [fact]).solve() == 1 + 5 * 3 + 4 * REFILL + 1 + REFILL
+    assert longest(code, 10, [fact]) == 1 + 5 * 3 + 4 * REFILL + 1 + REFILL
 
 
 def test_a_callee_that_is_counted_apart_costs_its_number_of_calls(tmp_path: Path) -> None:
     code = code_of(tmp_path, MEMORY)
-    cost = {start: block.cycles for start, block in code.blocks.items()}
-    alone = Problem(code, cost, [], []).solve()
     facts = [FlowFact({"orders": 3}, 9)]
-    assert Problem(code, cost, [], [], facts, {"orders": 100}).solve() == (alone or 0) + 300
+    assert longest(code, 0, facts, {"orders": 100}) == (longest(code) or 0) + 300
 
 
 def test_a_fact_is_an_inequality_of_sums() -> None:

@@ -11,6 +11,7 @@ import jsonschema
 import pytest
 
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import replace_in, write_files
 from tests.python.reading.task_records import record_task
 from traceability.checks import run_checks
 from traceability.exports.verification_table import junit, schema_text, table
@@ -37,21 +38,18 @@ STATES = "src/main_control/operation_states"
 
 def write_results(root: Path, result: str = "COMPLETED") -> None:
     """Writes the results of a run of the test with the present sources."""
-    folder = root / RESULTS
-    folder.mkdir(parents=True, exist_ok=True)
     suite, case = TEST.split(".")
     record = {"name": case, "status": "RUN", "result": result, "time": "0.002s"}
     suites = {"testsuites": [{"name": suite, "testsuite": [record]}]}
-    (folder / "trace.json").write_text(json.dumps(suites))
+    write_files(root, {f"{RESULTS}/trace.json": json.dumps(suites)})
     record_task(root, TESTS_TRACE, "src", "tests")
 
 
 def write_trace(root: Path, calls: list[str]) -> None:
     """Writes a recording in which each method of ``calls`` calls the next method."""
-    executable = root / SOURCES[HOST].executable
-    executable.parent.mkdir(parents=True, exist_ok=True)
-    executable.write_text("is no program")
-    state = executable.stat()
+    executable = SOURCES[HOST].executable
+    write_files(root, {executable: "is no program"})
+    state = (root / executable).stat()
     parts = [state.st_mtime_ns, state.st_size, *code_of("reading/traces")]
     cached_result(root / "build/model/symbols-nm.pickle", parts, lambda: dict(enumerate(CALLS)))
     numbers = [CALLS.index(name) for name in calls]
@@ -93,13 +91,6 @@ def checked(root: Path) -> tuple[str, set[str], Model, Report]:
     return report.requirements["FR-15"].state, checks, model, report
 
 
-def change(root: Path, file: str, old: str, new: str) -> None:
-    path = root / file
-    text = path.read_text()
-    assert old in text
-    path.write_text(text.replace(old, new))
-
-
 def test_what_passed_and_executed_its_tree_is_verified(sound: Path) -> None:
     state, _, model, _ = checked(sound)
     assert state == "verified"
@@ -128,7 +119,7 @@ def test_a_test_that_does_not_make_the_calls_does_not_verify(tree: Path) -> None
 
 def test_a_finding_about_old_results_is_at_a_source(tree: Path) -> None:
     write_results(tree)
-    change(tree, "src/main_control/MainController.cpp", "\n", "\n\n")
+    replace_in(tree / "src/main_control/MainController.cpp", "\n", "\n\n")
     built = build(tree)
     findings = run_checks(built.model, built.facts).findings
     places = [one.place for one in findings if one.check == "req-stale"]
@@ -137,7 +128,7 @@ def test_a_finding_about_old_results_is_at_a_source(tree: Path) -> None:
 
 
 def test_a_test_of_another_requirement_does_not_verify(tree: Path) -> None:
-    change(tree, "tests/main_control/WorkingTest.cpp", "@verifies FR-15", "@verifies FR-16")
+    replace_in(tree / "tests/main_control/WorkingTest.cpp", "@verifies FR-15", "@verifies FR-16")
     write_results(tree)
     state, checks, _, _ = checked(tree)
     assert state == "unverified"
@@ -145,7 +136,7 @@ def test_a_test_of_another_requirement_does_not_verify(tree: Path) -> None:
 
 
 def test_a_changed_text_is_suspect_in_the_exports_too(tree: Path) -> None:
-    change(tree, "requirements/reading.dox", "any source", "the PC")
+    replace_in(tree / "requirements/reading.dox", "any source", "the PC")
     state, checks, model, report = checked(tree)
     assert state == "suspect"
     assert "suspect-requirement" in checks
@@ -167,7 +158,7 @@ def test_a_changed_justification_of_lines_makes_the_requirement_suspect(tree: Pa
     path.write_text(before + entry)
     record_baseline(tree)
     assert "suspect-test" not in checked(tree)[1]
-    change(tree, "design/justified.toml", "the last line", "any line")
+    replace_in(tree / "design/justified.toml", "the last line", "any line")
     state, checks, _, _ = checked(tree)
     assert state == "suspect"
     assert "suspect-test" in checks

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from tests.python.project_files import write_files
 from traceability.model.design_model import Model
 from traceability.model.report import Report, Verdict
 from traceability.schema import (
@@ -67,14 +68,12 @@ def make_project(root: Path) -> Model:
         if not folder.exists():
             folder.parent.mkdir(parents=True, exist_ok=True)
             folder.symlink_to(shared)
-    for name in ("MainController", "Mode", "RC"):
-        folder = root / "src" / (MODES if name != "MainController" else "main_control")
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / f"{name}.hpp").write_text(HEADER.replace("{name}", name).replace("{{", "{"))
-        (folder / f"{name}.cpp").write_text(SOURCE.replace("{name}", name).replace("{{", "{"))
-    docs = root / "docs"
-    docs.mkdir(exist_ok=True)
-    (docs / "tour.rst").write_text("Tour\n====\n\nSee :module:`RC` and :method:`RC::read`.\n")
+    files = {"docs/tour.rst": "Tour\n====\n\nSee :module:`RC` and :method:`RC::read`.\n"}
+    for name, folder in (("MainController", "main_control"), ("Mode", MODES), ("RC", MODES)):
+        for suffix, text in (("hpp", HEADER), ("cpp", SOURCE)):
+            file = f"src/{folder}/{name}.{suffix}"
+            files[file] = text.replace("{name}", name).replace("{{", "{")
+    write_files(root, files)
     return make_model()
 
 

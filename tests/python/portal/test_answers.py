@@ -12,6 +12,7 @@ from portal.pages import all_pages
 from portal.portal import Portal
 from tests.python.portal.fixture import REPORT, make_project
 from tests.python.portal.page_reader import read_page
+from tests.python.project_files import write_files
 
 pytestmark = pytest.mark.reads("site")
 
@@ -57,8 +58,7 @@ def test_the_items_of_a_list_are_one_line_in_the_table_of_the_questions() -> Non
 
 def test_an_answer_links_to_further_evidence(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    (tmp_path / QUESTIONS).parent.mkdir(exist_ok=True)
-    (tmp_path / QUESTIONS).write_text(QUESTION, encoding="utf-8")
+    write_files(tmp_path, {QUESTIONS: QUESTION})
     with (tmp_path / "docs/tour.rst").open("a", encoding="utf-8") as tour:
         tour.write("\nFirst steps\n-----------\n\nWalk.\n")
     portal = Portal(tmp_path, model, REPORT, [])

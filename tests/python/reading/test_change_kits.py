@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.model.made_changes import proven, unproven
 from traceability.reading.change_kits import Kit, TouchedLines, images_of, read_kits, touched_lines
 from traceability.reading.toml_reader import Entries
@@ -32,12 +33,13 @@ TESTS = "TEST(New, Works) {}\nTEST_F(NewOnBoard, WorksThere) {}\n"
 
 
 def made_kit(root: Path, text: str = 'event = "It changes."\nclasses = ["New"]\n') -> Kit | None:
-    folder = root / "changes/one"
-    folder.mkdir(parents=True)
-    (folder / "change.toml").write_text(text)
-    (folder / "New.hpp").write_text("class New final : public Base {\n};\n")
-    (folder / "NewTest.cpp").write_text(TESTS)
-    (folder / "composition.patch").write_text(PATCH)
+    files = {
+        "changes/one/change.toml": text,
+        "changes/one/New.hpp": "class New final : public Base {\n};\n",
+        "changes/one/NewTest.cpp": TESTS,
+        "changes/one/composition.patch": PATCH,
+    }
+    write_files(root, files)
     return read_kits(root, Entries(root)).get("one")
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from tests.python.project_files import write_files
 from tests.python.reading.task_records import record_task
 from traceability.reading.closed_loop_record import csv_of, declared, measure, read_closed_loop
 from traceability.reading.task_record import CLOSED_LOOP
@@ -45,13 +46,13 @@ HEADER = "time_ms,at_ms,measured,applied,set_point0,velocity0,true_velocity0\n"
 
 
 def project(root: Path, rows: str) -> Path:
-    (root / "design").mkdir()
-    (root / "design/closed_loop.toml").write_text(DECLARED)
-    reports = root / csv_of("step", HOST)
-    reports.parent.mkdir(parents=True)
-    reports.write_text(HEADER + rows)
     runs = {"step": {HOST: {"passed": True, "said": ""}}}
-    (root / "build/results/closed_loop.json").write_text(json.dumps({"runs": runs}))
+    files = {
+        "design/closed_loop.toml": DECLARED,
+        str(csv_of("step", HOST)): HEADER + rows,
+        "build/results/closed_loop.json": json.dumps({"runs": runs}),
+    }
+    write_files(root, files)
     record_task(root, CLOSED_LOOP, "design")
     return root
 

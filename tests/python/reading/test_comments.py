@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tests.python.project_files import write_files
 from traceability.reading.comments import Comment, code_of, read_comments
 from traceability.reading.declared import Declared
 from traceability.reading.source_facts import Facts, gather_facts
@@ -64,9 +65,7 @@ def comments_of(text: str) -> list[Comment]:
 
 
 def facts_of(root: Path) -> Facts:
-    path = root / "src" / "a" / "Speed.hpp"
-    path.parent.mkdir(parents=True)
-    path.write_text(HEADER, encoding="utf-8")
+    write_files(root, {"src/a/Speed.hpp": HEADER})
     return gather_facts(root, read_syntax(root, root / "cache"), Declared())
 
 

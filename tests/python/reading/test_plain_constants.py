@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.reading.plain_constants import plain_constants
 from traceability.schema import Constant
 
@@ -32,14 +33,12 @@ SUM = KEY_AT + 1
 
 @pytest.fixture(scope="module")
 def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
-    root = tmp_path_factory.mktemp("project")
-    plant, tools = root / "sim" / "plant", root / "tools"
-    plant.mkdir(parents=True)
-    tools.mkdir()
-    (plant / "Wheel.hpp").write_text(HEADER)
-    (plant / "Wheel.cpp").write_text("constexpr int kTwice = 2;\n")
-    (tools / "key.py").write_text(PROGRAM)
-    return plain_constants(root)
+    files = {
+        "sim/plant/Wheel.hpp": HEADER,
+        "sim/plant/Wheel.cpp": "constexpr int kTwice = 2;\n",
+        "tools/key.py": PROGRAM,
+    }
+    return plain_constants(write_files(tmp_path_factory.mktemp("project"), files))
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from traceability.reading import task_record
 from traceability.reading.ports import RESULT, read_ports
 from traceability.reading.toml_reader import Entries
@@ -32,21 +33,20 @@ PATCH = """\
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    folder = tmp_path / "ports/line"
-    (folder / "tests").mkdir(parents=True)
-    (folder / "port.toml").write_text(DECLARED)
-    (folder / "Port.cpp").write_text("a\nb\n")
-    (folder / "tests/PortTest.cpp").write_text("a\n")
-    (tmp_path / "ports/Shared.hpp").write_text("a\n")
-    return tmp_path
+    files = {
+        "ports/line/port.toml": DECLARED,
+        "ports/line/Port.cpp": "a\nb\n",
+        "ports/line/tests/PortTest.cpp": "a\n",
+        "ports/Shared.hpp": "a\n",
+    }
+    return write_files(tmp_path, files)
 
 
 def write_result(project: Path, result: str) -> None:
     test = {"name": "Runs", "status": "RUN", "result": result, "time": "0s", "file": "", "line": 1}
     size = {"flash": 2, "ram": 1}
     suites = {"line": {"testsuites": [{"name": "Line", "testsuite": [test]}], "image": size}}
-    (project / RESULT).parent.mkdir(parents=True, exist_ok=True)
-    (project / RESULT).write_text(json.dumps(suites))
+    write_files(project, {RESULT: json.dumps(suites)})
 
 
 def test_a_port_has_its_files_and_the_shared_ones_but_no_tests(project: Path) -> None:

@@ -7,17 +7,15 @@ from pathlib import Path
 import pytest
 
 from tests.python.git_project import git
+from tests.python.project_files import write_files
 from traceability.reading.safety_cost import correction_of, edits_of_code, read_cost
 from traceability.schema import Correction, Place, SafetyCase, TouchedFile
 
 WHERE = Place("design/safety_case.toml", 1)
 
 
-def commit(root: Path, **files: str) -> str:
-    for name, text in files.items():
-        path = root / name.replace("__", "/")
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+def commit(root: Path, files: dict[str, str]) -> str:
+    write_files(root, files)
     git(root, "add", "-A")
     git(root, "commit", "-q", "-m", "A change")
     return git(root, "rev-parse", "HEAD")
@@ -31,19 +29,23 @@ def project(tmp_path: Path) -> tuple[Path, str]:
     git(tmp_path, "init", "-q")
     base = commit(
         tmp_path,
-        src__Mode="one\ntwo\n",
-        src__Text="/// A class.\none  // line\n",
-        src__sensing__Hall="one\n",
-        docs__page="a\n",
+        {
+            "src/Mode": "one\ntwo\n",
+            "src/Text": "/// A class.\none  // line\n",
+            "src/sensing/Hall": "one\n",
+            "docs/page": "a\n",
+        },
     )
     commit(
         tmp_path,
-        src__Mode="one\n2\nthree\n",
-        src__Text="/// Another comment\n/// of the class.\none\n",
-        src__sensing__Hall="one\ntwo\n",
-        src__New="x\n",
-        extensions__safety__Stop="a\nb\nc\n",
-        docs__page="b\n",
+        {
+            "src/Mode": "one\n2\nthree\n",
+            "src/Text": "/// Another comment\n/// of the class.\none\n",
+            "src/sensing/Hall": "one\ntwo\n",
+            "src/New": "x\n",
+            "extensions/safety/Stop": "a\nb\nc\n",
+            "docs/page": "b\n",
+        },
     )
     return tmp_path, base
 

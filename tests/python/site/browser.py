@@ -4,12 +4,17 @@ results."""
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 from typing import Any
+
+import pytest
 
 from tools.browser import find_browser, result_of
 
 BROWSER = find_browser() or ""
+needs_browser = pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
+needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 AXE = Path(__file__).with_name("axe.min.js")
 # A page that opens other pages in a frame. It opens them one after the other, and posts the
 # results. ``until`` waits until a condition is true.

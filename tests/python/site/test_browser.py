@@ -9,7 +9,7 @@ import pytest
 
 from portal import site_build
 from tests.python.portal.fixture import MODES, REPORT, make_project
-from tests.python.site.browser import BROWSER, look
+from tests.python.site.browser import look, needs_browser
 from traceability.checks.registry import Check
 
 PAGES = [
@@ -21,10 +21,7 @@ PAGES = [
     f"source/src/{MODES}/RC.cpp", "docs/tour", "run", "plot",
 ]  # fmt: skip
 
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer"),
-]
+pytestmark = [pytest.mark.browser, needs_browser]
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,8 @@ both designs.
 from __future__ import annotations
 
 import html
-import json
 import re
+from typing import Any
 
 import pytest
 
@@ -26,8 +26,7 @@ def rows(part: str) -> list[str]:
     return [" ".join(html.unescape(TAG.sub(" ", row)).split()) for row in ROW.findall(part)]
 
 
-def test_a_row_with_the_cost_of_a_whole_extension_says_so(page: str) -> None:
-    model = json.loads((SITE / "model.json").read_text(encoding="utf-8"))
+def test_a_row_with_the_cost_of_a_whole_extension_says_so(page: str, model: dict[str, Any]) -> None:
     made = [change["made"] for change in model["changes"].values() if change["made"]]
     table = rows(page.partition('id="made"')[2].partition("</table>")[0])
     for one in made:

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from tests.python.site.browser import AXE, BROWSER, look
+from tests.python.site.browser import AXE, BROWSER, look, needs_browser
 from tests.python.site.content import SITE
 from traceability.whole_file import write_whole
 
@@ -97,10 +97,7 @@ found.push(doc.activeElement.id);
 return found;
 """
 
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer"),
-]
+pytestmark = [pytest.mark.browser, needs_browser]
 
 
 class Looked:

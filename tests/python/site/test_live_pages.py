@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import subprocess
 from itertools import pairwise
 from typing import Any
@@ -13,7 +12,7 @@ from typing import Any
 import pytest
 
 from portal.live_view import in_registers
-from tests.python.site.browser import BROWSER
+from tests.python.site.browser import BROWSER, needs_browser, needs_node
 from tests.python.site.content import SITE
 from tools.browser import result_of
 from weeding_robot_client import frames
@@ -131,13 +130,21 @@ pytestmark = pytest.mark.skipif(
 )
 
 
+def in_node(program: str, *words: object, given: object = None) -> Any:
+    """Returns the output of a program for Node, which gets the words and the input."""
+    command = ["node", "-e", program, *map(str, words)]
+    text = json.dumps(given)
+    run = subprocess.run(
+        command, input=text, capture_output=True, text=True, timeout=240, check=True
+    )
+    return json.loads(run.stdout)
+
+
 def played(orders: list[dict[str, Any]], cycles: int) -> list[dict[str, Any]]:
-    words = ["node", "-e", NODE, str(SCRIPTS), str(SITE), json.dumps(orders), str(cycles)]
-    run = subprocess.run(words, capture_output=True, text=True, timeout=240, check=True)
-    return list(json.loads(run.stdout))
+    return list(in_node(NODE, SCRIPTS, SITE, json.dumps(orders), cycles))
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+@needs_node
 def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
     play = {"do": "play", "folder": "live/", "modules": STATES, "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, play], 60)
@@ -161,7 +168,7 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
     assert any(["MainController", "OperationState"] in shown["calls"] for shown in cycles)
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+@needs_node
 def test_each_node_of_a_tree_has_the_time_and_the_arguments_of_its_last_call() -> None:
     sent = played(
         [{"do": "load", "folder": "live/"}, {"do": "find", "folder": "live/", "id": "FR-15"}], 0
@@ -197,7 +204,7 @@ def test_a_parameter_has_a_kind_up_to_the_first_that_may_not_be_in_a_register(
     assert in_registers(signature) == parameters
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+@needs_node
 def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
     """Both products play the same scenario. Only the product with the warning light enters the
     state WaitingK."""
@@ -227,7 +234,7 @@ process.stdout.write(JSON.stringify(lines.map((line) => frames.partsOf(line, lay
 """
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+@needs_node
 def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
     """In each frame of a drive, the parts contain the bytes of the frame in their order. Each part
     contains the number that the client decodes from the field with the same name."""
@@ -235,13 +242,11 @@ def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
     sent = played([{"do": "load", "folder": "live/"}, play], 20)
     lines = [frame["bytes"] for shown in sent for frame in shown.get("frames", ())]
     layouts = json.loads((SITE / "live" / "live.json").read_text(encoding="utf-8"))["frames"]
-    words = ["node", "-e", PARTS, str(SCRIPTS / "frames.js")]
-    given = json.dumps({"lines": lines, "layouts": layouts})
-    run = subprocess.run(words, input=given, capture_output=True, text=True, check=True)
+    all_parts = in_node(PARTS, SCRIPTS / "frames.js", given={"lines": lines, "layouts": layouts})
     table = read_frames((SITE.parents[1] / "design/frames.toml").read_text(encoding="utf-8"))
     known = {layout.kind: layout for layout in table.frames.values()}
     seen = set()
-    for line, parts in zip(lines, json.loads(run.stdout), strict=True):
+    for line, parts in zip(lines, all_parts, strict=True):
         frame = frames.decode(bytes(line[:-1]))
         layout = known[frame.kind]
         seen.add(layout.name)
@@ -255,7 +260,7 @@ def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
+@needs_browser
 def test_the_diagram_marks_the_called_modules_and_stops_when_paused() -> None:
     found, _ = result_of(BROWSER, SITE, PROBE)
     assert (found["paused"], found["button"]) == (True, "Continue")
@@ -264,7 +269,7 @@ def test_the_diagram_marks_the_called_modules_and_stops_when_paused() -> None:
     assert "pattern-operation-states-MainController-OperationState" in found["lines"]
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+@needs_node
 def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> None:
     """A timer preempts a thread that began before the cycle. A second thread does not end in the
     cycle."""
@@ -287,9 +292,7 @@ def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> Non
         switch(48, False, 650),
     ]
     given = {"contexts": contexts, "switches": switches, "lasted": 1000, "at": [50, 200, 450, 620]}
-    words = ["node", "-e", LANES, str(SCRIPTS / "lanes.js")]
-    run = subprocess.run(words, input=json.dumps(given), capture_output=True, text=True, check=True)
-    found = json.loads(run.stdout)
+    found = in_node(LANES, SCRIPTS / "lanes.js", given=given)
     spans = [(one["exception"] - 16, one["begin"], one["end"]) for one in found["activations"]]
     assert sorted(spans) == [
         (48, 0, 100),
@@ -303,7 +306,7 @@ def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> Non
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
+@needs_browser
 def test_the_lanes_of_the_page_execution_show_the_cycle_that_runs() -> None:
     found, _ = result_of(BROWSER, SITE, LANES_OF_PAGE)
     assert {"cycle-timer", "tick-timer", "main-thread", "wheel-threads"} <= set(found["active"])

@@ -13,13 +13,6 @@ from tests.python.site.content import SITE
 Facts = dict[str, Any]
 
 
-@pytest.fixture(scope="module")
-def model() -> Facts:
-    path = SITE / "model.json"
-    assert path.exists(), "build the portal first: ./wr portal"
-    return dict(json.loads(path.read_text(encoding="utf-8")))
-
-
 @pytest.mark.parametrize("name", ["model", "verification"])
 def test_the_file_fits_its_schema(name: str) -> None:
     schema, content = (

@@ -3,15 +3,13 @@ are left out."""
 
 from __future__ import annotations
 
-import json
 import re
 from typing import Any
 
 import pytest
 
-from tests.python.site.content import SITE, content
+from tests.python.site.content import content
 
-MODEL = SITE / "model.json"
 # The data dictionary is left out, because some of its enumerators have the name of their module.
 SAMPLE = [
     "index", "structure", "guide", "interfaces", "inheritances", "secrets", "changes",
@@ -22,12 +20,6 @@ SAMPLE = [
     "requirements/FR-17", "modules/MainController", "modules/RC", "modules/Pipe",
     "modules/K64Uart", "checks/uses-allowed", "virtual_k64", "docs/execution_model",
 ]  # fmt: skip
-
-
-@pytest.fixture(scope="module")
-def model() -> dict[str, Any]:
-    assert MODEL.exists(), "build the portal first: ./wr portal"
-    return dict(json.loads(MODEL.read_text(encoding="utf-8")))
 
 
 def linkable(model: dict[str, Any]) -> set[str]:

@@ -4,21 +4,13 @@ count."""
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 import pytest
 
 from tests.python.site.content import SITE, clicks, content, searched
 
-MODEL = SITE / "model.json"
 NEAR = 3  # greatest number of clicks
-
-
-@pytest.fixture(scope="module")
-def model() -> dict[str, Any]:
-    assert MODEL.exists() and (SITE / "index.html").exists(), "build the portal first: ./wr portal"
-    return dict(json.loads(MODEL.read_text(encoding="utf-8")))
 
 
 def farther(addresses: list[str], most: int) -> dict[str, int | None]:

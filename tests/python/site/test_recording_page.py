@@ -15,7 +15,7 @@ from mcap.writer import CompressionType, Writer
 
 from portal.plots import Drawing, draw
 from portal.recording_page import changes, plots, read_recording
-from tests.python.site.browser import BROWSER, look
+from tests.python.site.browser import look, needs_browser
 from tests.python.site.content import SITE
 from weeding_robot_client.layout import LAYOUTS
 from weeding_robot_client.mcap_file import TOPIC
@@ -81,10 +81,7 @@ return {
 };
 """
 
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer"),
-]
+pytestmark = [pytest.mark.browser, needs_browser]
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from portal.search import listed
-from tests.python.site.browser import BROWSER
+from tests.python.site.browser import BROWSER, needs_browser
 from tests.python.site.content import SITE, content, searched
 
 
@@ -91,7 +91,7 @@ def test_each_expected_hit_is_a_place() -> None:
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
+@needs_browser
 def test_each_search_shows_the_answer_on_the_first_screen(
     tmp_path: Path, record_property: Callable[[str, object], None]
 ) -> None:
@@ -107,7 +107,7 @@ def test_each_search_shows_the_answer_on_the_first_screen(
 
 
 @pytest.mark.browser
-@pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
+@needs_browser
 def test_the_share_of_right_first_hits_of_unseen_searches_is_measured(
     tmp_path: Path, record_property: Callable[[str, object], None]
 ) -> None:

@@ -14,6 +14,7 @@ from typing import TextIO, cast
 import pytest
 
 from tests.python.portal.fixture import make_module
+from tests.python.project_files import write_files
 from tools import check, documents
 from tools.documents import CURRENT, FINDINGS, make_documents, read_findings
 from tools.steps import FailureError, Steps
@@ -37,13 +38,10 @@ FINDING = {
 @pytest.fixture
 def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Returns a project whose documents have one finding."""
-    for name in ("src/a.hpp", "src/b.hpp"):
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text("first")
+    write_files(tmp_path, {"src/a.hpp": "first", "src/b.hpp": "first"})
 
     def make(_log: TextIO) -> None:
-        (tmp_path / FINDINGS).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / FINDINGS).write_text(json.dumps([FINDING]))
+        write_files(tmp_path, {FINDINGS: json.dumps([FINDING])})
 
     documents = Task(DOCUMENTS, make, ("src",), (str(FINDINGS),))
     monkeypatch.setattr(check, "pages_graph", lambda root, **_: Graph(root, [documents]))
@@ -67,8 +65,7 @@ def test_unchanged_documents_keep_their_findings(
 def test_the_edit_of_one_file_is_measured(tree: Path) -> None:
     check.check(tree)
     assert read_times(tree) == {}
-    for name in ("src/a.hpp", "src/b.hpp"):
-        (tree / name).write_text("second")
+    write_files(tree, {"src/a.hpp": "second", "src/b.hpp": "second"})
     check.check(tree)
     assert read_times(tree) == {}
     (tree / "src/a.hpp").write_text("third")
@@ -94,11 +91,9 @@ def test_documents_that_could_not_be_made_fail_and_are_made_again(
 def test_findings_of_earlier_documents_are_not_shown_when_the_process_ends_early(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, ends: str
 ) -> None:
-    (tmp_path / FINDINGS).parent.mkdir(parents=True)
-    (tmp_path / FINDINGS).write_text("[]", encoding="utf-8")
-    (tmp_path / "tools").mkdir()
-    (tmp_path / "tools/__init__.py").touch()
-    (tmp_path / "tools/documents.py").write_text(f"import os, signal\n{ends}\n", encoding="utf-8")
+    program = f"import os, signal\n{ends}\n"
+    files = {str(FINDINGS): "[]", "tools/__init__.py": "", "tools/documents.py": program}
+    write_files(tmp_path, files)
     made = Task(DOCUMENTS, partial(make_documents, tmp_path, sys.stdout, ""), ("src",))
     monkeypatch.setattr(check, "pages_graph", lambda root, **_: Graph(root, [made]))
     assert check.check(tmp_path) == 1
@@ -110,9 +105,8 @@ def test_findings_of_earlier_documents_are_not_shown_when_the_process_ends_early
 
 
 def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:
-    (tmp_path / "src").mkdir()
+    write_files(tmp_path, {"src/Pipe.hpp": "// größer\n"})
     (tmp_path / "src" / "Lamp.hpp").write_bytes(b"// one\n// tw\xf6\n")
-    (tmp_path / "src" / "Pipe.hpp").write_text("// größer\n", encoding="utf-8")
     (found,) = not_text(tmp_path)
     assert (found.place.file, found.place.line) == ("src/Lamp.hpp", 2)
     assert found.text == "the byte 0xf6 is not UTF-8"

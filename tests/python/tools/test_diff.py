@@ -7,6 +7,7 @@ import pytest
 
 from tests.python.git_project import git
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import write_files
 from tools import cli
 from traceability.exports.revision import read_revision
 from traceability.reading.comparison_record import read_comparison
@@ -68,9 +69,7 @@ def test_changed_files_that_are_not_followed_are_listed(
 ) -> None:
     """The changed files are a Python test, the tool that this test imports, a page and a
     scenario."""
-    for name, text in OTHERS.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text)
+    write_files(root, OTHERS)
     commit(root, "third")
     assert cli.main(["impact", "HEAD~1..HEAD"]) == 0
     shown = capsys.readouterr().out
@@ -90,9 +89,7 @@ def test_changed_files_that_are_not_followed_are_listed(
 def test_the_impact_of_one_python_file_is_that_of_its_imports(
     root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for name, text in OTHERS.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text)
+    write_files(root, OTHERS)
     assert cli.main(["impact", str(root / "tools/a.py")]) == 0
     shown = capsys.readouterr().out
     assert "tests/python/tools/test_a.py  imports tools/a.py" in shown

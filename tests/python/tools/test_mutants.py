@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from tools.mutation import runs, score
 from tools.mutation.points import Mutant, Point, find_points
 from tools.mutation.runs import Outcome, record_results, run_tests
@@ -52,9 +53,7 @@ void Limiter::count() {
 
 @pytest.fixture
 def tree(tmp_path: Path) -> Path:
-    (tmp_path / "src").mkdir()
-    (tmp_path / "src/Limiter.hpp").write_text(HEADER, encoding="utf-8")
-    (tmp_path / "src/Limiter.cpp").write_text(SOURCE, encoding="utf-8")
+    write_files(tmp_path, {"src/Limiter.hpp": HEADER, "src/Limiter.cpp": SOURCE})
     cache = tmp_path / "build/model/cache"
     cache.mkdir(parents=True)
     prepare_standard(tmp_path, cache, board=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -24,6 +24,7 @@ from traceability.schema import HOST, Equivalent, Place
 
 pytestmark = pytest.mark.reads("tools", "client", "design/clauses.toml")
 
+GoesOn = Callable[[list[Tried]], bool]
 MUTANTS = [
     Mutant("src/a.cpp", 4, "A::f", "constant", "1 + 1"),
     Mutant("src/a.cpp", 9, "A::f", "constant", "2 + 1"),
@@ -50,13 +51,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         plan.seconds = {"T.A": 0.1}
         return []
 
-    def try_all(
-        _program: Path,
-        mutants: list[Mutant],
-        numbers: Iterator[int],
-        _plan: Plan,
-        goes_on: Callable[[list[Tried]], bool],
-    ) -> list[Tried]:
+    def find_first(mutants: list[Mutant], numbers: list[int], goes_on: GoesOn) -> list[Tried]:
         tried: list[Tried] = []
         for number in sorted(numbers):
             if goes_on(tried):
@@ -66,9 +61,20 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         return tried
 
     monkeypatch.setattr(mutate, "measure", measure)
-    monkeypatch.setattr(mutate, "try_all", try_all)
+    replace_tries(monkeypatch, find_first)
     monkeypatch.setattr(mutate, "SHOWN_EVERY", 0.0)
     return tmp_path
+
+
+def replace_tries(
+    monkeypatch: pytest.MonkeyPatch,
+    tries: Callable[[list[Mutant], list[int], GoesOn], list[Tried]],
+) -> None:
+    monkeypatch.setattr(
+        mutate,
+        "try_all",
+        lambda _program, mutants, numbers, _plan, goes_on: tries(mutants, list(numbers), goes_on),
+    )
 
 
 def replace_tests(
@@ -150,19 +156,13 @@ def test_a_resumed_run_tries_only_what_no_test_found(
     assert run(root) == 0
     asked: list[int] = []
 
-    def find_all(
-        _program: Path,
-        mutants: list[Mutant],
-        numbers: Iterator[int],
-        _plan: Plan,
-        goes_on: Callable[[list[Tried]], bool],
-    ) -> list[Tried]:
+    def find_all(mutants: list[Mutant], numbers: list[int], goes_on: GoesOn) -> list[Tried]:
         asked.extend(numbers)
         tried = [Tried(mutants[number - 1], ["T.A"], {"FR-1": True}) for number in asked]
         goes_on(tried)
         return tried
 
-    monkeypatch.setattr(mutate, "try_all", find_all)
+    replace_tries(monkeypatch, find_all)
     assert run(root, "--resume") == 0
     assert asked == [2]
     assert "2 of 2 mutants were found" in capsys.readouterr().out
@@ -176,17 +176,11 @@ def test_a_resumed_run_tries_only_what_no_test_found(
 def test_an_ended_run_leaves_the_results_until_then(
     root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def interrupted(
-        _program: Path,
-        mutants: list[Mutant],
-        _numbers: Iterator[int],
-        _plan: Plan,
-        goes_on: Callable[[list[Tried]], bool],
-    ) -> list[Tried]:
+    def interrupted(mutants: list[Mutant], _numbers: list[int], goes_on: GoesOn) -> list[Tried]:
         goes_on([Tried(mutants[0], ["T.A"], {"FR-1": True})])
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(mutate, "try_all", interrupted)
+    replace_tries(monkeypatch, interrupted)
     with pytest.raises(KeyboardInterrupt):
         run(root)
     model = read_mutation(root, "sources")

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.project_files import write_files
 from tools.prose import GLOSSARY, lint_prose, read_terms
 
 TERMS = """\
@@ -30,14 +31,12 @@ Plain words
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    (tmp_path / GLOSSARY).parent.mkdir()
-    (tmp_path / GLOSSARY).write_text(TERMS)
+    write_files(tmp_path, {GLOSSARY: TERMS})
     return tmp_path
 
 
 def found(root: Path, file: str, text: str) -> list[str]:
-    (root / file).parent.mkdir(parents=True, exist_ok=True)
-    (root / file).write_text(text)
+    write_files(root, {file: text})
     return [str(finding) for finding in lint_prose(root)]
 
 

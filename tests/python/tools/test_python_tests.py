@@ -9,6 +9,7 @@ from typing import TextIO
 
 import pytest
 
+from tests.python.project_files import write_files
 from tools import python_tests
 from tools.python_imports import inputs_of
 from tools.python_tests import (
@@ -26,23 +27,17 @@ pytestmark = pytest.mark.reads(".")  # graph() reads the files that changed sinc
 ROOT = Path(__file__).parents[3]
 
 
-def write(root: Path, **files: str) -> None:
-    for name, text in files.items():
-        path = root / f"{name.replace('__', '/')}.py"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-
-
 def test_a_test_depends_on_the_files_that_it_imports_directly_or_not(tmp_path: Path) -> None:
-    write(
-        tmp_path,
-        tests__python__reading__test_one="from traceability.reading.one import (\n    first,\n)\n",
-        tests__python__model__test_two="import traceability.other\n",
-        traceability__reading__one="def first():\n    from traceability import inner\n",
-        traceability__inner="import portal.page as page\n",
-        traceability__other="import os\n",
-        site__portal__page="",
-    )
+    imported = "from traceability.reading.one import (\n    first,\n)\n"
+    files = {
+        "tests/python/reading/test_one.py": imported,
+        "tests/python/model/test_two.py": "import traceability.other\n",
+        "traceability/reading/one.py": "def first():\n    from traceability import inner\n",
+        "traceability/inner.py": "import portal.page as page\n",
+        "traceability/other.py": "import os\n",
+        "site/portal/page.py": "",
+    }
+    write_files(tmp_path, files)
     assert inputs_of(tmp_path, "reading") == {
         "site/portal/page.py",
         "tests/python/reading/test_one.py",
@@ -68,18 +63,16 @@ def test_helpers_of_another_folder_are_inputs() -> None:
 
 
 def small_project(root: Path) -> None:
-    write(
-        root,
-        tests__python__tools__test_one="from tools import one\n",
-        tests__python__tools__test_program="pytestmark = pytest.mark.runs_tools\n",
-        tests__python__tools__test_command="from tools import cli\n",
-        tests__python__tools__test_other="import re\n",
-        tests__python__tools__test_reader='pytestmark = pytest.mark.reads("sim", "a.toml")\n',
-        tests__python__model__test_one="from tools import one\n",
-        tools__one="",
-        tools__two="",
-        tools__cli="",
-    )
+    files = {
+        "tests/python/tools/test_one.py": "from tools import one\n",
+        "tests/python/tools/test_program.py": "pytestmark = pytest.mark.runs_tools\n",
+        "tests/python/tools/test_command.py": "from tools import cli\n",
+        "tests/python/tools/test_other.py": "import re\n",
+        "tests/python/tools/test_reader.py": 'pytestmark = pytest.mark.reads("sim", "a.toml")\n',
+        "tests/python/model/test_one.py": "from tools import one\n",
+        **dict.fromkeys(("tools/one.py", "tools/two.py", "tools/cli.py"), ""),
+    }
+    write_files(root, files)
 
 
 def affected(root: Path, *changed: str) -> set[str] | None:
