@@ -9,9 +9,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from traceability.reading.image_record import read_image
 from traceability.reading.programs import output_of
-from traceability.reading.results import read_record
+from traceability.reading.results import read_image, read_record
 from traceability.schema import ProductImage
 from traceability.sources import DESIGN, SRC, files_below
 
