@@ -65,8 +65,8 @@ from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.proof_record import PROOFS
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.results import LIVE as LIVE_RECORD
-from traceability.reading.seeded_fault_record import RECORD as FAULTS
-from traceability.reading.seeded_fault_record import SOURCES
+from traceability.reading.seeded_faults import RECORD as FAULTS
+from traceability.reading.seeded_faults import SOURCES
 from traceability.reading.task_record import is_fresh
 from traceability.reading.toml_reader import Entries
 from traceability.reading.tool_tests import python_task, results_of

@@ -35,8 +35,7 @@ from traceability.model.report import Report
 from traceability.reading.last_changes import changed_since, last_changes
 from traceability.reading.products import CALLS_SUFFIX
 from traceability.reading.results import LIVE_MODULE
-from traceability.reading.seeded_fault_record import Outcome
-from traceability.reading.seeded_faults import Fault
+from traceability.reading.seeded_faults import Fault, Outcome
 from traceability.schema import (
     HOST,
     ExecutionContext,

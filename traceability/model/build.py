@@ -40,15 +40,13 @@ from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
-from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.plain_constants import plain_constants, unambiguous
 from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
-from traceability.reading.published import last_score
+from traceability.reading.published import last_score, read_campaigns
 from traceability.reading.results import read_sizes
-from traceability.reading.seeded_fault_record import last_seeded, read_record
-from traceability.reading.seeded_faults import read_faults
+from traceability.reading.seeded_faults import last_seeded, read_faults, read_record
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
 from traceability.reading.traces import Traces, read_traces

@@ -14,8 +14,7 @@ from traceability import schema
 from traceability.reading.baseline_record import Part
 from traceability.reading.comparison_record import Comparison
 from traceability.reading.published import Published
-from traceability.reading.seeded_fault_record import Outcome
-from traceability.reading.seeded_faults import Fault
+from traceability.reading.seeded_faults import Fault, Outcome
 
 
 @dataclass(frozen=True)

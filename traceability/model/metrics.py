@@ -16,12 +16,11 @@ from traceability.model.report import Report
 from traceability.model.response_times import CLOCK
 from traceability.reading import task_record
 from traceability.reading.bench_record import IMAGE, MANUAL, bench_metrics
-from traceability.reading.fault_record import LOADS, campaign_metrics
-from traceability.reading.fault_record import METRICS as CAMPAIGNS
 from traceability.reading.lint_record import read_prose
 from traceability.reading.products import HAS, intruders
 from traceability.reading.proof_record import PROVE
-from traceability.reading.published import Published
+from traceability.reading.published import LOADS, Published, campaign_metrics
+from traceability.reading.published import METRICS as CAMPAIGNS
 from traceability.reading.results import (
     COVERAGE,
     LIVE,

@@ -15,9 +15,9 @@ from traceability.model.made_changes import proven
 from traceability.model.metrics import METHODS
 from traceability.model.report import Report
 from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
-from traceability.reading.fault_record import FAULTS, FUZZ, LOADS
 from traceability.reading.lint_record import FAILED, NOT_RUN
 from traceability.reading.products import RECORDED
+from traceability.reading.published import FAULTS, FUZZ, LOADS
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, BuildEvidence, LastRecord, Requirement
 

@@ -13,7 +13,7 @@ import pytest
 from tests.python.reading.task_records import record_task
 from traceability.model.metrics import of_task
 from traceability.reading import baseline_record, bench_record, products, results
-from traceability.reading.seeded_fault_record import Outcome, read_record, write_record
+from traceability.reading.seeded_faults import Outcome, read_record, write_record
 from traceability.reading.task_record import BASELINE, BENCH, COVERAGE, IMAGES, SEEDED_FAULTS
 from traceability.schema import BenchScenario, ProductImage
 
