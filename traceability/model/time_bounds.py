@@ -12,11 +12,10 @@ from itertools import chain, product
 from types import MappingProxyType
 
 from traceability.model.image_code import Program
-from traceability.model.longest_path import FlowFact, Problem
+from traceability.model.longest_path import Problem
 from traceability.model.stack import Prover
 from traceability.reading.call_graph import Function, short_name
-from traceability.reading.flow_facts import ENTRIES, Inequality
-from traceability.reading.loop_bounds import Bound, Bounds, Place
+from traceability.reading.loop_bounds import ENTRIES, Bound, Bounds, Inequality, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
 from traceability.schema import Place as SourcePlace
 
@@ -320,18 +319,18 @@ class Times:
             self.unbound.add((code.symbol, self._place(next(iter(code.blocks))) or ("?", 0)))
         return longest or 0
 
-    def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
+    def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[Inequality]:
         """Converts the declared facts about the marked source lines of a function to facts about
         the blocks of the function."""
-        marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
+        marked: dict[int | str, list[list[int | str]]] = {one: [[one]] for one in apart}
         for name, copies in self._marked(code).items():
             marked.setdefault(name, []).extend([*copy] for copy in copies)
         declared = self.flows.get(method, ())
         return [fact for one in declared for fact in self._facts_of(code, one, marked)]
 
     def _facts_of(
-        self, code: Code, one: Inequality, marked: Mapping[str, Sequence[Sequence[int | str]]]
-    ) -> Iterator[FlowFact]:
+        self, code: Code, one: Inequality, marked: Mapping[int | str, Sequence[Sequence[int | str]]]
+    ) -> Iterator[Inequality]:
         """Converts a declared fact to facts about blocks. A marked source line can have several
         copies in the compiled code, and each copy consists of blocks.
 
@@ -356,7 +355,7 @@ class Times:
             factors = dict(right)
             for start, factor in choice:
                 factors[start] = factors.get(start, 0) + factor
-            yield FlowFact(factors, most)
+            yield Inequality(factors, most)
 
     def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
         """Returns a map from each counter to the copies of its source line in the compiled code.

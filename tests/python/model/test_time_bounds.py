@@ -12,7 +12,7 @@ import pytest
 
 from traceability.model.image_code import Program
 from traceability.model.interrupt_locks import longest_locks
-from traceability.model.longest_path import FlowFact, Problem
+from traceability.model.longest_path import Problem
 from traceability.model.response_times import (
     CLOCK,
     NANOSECONDS,
@@ -26,8 +26,7 @@ from traceability.model.stack import Prover
 from traceability.model.time_bounds import DeclaredFacts, Spread, Times
 from traceability.reading.call_graph import Function
 from traceability.reading.call_record import Activation, Recording, Span
-from traceability.reading.flow_facts import Inequality, read_inequality
-from traceability.reading.loop_bounds import Bound, Bounds
+from traceability.reading.loop_bounds import Bound, Bounds, Inequality, read_inequality
 from traceability.reading.machine_code import REFILL, Code, read_code
 from traceability.schema import TimeBound
 
@@ -245,7 +244,7 @@ def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
     cost = {start: block.cycles for start, block in code.blocks.items()}
     (loop,) = code.loops
     after = max(code.blocks)
-    fact = FlowFact({loop.head: 1, after: 2}, 7)
+    fact = Inequality({loop.head: 1, after: 2}, 7)
     rounds = [(loop, Bound(10, in_all=False))]
     assert Problem(code, cost, rounds, [], [fact]).solve() == 1 + 5 * 3 + 4 * REFILL + 1 + REFILL
 
@@ -254,7 +253,7 @@ def test_a_callee_that_is_counted_apart_costs_its_number_of_calls(tmp_path: Path
     code = code_of(tmp_path, MEMORY)
     cost = {start: block.cycles for start, block in code.blocks.items()}
     alone = Problem(code, cost, [], []).solve()
-    facts = [FlowFact({"orders": 3}, 9)]
+    facts = [Inequality({"orders": 3}, 9)]
     assert Problem(code, cost, [], [], facts, {"orders": 100}).solve() == (alone or 0) + 300
 
 
