@@ -143,11 +143,9 @@ def _assemble(
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))
     model = with_reviews(model, facts)
-    examples = {
-        name: particular.examples for name, particular in declared.changes.particulars.items()
-    }
+    examples = {name: particular.examples for name, particular in declared.particulars.items()}
     done = made(model, declared.kits, read_kit_record(root), examples)
-    model = replace(model, changes=changes_of(model, declared.changes, done))
+    model = replace(model, changes=changes_of(model, declared, done))
     return replace(model, measured=read_measured(root, model))
 
 
