@@ -6,7 +6,7 @@ builds the model once (``traceability.model.build``)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -110,6 +110,15 @@ class Model:
     @property
     def results_stale(self) -> bool:
         return any(self.stale_on(binding) for binding in self.results_hashes)
+
+    def passing(self, tests: Iterable[str], binding: str) -> dict[str, str]:
+        """Returns the recordings of those tests that passed on a target, each with its test."""
+        return {
+            recording: name
+            for name in tests
+            if binding in self.tests[name].gave("passed")
+            for recording in self.tests[name].results[binding].recordings
+        }
 
     def mutants_of(self, requirement: str) -> list[schema.Mutant]:
         """Returns the mutants on which the tests of a requirement were tried. These mutants are in

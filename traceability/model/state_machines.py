@@ -332,11 +332,13 @@ def machines_of(
     """Returns the state machines. Each transition contains its places in the code, and the passing
     tests that executed it."""
     machines: dict[str, StateMachine] = {}
+    passing = model.passing(model.tests, HOST).items()
     for name, machine in facts.declared.machines.items():
         code = read_machine(machine, facts)
         watcher = Watcher(code, set(machine.events.values()), _family(machine, facts))
         seen = watch_all(watcher, recordings[HOST], cache / f"{name}.pickle")
-        machines[name] = _shown(machine, code, _passing(model, seen))
+        shown = [(test, change) for file, test in passing for change in seen.get(file, [])]
+        machines[name] = _shown(machine, code, shown)
     return machines
 
 
@@ -371,18 +373,6 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
     code = code_of("model/state_machines", "reading/traces")
     parts = [traces.state, names, sorted(turning), watcher.known(), *code]
     return cached_result(cache, parts, watch)
-
-
-def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]]:
-    """Returns a pair of a test and a change for each change that the recordings of a passing test
-    show."""
-    return [
-        (test.id, change)
-        for test in model.tests.values()
-        if HOST in test.gave("passed")
-        for recording in test.results[HOST].recordings
-        for change in seen.get(recording, [])
-    ]
 
 
 def _family(machine: StateMachine, facts: Facts) -> set[str]:

@@ -550,7 +550,6 @@ class Reader:
                 base = unaliased(child)
                 if base is not None and self.place(base) is not None:
                     fact.bases.append(class_name(base))
-                    fact.base_places.append(at)
             elif is_function(child):
                 fact.methods.append(self.method_fact(child, at, name))
             elif child.kind in (CursorKind.FIELD_DECL, CursorKind.VAR_DECL):
