@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from traceability import schema
 from traceability.model.architecture import connections_of
-from traceability.model.design_model import Model
+from traceability.model.design_model import Model, requirement_key
 from traceability.model.dictionary import with_dictionary
 from traceability.model.evidence import read_evidence
 from traceability.model.execution import with_execution
@@ -280,7 +280,7 @@ def _method(fact: MethodFact, facts: Facts) -> schema.Method:
         access=fact.access,
         kind=fact.kind,
         place=fact.place,
-        body=Place(body.place.file, body.place.line, body.end) if body else None,
+        body=body.place if body else None,
         brief=comment.brief,
         details=comment.details,
         params=[schema.Param(name, kind, params.get(name, "")) for name, kind in fact.params],
@@ -440,11 +440,6 @@ def _patterns(model: Model, facts: Facts) -> dict[str, schema.PatternApplication
                 roles=[binding for binding in bindings if binding.application == name],
             )
     return dict(sorted(applications.items()))
-
-
-def requirement_key(name: str) -> tuple[str, int]:
-    kind, _, number = name.partition("-")
-    return (kind, int(number) if number.isdigit() else 0)
 
 
 def _with_requirements(model: Model, facts: Facts) -> Model:

@@ -125,3 +125,9 @@ class Model:
         the methods of the requirement's invocation tree."""
         tried = self.mutation.tried if self.mutation else []
         return [mutant for mutant in tried if requirement in mutant.own]
+
+
+def requirement_key(name: str) -> tuple[str, int]:
+    """Returns the key by which the ids of requirements are sorted."""
+    kind, _, number = name.partition("-")
+    return (kind, int(number) if number.isdigit() else 0)

@@ -316,8 +316,11 @@ class Times:
         facts = self._facts(code, method, apart)
         longest = Problem(code, cost, rounds, counted, facts, apart).solve()
         if longest is None or code.hidden:
-            self.unbound.add((code.symbol, self._place(next(iter(code.blocks))) or ("?", 0)))
+            self._note_unbound(code)
         return longest or 0
+
+    def _note_unbound(self, code: Code) -> None:
+        self.unbound.add((code.symbol, self._place(next(iter(code.blocks))) or ("?", 0)))
 
     def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[Inequality]:
         """Converts the declared facts about the marked source lines of a function to facts about
@@ -346,9 +349,7 @@ class Times:
                 left += [[(start, factor) for start in copy] for copy in copies]
             elif name != ENTRIES:
                 if not copies:  # The marked source line is not in the compiled code.
-                    self.unbound.add(
-                        (code.symbol, self._place(next(iter(code.blocks))) or ("?", 0))
-                    )
+                    self._note_unbound(code)
                 for start in chain.from_iterable(copies):
                     right[start] = right.get(start, 0) + factor
         for choice in product(*left):

@@ -53,7 +53,7 @@ def _covered_methods(
                 coverages.append(
                     MethodCoverage(
                         method,
-                        Place(body.place.file, body.place.line, body.end),
+                        body.place,
                         {line: line in hit for line in lines},
                         [branch in taken for branch in branches] if measured.branched else None,
                     )

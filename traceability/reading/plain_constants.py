@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from traceability.grouping import grouped
 from traceability.reading.constants import unit_in
 from traceability.schema import Constant, Place
 from traceability.sources import files_below
@@ -55,13 +56,10 @@ def _constants(root: Path) -> Iterator[tuple[str, Constant]]:
 
 def unambiguous(constants: Iterable[tuple[str, Constant]]) -> dict[str, Constant]:
     """Returns the constants by their names. A name is left out if it has more than one value."""
-    values: dict[str, list[Constant]] = {}
-    for name, constant in constants:
-        values.setdefault(name, []).append(constant)
     return {
-        name: found[0]
-        for name, found in values.items()
-        if len({(value.number, value.unit) for value in found}) == 1
+        name: found[0][1]
+        for name, found in grouped(constants, lambda pair: pair[0]).items()
+        if len({(value.number, value.unit) for _, value in found}) == 1
     }
 
 

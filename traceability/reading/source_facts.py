@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from traceability.grouping import grouped
 from traceability.reading.ast_facts import (
     BodyFact,
     CallFact,
@@ -172,9 +173,7 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
         while upper is not None:
             overriders.setdefault(upper, []).append(method.id)
             upper = methods[upper].overrides if upper in methods else None
-    bodies: dict[str, list[BodyFact]] = {}
-    for body in syntax.bodies:
-        bodies.setdefault(body.id, []).append(body)
+    bodies = grouped(syntax.bodies, lambda body: body.id)
     written_in = {
         file: fact.name
         for fact in syntax.classes
