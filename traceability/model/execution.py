@@ -41,7 +41,10 @@ def with_execution(model: Model, facts: Facts) -> Model:
         numbers = {facts.syntax.constants[name] for name in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.robot.reached(context.handlers, narrowed, facts.declared.ends)
-        methods[context.id] = reached if context.kind != START else _idle(context, facts)
+        methods[context.id] = reached
+        if context.kind == START:  # Only its part after the start of the interrupts counts.
+            idle = [context.idle] if context.idle else []
+            methods[context.id] = facts.robot.reached(idle, {}, facts.declared.ends)
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
         contexts[name] = replace(
             context,
@@ -56,12 +59,6 @@ def with_execution(model: Model, facts: Facts) -> Model:
         pipes=pipes_of(model, facts, methods),
         shared=shared_members(model, facts, methods),
     )
-
-
-def _idle(context: ExecutionContext, facts: Facts) -> Ways[str]:
-    """Returns the methods that the program after a reset executes when the interrupts are
-    enabled."""
-    return facts.robot.reached([context.idle], {}, facts.declared.ends) if context.idle else {}
 
 
 def first_methods(context: ExecutionContext, reached: Ways[str], model: Model) -> list[str]:
