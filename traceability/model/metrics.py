@@ -176,6 +176,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[schema.Clause]]) -> dic
     runs = [run for test in model.tests.values() for run in test.results.values() if run.result]
     applications = list(model.patterns.values())
     decided = all(clauses.get(application.id) for application in applications)
+    missed, lines = driver_lines(model)
 
     def conforms(application: schema.PatternApplication) -> bool:
         return all(clause.holds for clause in clauses[application.id])
@@ -201,7 +202,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[schema.Clause]]) -> dic
         "tests.total": len(runs) if fresh else None,
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "tests.skipped": sum(run.result == "skipped" for run in runs) if fresh else None,
-        "coverage.drivers_on_board": _executed(model.board_lines),
+        "coverage.drivers_on_board": round(100 * (lines - missed) / lines, 1) if lines else None,
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "patterns.price": {name: asdict(price) for name, price in model.prices.items()} or None,
         "bench.seen_cycle_ms": model.times.seen_ms if model.times else None,
@@ -296,8 +297,8 @@ def methods(requirements: Iterable[schema.Requirement]) -> dict[str, Any]:
     }
 
 
-def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
-    """Returns the percentage of source lines that tests executed, with one decimal place. Returns
-    None if there is no source line."""
-    hits = [hit for lines in (files or {}).values() for hit in lines.values()]
-    return round(100 * sum(hits) / len(hits), 1) if hits else None
+def driver_lines(model: Model) -> tuple[int, int]:
+    """Returns the number of lines of the drivers that were not executed in the image with recorded
+    lines, and the number of all their lines. Both are 0 if the lines were not measured."""
+    hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
+    return hits.count(False), len(hits)

@@ -60,13 +60,11 @@ def is_stay(step: Transition) -> bool:
 
 def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
     code = MachineCode()
-    declared = facts.declared.applications.get(machine.application)
-    bases = declared.roles.get("State", []) if declared else []
-    if not declared or not bases or bases[0] not in facts.classes:
+    roles = _roles(machine, facts)
+    base = next(iter(roles.get("State", [])), "")
+    if base not in facts.classes:
         return code
-    base = bases[0]
-    contexts = declared.roles.get("Context", [])
-    code.holders = _holders(base, contexts, facts)
+    code.holders = _holders(base, roles.get("Context", []), facts)
     code.operations = _operations(base, facts)
     code.storage = _storage(machine, facts)
     for state, module in machine.states.items():
@@ -375,9 +373,14 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
     return cached_result(cache, parts, watch)
 
 
-def _family(machine: StateMachine, facts: Facts) -> set[str]:
+def _roles(machine: StateMachine, facts: Facts) -> dict[str, list[str]]:
+    """Returns the modules with each role in the application of the State pattern."""
     declared = facts.declared.applications.get(machine.application)
-    bases = declared.roles.get("State", []) if declared else []
+    return declared.roles if declared else {}
+
+
+def _family(machine: StateMachine, facts: Facts) -> set[str]:
+    bases = _roles(machine, facts).get("State", [])
     return {module for base in bases for module in (base, *facts.subclasses.get(base, []))}
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from traceability.grouping import grouped
 from traceability.reading.constants import unit_in
+from traceability.reading.source_lines import place_at
 from traceability.schema import Constant, Place
 from traceability.sources import files_below
 
@@ -68,8 +69,8 @@ def constants_of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
     folder = f"{path.parent.name}::{path.stem}::"
 
     def constant(match: re.Match[str], group: str, unit: str) -> Constant:
-        place = Place(file, text.count("\n", 0, match.start("name")) + 1)
-        return Constant(float(match[group].replace("'", "")), unit, place)
+        number = float(match[group].replace("'", ""))
+        return Constant(number, unit, place_at(file, text, match.start("name")))
 
     for match in _CPP.finditer(text):
         unit = unit_in(match["comment"]) or next(

@@ -132,14 +132,6 @@ def run_hash(root: Path, binding: str) -> str:
     return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
 
 
-def count_totals(root: Path) -> dict[str, float] | None:
-    """Returns the totals of gcovr. Returns None if gcovr found no source line of the design."""
-    record = read_object(root / COVERAGE)
-    if not record or not record["line_total"]:
-        return None
-    return {name: record[name] for name in ("line_percent", "branch_percent")}
-
-
 def read_results_hash(root: Path, binding: str) -> str | None:
     """Returns the hash of the present sources if the test results belong to these sources. Returns
     "other sources" if the results belong to other sources, and None if there are no results."""
