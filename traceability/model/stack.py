@@ -267,11 +267,8 @@ class Prover:
         kinds = robot.constructed & {kind, *self.facts.subclasses.get(kind, [])}
         if not kinds:
             return robot.targets(call)
-        return list(
-            dict.fromkeys(
-                method for one in sorted(kinds) for method in robot.own_targets(call, one)
-            )
-        )
+        methods = (method for one in sorted(kinds) for method in robot.own_targets(call, one))
+        return list(dict.fromkeys(methods))
 
     def _kind_of(self, body: str, way: Sequence[tuple[str, int]]) -> str:
         """Returns the class of the object on which the method ``body`` runs. If ``body`` is inlined
