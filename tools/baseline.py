@@ -205,7 +205,7 @@ def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
     for design in DESIGNS:
         patch = root / patch_of(change, design)
         apply(log, tree, patch)
-        counts[design] = count_patch(patch.read_text(encoding="utf-8")).as_json()
+        counts[design] = vars(count_patch(patch.read_text(encoding="utf-8")))
     program = f"change_{change}_tests"
     folder = tree.parent / "tree-build"
     configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", tree, "-B", folder]

@@ -10,7 +10,7 @@ from tools.documents import counted, read_findings, write_time
 from tools.lock import only_one
 from tools.tasks import DOCUMENTS, graph, pages_graph
 from traceability.reading.published import publish
-from traceability.reading.seeded_fault_record import last_seeded
+from traceability.reading.seeded_faults import last_seeded
 from traceability.reading.task_record import SEEDED_FAULTS
 
 

@@ -16,7 +16,7 @@ from traceability.reading.results import (
     COVERAGE,
     COVERAGE_LINES,
     RUNS,
-    count_totals,
+    read_object,
 )
 from traceability.schema import HOST
 from traceability.sources import DESIGN
@@ -34,8 +34,8 @@ def count_coverage(root: Path, log: TextIO) -> str:
     build = root / "build" / RUNS[HOST]
     remove_stale_notes(root, build, log)
     run(log, [*words, build])
-    totals = count_totals(root)
-    if totals is None:
+    totals = read_object(root / COVERAGE)
+    if not totals.get("line_total"):
         raise FailureError(
             "gcovr found no line of the design; run the tests again with ./wr test host"
         )

@@ -24,13 +24,15 @@ from tools.task_graph import Graph, Outcome, Reporter, Task
 from traceability.model.build import commit, logic_of
 from traceability.reading.lint_record import (
     FAILED,
+    FOLDERS,
     NOT_RUN,
     PASSED,
     files_hash,
+    read_prose,
     tidied,
     write_lint,
+    write_prose,
 )
-from traceability.reading.prose_record import FOLDERS, read_prose, write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 from traceability.whole_file import write_json, write_whole

@@ -20,8 +20,8 @@ from tools.cmake_build import BOARD_PROGRAM, build, sources_of
 from tools.steps import FailureError
 from tools.task_graph import Outcome
 from traceability.reading.closed_loop_record import EXAMPLES
-from traceability.reading.live_record import MODULE, RECORD
 from traceability.reading.products import PAPER, image_of
+from traceability.reading.results import LIVE, LIVE_MODULE
 from traceability.whole_file import write_json
 
 COMPILER = "clang++-19"
@@ -65,7 +65,7 @@ def build_module(root: Path, log: TextIO) -> Outcome:
     if shutil.which(COMPILER) is None:
         return Outcome(f"not built, because {COMPILER} is not installed", values={"file_dep": []})
     build(root, PRESET, log, TARGET)
-    size = (root / MODULE).stat().st_size
+    size = (root / LIVE_MODULE).stat().st_size
     return Outcome(f"{size} bytes", values={"file_dep": sources_of(root, PRESET, TARGET)})
 
 
@@ -91,7 +91,7 @@ def play_native(root: Path, scenario: Path) -> dict[str, Any]:
 
 def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
     """Plays scenarios with the module in Node."""
-    files = [root / SCRIPT, root / MODULE, root / image_of(PAPER, ".bin"), *scenarios]
+    files = [root / SCRIPT, root / LIVE_MODULE, root / image_of(PAPER, ".bin"), *scenarios]
     words = ["node", "--eval", NODE, "--", *map(str, files)]
     run = subprocess.run(words, capture_output=True, text=True, timeout=SECONDS, check=False)
     if run.returncode != 0:
@@ -105,7 +105,7 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
         folder = Path(name)
         for source, target in (
             (SCRIPT, "module.js"),
-            (MODULE, "live.wasm"),
+            (LIVE_MODULE, "live.wasm"),
             (image_of(PAPER, ".bin"), "image.bin"),
         ):
             shutil.copyfile(root / source, folder / target)
@@ -129,8 +129,8 @@ def differences(native: dict[str, Any], run: dict[str, Any]) -> list[str]:
 def measure_live(root: Path, log: TextIO) -> Outcome:
     """Compares the runs of all example scenarios, and measures the speed in the browser."""
     browser = find_browser()
-    if not (root / MODULE).exists():
-        write_json(root / RECORD, {})
+    if not (root / LIVE_MODULE).exists():
+        write_json(root / LIVE, {})
         return Outcome("not run, because there is no module")
     scenarios = examples(root)
     engines: dict[str, list[dict[str, Any]]] = {}
@@ -153,7 +153,7 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
     if engines:
         different = {line.partition(":")[0] for line in wrong}
         values["scenarios_equal"] = len(scenarios) - len(different)
-    write_json(root / RECORD, values)
+    write_json(root / LIVE, values)
     if wrong:
         return Outcome(f"a run differs from the native run: {wrong[0]}", failed=True)
     speed = values.get("real_time_factor")
@@ -181,5 +181,5 @@ def _wrong(
 def _bytes(root: Path) -> int:
     """Returns the number of bytes that the page loads before the robot starts. These are the
     bytes of the module, of a firmware image and of the data of the page, if these files exist."""
-    loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
+    loaded = (root / path for path in (LIVE_MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

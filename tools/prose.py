@@ -12,7 +12,7 @@ from pygments.lexers import get_lexer_for_filename
 from pygments.token import Comment, Literal, _TokenType, is_token_subtype
 from pygments.util import ClassNotFound
 
-from traceability.reading.prose_record import FOLDERS
+from traceability.reading.lint_record import FOLDERS
 from traceability.sources import files_below
 
 GLOSSARY = Path("docs/glossary.rst")

@@ -26,11 +26,9 @@ from traceability.exports.tool_files import FILES
 from traceability.exports.verification_table import JSON, JUNIT, SCHEMA
 from traceability.model.pattern_price import MEASURED
 from traceability.reading.build_evidence import git
-from traceability.reading.live_record import MODULE
 from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.published import publish
-from traceability.reading.release_record import RECORD
-from traceability.reading.results import RESULTS
+from traceability.reading.results import LIVE_MODULE, RELEASE, RESULTS
 from traceability.reading.task_record import IMAGES
 from traceability.reading.task_record import RECORD as TASKS
 from traceability.reading.traces import SOURCES
@@ -105,14 +103,14 @@ def release(root: Path, *, verify: bool, published: bool = False) -> int:
         return 0
     different = compare_with_second(root, folder)
     record = {"commit": made.commit, "reproducible": not different}
-    write_json(root / RECORD, record)
+    write_json(root / RELEASE, record)
     for line in different:
         print(line)
     if published:
         files = len(below(folder))
         unequal = sum(not line.startswith(" ") for line in different)
         score = {"found": files - unequal, "tried": files}
-        path = publish(root, RECORD.stem, VERIFY, made.commit[:10], score)
+        path = publish(root, RELEASE.stem, VERIFY, made.commit[:10], score)
         print(f"published in {path.relative_to(root)}")
     print("The two releases are the same." if not different else f"{len(different)} files differ.")
     return 1 if different else 0
@@ -210,7 +208,7 @@ def bring_results(root: Path, copy: Path) -> None:
     second run. Recordings also contain the addresses of the recorded program."""
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
     covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.pickle")]
-    for name in (RESULTS, TASKS, TIMES, MODULE, *recorded, *covered):
+    for name in (RESULTS, TASKS, TIMES, LIVE_MODULE, *recorded, *covered):
         if (root / name).is_dir():
             shutil.copytree(root / name, copy / name)
         elif (root / name).exists():

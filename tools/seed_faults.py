@@ -16,8 +16,14 @@ from portal.site_build import build_site
 from tools.steps import UsageError
 from traceability.checks import message, run_checks, run_link_checks
 from traceability.model.build import build, commit
-from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_record
-from traceability.reading.seeded_faults import COMPILER, Fault, read_faults
+from traceability.reading.seeded_faults import (
+    COMPILER,
+    SOURCES,
+    Fault,
+    Outcome,
+    read_faults,
+    write_record,
+)
 from traceability.schema import Finding
 
 # Greatest distance from the expected line to the line of the finding, in source lines. A finding

@@ -15,7 +15,6 @@ from tools.image import FIELD
 from tools.steps import FailureError
 from traceability.reading.bench_record import LIBRARY, frames_of
 from traceability.reading.bench_record import owner as module_of
-from traceability.reading.image_record import TOTALS
 from traceability.reading.products import (
     DEFAULT,
     PRODUCTS,
@@ -25,6 +24,7 @@ from traceability.reading.products import (
     modules_in,
     recorded_image_of,
 )
+from traceability.reading.results import TOTALS
 from traceability.whole_file import write_json
 
 ELF = image_of(DEFAULT, ".elf")

@@ -57,15 +57,15 @@ from traceability.reading.call_record import SCENARIOS as ALL_SCENARIOS
 from traceability.reading.change_kits import FOLDER as KITS
 from traceability.reading.change_kits import RESULT as KITS_RESULT
 from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
-from traceability.reading.live_record import RECORD as LIVE_RECORD
 from traceability.reading.ports import RESULT as PORTS_RESULT
 from traceability.reading.ports import read_ports
 from traceability.reading.products import DEFAULT, PRODUCTS
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.proof_record import PROOFS
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
-from traceability.reading.seeded_fault_record import RECORD as FAULTS
-from traceability.reading.seeded_fault_record import SOURCES
+from traceability.reading.results import LIVE as LIVE_RECORD
+from traceability.reading.seeded_faults import RECORD as FAULTS
+from traceability.reading.seeded_faults import SOURCES
 from traceability.reading.task_record import is_fresh
 from traceability.reading.toml_reader import Entries
 from traceability.reading.tool_tests import python_task, results_of

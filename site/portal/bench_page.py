@@ -21,7 +21,7 @@ from traceability.reading.bench_record import (
     Paper,
     measured_orders,
 )
-from traceability.reading.fault_record import LOADS
+from traceability.reading.published import LOADS
 from traceability.schema import HOST, BenchRun, Curve
 
 Runs = Mapping[str, BenchRun]  # key: name of the timing model of the virtual K64, or "board"

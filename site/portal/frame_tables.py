@@ -7,7 +7,7 @@ from pathlib import Path
 
 from portal.tables import list_table
 from portal.templates import TEMPLATES
-from traceability.reading.live_record import MODULE
+from traceability.reading.results import LIVE_MODULE
 from weeding_robot_client.layout import (
     BY_QUANTITY,
     WHEEL_COUNT,
@@ -157,6 +157,6 @@ def values_table(enumeration: Enumeration) -> str:
 def live_frames(root: Path) -> str:
     """Returns the HTML element that shows the frames while the simulated robot runs in the page. If
     the WebAssembly module was not built, returns a sentence that reports this."""
-    if not (root / MODULE).exists():
+    if not (root / LIVE_MODULE).exists():
         return "<p>The WebAssembly module that runs the robot was not built.</p>\n"
     return (TEMPLATES / "live_frames.html").read_text(encoding="utf-8")

@@ -15,9 +15,9 @@ from portal.portal import Portal
 from portal.writing import remove_others, write_changed
 from traceability.grouping import grouped
 from traceability.model.design_model import Model
+from traceability.reading import task_record
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.declared_safety import SCENARIOS
-from traceability.reading.live_record import MODULE, read_live
 from traceability.reading.products import (
     CALLS_SUFFIX,
     DEFAULT,
@@ -26,6 +26,7 @@ from traceability.reading.products import (
     image_of,
     recorded_image_of,
 )
+from traceability.reading.results import LIVE, LIVE_MODULE, read_fresh
 from traceability.reading.traces import read_symbols
 from traceability.schema import Method, TreeNode
 from weeding_robot_client.layout import Field, Layout, read_frames
@@ -59,7 +60,7 @@ class Image:
 def images(root: Path) -> list[Image]:
     """Returns the firmware images that were built. The list is empty if the WebAssembly module that
     runs the images was not built."""
-    if not (root / MODULE).exists():
+    if not (root / LIVE_MODULE).exists():
         return []
     built = []
     for product, commands in PRODUCTS.items():
@@ -81,7 +82,7 @@ def file_of(name: str, suffix: str) -> Path:
 def run(portal: Portal) -> dict[str, Any]:
     """Returns the values of the template of the page."""
     built = images(portal.root)
-    module = portal.root / MODULE
+    module = portal.root / LIVE_MODULE
     ran = [scenario for scenario in portal.model.closed_loop if scenario.runs]
     shown = [scenario for scenario in ran if scenario.name == RECORDED] or ran[:1]
     return {
@@ -92,7 +93,7 @@ def run(portal: Portal) -> dict[str, Any]:
         "recorded": shown,
         "drawings": {scenario.name: plots.draw_all(scenario.plots) for scenario in shown},
         "machines": list(portal.model.machines.values()),
-        "measured": read_live(portal.root),
+        "measured": read_fresh(portal.root, LIVE, task_record.LIVE),
         "wide": True,
         "bare": True,
     }
@@ -103,10 +104,10 @@ def write_live(portal: Portal, site: Path) -> None:
     root, folder = portal.root, site / FOLDER
     built = images(root)
     names = [f"{image.name}.bin" for image in built]
-    remove_others(folder, "*", [*names, DATA, MODULE.name] if built else [])
+    remove_others(folder, "*", [*names, DATA, LIVE_MODULE.name] if built else [])
     if not built:
         return
-    write_changed(folder / MODULE.name, (root / MODULE).read_bytes())
+    write_changed(folder / LIVE_MODULE.name, (root / LIVE_MODULE).read_bytes())
     for image in built:
         write_changed(
             folder / f"{image.name}.bin", (root / file_of(image.name, ".bin")).read_bytes()

@@ -17,9 +17,9 @@ from traceability.model.not_shown import unmeasured_drivers
 from traceability.reading import baseline_record, closed_loop_record
 from traceability.reading.change_kits import touched_lines
 from traceability.reading.fault_kinds import fault_kinds, sensor_faults
-from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.reading.plain_constants import plain_constants
 from traceability.reading.products import DEFAULT, HAS, PAPER, PRODUCTS, RECORDED
+from traceability.reading.published import FAULTS, FUZZ, OUTCOMES
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"

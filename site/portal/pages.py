@@ -45,7 +45,8 @@ from portal.verification_views import Facets, facets_of_test, options
 from traceability.exports.tool_files import available
 from traceability.grouping import grouped
 from traceability.model.made_changes import proven
-from traceability.model.not_shown import by_method, driver_lines, not_shown
+from traceability.model.metrics import driver_lines
+from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading import closed_loop_record
 from traceability.reading.bench_record import SCENARIOS

@@ -33,10 +33,9 @@ from traceability.model.metrics import metrics
 from traceability.model.not_shown import targets_of
 from traceability.model.report import Report
 from traceability.reading.last_changes import changed_since, last_changes
-from traceability.reading.live_record import MODULE
 from traceability.reading.products import CALLS_SUFFIX
-from traceability.reading.seeded_fault_record import Outcome
-from traceability.reading.seeded_faults import Fault
+from traceability.reading.results import LIVE_MODULE
+from traceability.reading.seeded_faults import Fault, Outcome
 from traceability.schema import (
     HOST,
     ExecutionContext,
@@ -187,7 +186,7 @@ class Portal:
     @functools.cached_property
     def runs_live(self) -> bool:
         """Returns whether the WebAssembly module that runs firmware images in a page was built."""
-        return (self.root / MODULE).exists()
+        return (self.root / LIVE_MODULE).exists()
 
     # ---- derived facts --------------------------------------------------------
 

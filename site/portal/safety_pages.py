@@ -11,8 +11,8 @@ from portal.portal import Page, Portal
 from portal.recorded_calls import recordings_of
 from traceability.model.safety_case import scenarios_of
 from traceability.reading import bench_record, call_record, closed_loop_record
-from traceability.reading.fault_record import FAULTS, FUZZ
 from traceability.reading.products import CALLS_SUFFIX, DEFAULT, HAS, PAPER, PRODUCTS, RECORDED
+from traceability.reading.published import FAULTS, FUZZ
 from traceability.schema import BenchScenario, FaultScenario, SafetyGoal, Test
 
 TIMING = "no-wait-states"

@@ -8,8 +8,8 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from traceability.reading.fault_record import OUTCOMES
 from traceability.reading.products import DEFAULT, image_of
+from traceability.reading.published import OUTCOMES
 
 PROGRAM = Path("build/host/sim/weeding_robot_faults")
 IMAGE, ELF = image_of(DEFAULT, ".bin"), image_of(DEFAULT, ".elf")

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from traceability.checks.pattern_checks import ABSTRACTIONS, SUBCLASS_ROLES
 from traceability.model.design_model import Model
-from traceability.reading.change_texts import Particular, Recipe
+from traceability.reading.declared import Particular, Recipe
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 
@@ -18,13 +18,12 @@ STANDING = {"derives", "edits", "id"}
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.patterns:
         return
-    texts = facts.declared.changes
-    for name, recipe in texts.recipes.items():
+    for name, recipe in facts.declared.recipes.items():
         yield from _findings(recipe.place, _recipe(name, recipe, facts), facts)
-    for name, particular in texts.particulars.items():
+    for name, particular in facts.declared.particulars.items():
         yield from _findings(particular.place, _particular(name, particular, model, facts), facts)
     for pattern in facts.declared.patterns:
-        if pattern.name not in texts.recipes:
+        if pattern.name not in facts.declared.recipes:
             problem = (pattern.name, f"there is no recipe for a change of a {pattern.name}")
             yield from _findings(pattern.place, [problem], facts)
 

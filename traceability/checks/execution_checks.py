@@ -15,9 +15,9 @@ from traceability.model.execution import (
     handler_lines,
     line_priorities,
     silent_lines,
-    way_to,
 )
 from traceability.reading.comments import comment_blanked
+from traceability.reading.graphs import Ways, way_to
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import texts_below
 from traceability.schema import ExecutionContext, Finding, Place
@@ -99,12 +99,12 @@ def _handlers(model: Model, facts: Facts) -> Iterator[Finding]:
         yield _declared(DECLARED, text)
 
 
-def _reached(functions: Iterable[str], facts: Facts) -> dict[str, str]:
+def _reached(functions: Iterable[str], facts: Facts) -> Ways[str]:
     """Returns all functions that the given functions may call, each with its first caller."""
     return facts.robot.reached(functions, {}, facts.declared.ends)
 
 
-def _of_interrupts(model: Model, facts: Facts) -> Iterator[tuple[ExecutionContext, dict[str, str]]]:
+def _of_interrupts(model: Model, facts: Facts) -> Iterator[tuple[ExecutionContext, Ways[str]]]:
     """Yields each interrupt, with all functions that its handlers may call."""
     for context in model.contexts.values():
         if context.kind == INTERRUPT:

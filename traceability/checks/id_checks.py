@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
-from traceability.reading.project_texts import text_lines
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import text_lines
 from traceability.schema import Finding
 
 IDS = {

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from traceability.reading.project_texts import text_lines
+from traceability.reading.source_lines import text_lines
 from traceability.schema import Finding
 
 PAGES = (".md", ".rst", ".toml")

@@ -18,8 +18,8 @@ from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
 from traceability.reading.ast_facts import ANY_CLASS, BodyFact
 from traceability.reading.gtest_cases import empty_loops, read_tests, unknown_macros
-from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import DIFFERENT, HAS, PRODUCTS
+from traceability.reading.results import TOTALS, read_image
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import headings, texts_below
 from traceability.schema import (

@@ -10,8 +10,8 @@ from contextlib import suppress
 
 from traceability.model.design_model import Model
 from traceability.model.response_times import DECLARED_IN
-from traceability.reading.fault_record import LOADS
 from traceability.reading.loop_bounds import DECLARED, Bounds
+from traceability.reading.published import LOADS
 from traceability.reading.source_facts import Facts
 from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place, TimeProof

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 
 from traceability.model.design_model import Model
-from traceability.model.execution import way_to
-from traceability.reading.source_facts import Facts
+from traceability.reading.graphs import way_to, ways_from
+from traceability.reading.source_facts import Facts, is_constructor
 from traceability.schema import Connection
 
 POST = "ControlThread::post"  # method that requests the later execution of the command of a thread
@@ -68,17 +69,12 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 def shortest(facts: Facts, starts: list[str], stop: str) -> list[str]:
     """Returns the shortest chain of calls from one of the methods ``starts`` to ``stop``, which is
     a method or a module. Returns an empty list if there is no such chain."""
-    before: dict[str, str] = dict.fromkeys(starts, "")
-    work = list(before)
-    while work:
-        caller = work.pop(0)
-        for target in called(facts, caller):
-            if target in before or target.rpartition("::")[0].endswith(target.rpartition("::")[2]):
-                continue
-            before[target] = caller
-            if target == stop or target.startswith(f"{stop}::"):
-                return way_to(target, before)
-            work.append(target)
+    before = ways_from(
+        starts, lambda method: itertools.filterfalse(is_constructor, called(facts, method))
+    )
+    for method, above in before.items():
+        if above and (method == stop or method.startswith(f"{stop}::")):
+            return way_to(method, before)
     return []
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from traceability import schema
 from traceability.model.architecture import connections_of
-from traceability.model.design_model import Model
+from traceability.model.design_model import Model, requirement_key
 from traceability.model.dictionary import with_dictionary
 from traceability.model.evidence import read_evidence
 from traceability.model.execution import with_execution
@@ -40,15 +40,13 @@ from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
-from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.plain_constants import plain_constants, unambiguous
 from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
-from traceability.reading.published import last_score
+from traceability.reading.published import last_score, read_campaigns
 from traceability.reading.results import read_sizes
-from traceability.reading.seeded_fault_record import last_seeded, read_record
-from traceability.reading.seeded_faults import read_faults
+from traceability.reading.seeded_faults import last_seeded, read_faults, read_record
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
 from traceability.reading.traces import Traces, read_traces
@@ -145,11 +143,9 @@ def _assemble(
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))
     model = with_reviews(model, facts)
-    examples = {
-        name: particular.examples for name, particular in declared.changes.particulars.items()
-    }
+    examples = {name: particular.examples for name, particular in declared.particulars.items()}
     done = made(model, declared.kits, read_kit_record(root), examples)
-    model = replace(model, changes=changes_of(model, declared.changes, done))
+    model = replace(model, changes=changes_of(model, declared, done))
     return replace(model, measured=read_measured(root, model))
 
 
@@ -284,7 +280,7 @@ def _method(fact: MethodFact, facts: Facts) -> schema.Method:
         access=fact.access,
         kind=fact.kind,
         place=fact.place,
-        body=Place(body.place.file, body.place.line, body.end) if body else None,
+        body=body.place if body else None,
         brief=comment.brief,
         details=comment.details,
         params=[schema.Param(name, kind, params.get(name, "")) for name, kind in fact.params],
@@ -444,11 +440,6 @@ def _patterns(model: Model, facts: Facts) -> dict[str, schema.PatternApplication
                 roles=[binding for binding in bindings if binding.application == name],
             )
     return dict(sorted(applications.items()))
-
-
-def requirement_key(name: str) -> tuple[str, int]:
-    kind, _, number = name.partition("-")
-    return (kind, int(number) if number.isdigit() else 0)
 
 
 def _with_requirements(model: Model, facts: Facts) -> Model:

@@ -6,7 +6,7 @@ builds the model once (``traceability.model.build``)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,8 +14,7 @@ from traceability import schema
 from traceability.reading.baseline_record import Part
 from traceability.reading.comparison_record import Comparison
 from traceability.reading.published import Published
-from traceability.reading.seeded_fault_record import Outcome
-from traceability.reading.seeded_faults import Fault
+from traceability.reading.seeded_faults import Fault, Outcome
 
 
 @dataclass(frozen=True)
@@ -123,8 +122,23 @@ class Model:
     def results_stale(self) -> bool:
         return any(self.stale_on(binding) for binding in self.results_hashes)
 
+    def passing(self, tests: Iterable[str], binding: str) -> dict[str, str]:
+        """Returns the recordings of those tests that passed on a target, each with its test."""
+        return {
+            recording: name
+            for name in tests
+            if binding in self.tests[name].gave("passed")
+            for recording in self.tests[name].results[binding].recordings
+        }
+
     def mutants_of(self, requirement: str) -> list[schema.Mutant]:
         """Returns the mutants on which the tests of a requirement were tried. These mutants are in
         the methods of the requirement's invocation tree."""
         tried = self.mutation.tried if self.mutation else []
         return [mutant for mutant in tried if requirement in mutant.own]
+
+
+def requirement_key(name: str) -> tuple[str, int]:
+    """Returns the key by which the ids of requirements are sorted."""
+    kind, _, number = name.partition("-")
+    return (kind, int(number) if number.isdigit() else 0)

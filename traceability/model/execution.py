@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact, FieldFact
+from traceability.reading.graphs import Ways
 from traceability.reading.source_facts import Facts, Object
 from traceability.schema import ExecutionContext, Place, SharedMember, SharedPipe
 
@@ -26,7 +27,7 @@ ENABLE = "K64Thread::enable"  # method with the arguments: interrupt line, prior
 
 # context -> method that the context may execute while the other contexts run -> first caller of
 # this method that was found
-Methods = dict[str, dict[str, str]]
+Methods = dict[str, Ways[str]]
 
 
 def with_execution(model: Model, facts: Facts) -> Model:
@@ -40,7 +41,10 @@ def with_execution(model: Model, facts: Facts) -> Model:
         numbers = {facts.syntax.constants[name] for name in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.robot.reached(context.handlers, narrowed, facts.declared.ends)
-        methods[context.id] = reached if context.kind != START else _idle(context, facts)
+        methods[context.id] = reached
+        if context.kind == START:  # Only its part after the start of the interrupts counts.
+            idle = [context.idle] if context.idle else []
+            methods[context.id] = facts.robot.reached(idle, {}, facts.declared.ends)
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
         contexts[name] = replace(
             context,
@@ -57,13 +61,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
     )
 
 
-def _idle(context: ExecutionContext, facts: Facts) -> dict[str, str]:
-    """Returns the methods that the program after a reset executes when the interrupts are
-    enabled."""
-    return facts.robot.reached([context.idle], {}, facts.declared.ends) if context.idle else {}
-
-
-def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
+def first_methods(context: ExecutionContext, reached: Ways[str], model: Model) -> list[str]:
     """Returns the methods at which a context enters the modules. For a thread, this is the
     method of its command. For another context, these are the methods that its handlers call.
     Methods of builders are left out, because a builder only passes on a reference to a module."""
@@ -271,12 +269,3 @@ def shared_member(
         protection=protection,
         why=why,
     )
-
-
-def way_to(method: str, reached: dict[str, str]) -> list[str]:
-    """Returns a chain of methods from a handler to ``method``, in which each method calls the next
-    method."""
-    way = [method]
-    while reached.get(way[0]):
-        way.insert(0, reached[way[0]])
-    return way

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.reading.call_graph import Function, names_of_addresses, read_graph
-from traceability.reading.image_record import read_image
 from traceability.reading.loop_bounds import Place
 from traceability.reading.machine_code import Code, places, read_code
 from traceability.reading.products import DEFAULT, image_of
+from traceability.reading.results import read_image
 
 
 @dataclass(frozen=True)

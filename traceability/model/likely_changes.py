@@ -12,19 +12,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from traceability.model.design_model import Model
-from traceability.reading.change_texts import ChangeTexts, Particular, Recipe
+from traceability.reading.declared import Declared, Particular, Recipe
 from traceability.reading.traces import nodes_of
 from traceability.schema import LikelyChange, MadeChange, PatternApplication
 
 
 def changes_of(
-    model: Model, texts: ChangeTexts, made: Mapping[str, MadeChange]
+    model: Model, declared: Declared, made: Mapping[str, MadeChange]
 ) -> dict[str, LikelyChange]:
     changes: dict[str, LikelyChange] = {}
     for application in model.patterns.values():
-        recipe = texts.recipes.get(application.pattern)
+        recipe = declared.recipes.get(application.pattern)
         if recipe:
-            particular = texts.particulars.get(application.id, Particular(application.id))
+            particular = declared.particulars.get(application.id, Particular(application.id))
             change = _change(model, application, recipe, particular)
             changes[application.id] = replace(change, made=made.get(application.id))
     return changes

@@ -12,21 +12,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from traceability.reading.loop_bounds import Bound
+from traceability.reading.loop_bounds import Bound, Inequality
 from traceability.reading.machine_code import REFILL, Code, Loop
 
 if TYPE_CHECKING:
     import highspy
-
-
-@dataclass(frozen=True)
-class FlowFact:
-    """An upper limit of a weighted sum. The sum adds numbers of executions, each multiplied by
-    its factor."""
-
-    # address of a block, or name of a counter in ``Problem.apart`` -> factor
-    factors: Mapping[int | str, int]
-    most: int  # the upper limit
 
 
 @dataclass
@@ -37,7 +27,7 @@ class Problem:
     cost: Mapping[int, int]  # address of a block -> cost of one execution
     rounds: Iterable[tuple[Loop, Bound]]  # loops with their maximum numbers of iterations
     counted: Sequence[tuple[int, int]]  # (address of a block, maximum number of its executions)
-    facts: Iterable[FlowFact] = field(default_factory=list)
+    facts: Iterable[Inequality] = field(default_factory=list)
     # name of a counter that counts executions in other functions -> cost of one execution
     apart: Mapping[str, int] = field(default_factory=dict)
 

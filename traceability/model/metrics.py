@@ -14,25 +14,48 @@ from traceability.model.design_model import Model
 from traceability.model.made_changes import proven
 from traceability.model.report import Report
 from traceability.model.response_times import CLOCK
+from traceability.reading import task_record
 from traceability.reading.bench_record import IMAGE, MANUAL, bench_metrics
-from traceability.reading.fault_record import LOADS, campaign_metrics
-from traceability.reading.fault_record import METRICS as CAMPAIGNS
-from traceability.reading.image_record import read_image
-from traceability.reading.live_record import KEYS as LIVE
-from traceability.reading.live_record import live_metrics
+from traceability.reading.lint_record import read_prose
 from traceability.reading.products import HAS, intruders
 from traceability.reading.proof_record import PROVE
-from traceability.reading.prose_record import read_prose
-from traceability.reading.published import Published
-from traceability.reading.release_record import release_metrics
-from traceability.reading.results import read_recording_factor, read_times, read_totals
+from traceability.reading.published import LOADS, Published, campaign_metrics
+from traceability.reading.published import METRICS as CAMPAIGNS
+from traceability.reading.results import (
+    COVERAGE,
+    LIVE,
+    RELEASE,
+    TOTALS,
+    read_fresh,
+    read_object,
+    read_recording_factor,
+    read_times,
+)
 from traceability.reading.traces import nodes_of
 from traceability.sources import file_hash, files_below
 
+# file of a task -> the task, and the key of each metric in this file
+OF_TASKS = {
+    TOTALS: (
+        task_record.IMAGES,
+        {"firmware.flash_bytes": "flash", "firmware.ram_bytes": "ram"},
+    ),
+    COVERAGE: (
+        task_record.COVERAGE,
+        {"coverage.line": "line_percent", "coverage.branch": "branch_percent"},
+    ),
+    LIVE: (
+        task_record.LIVE,
+        {
+            f"live.{key}": key
+            for key in ("ready_s", "bytes", "real_time_factor", "scenarios_equal", "scenarios")
+        },
+    ),
+}
 METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
 OF_OTHER_STEPS = (  # metrics that are null until a step measures them
-    *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
-    *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
+    *(metric for _, keys in OF_TASKS.values() for metric in keys),
+    *("firmware.forbidden_parts", "firmware.needless_modules"),
     *("firmware.largest_flash_bytes", "firmware.largest_ram_bytes"),
     *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
     *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
@@ -42,7 +65,6 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("bench.wcet_cycle_with_noise_ms", "bench.wcet_ratio_with_noise", "bench.paths_ms"),
     *("build.cold_s", "build.edit_s", "build.ci_s", "release.reproducible"),
     *("tools.python_lines", "tools.python_test_lines", "tools.design_lines"),
-    *(f"live.{key}" for key in LIVE),
     *CAMPAIGNS,
 )
 
@@ -51,7 +73,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     """Reads the metrics that other steps measured with the present sources."""
     tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
     if not model.stale_on(schema.HOST):
-        tests |= coverage(root)
+        tests |= of_task(root, COVERAGE)
     times: dict[str, Any] = {"bench.scenarios": bench_metrics(model.bench)}
     if model.bench is not None:
         speeds = (scenario.runs[MANUAL].speed for scenario in model.bench.values())
@@ -60,10 +82,26 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
             "sim.real_time_factor": min((speed for speed in speeds if speed), default=None),
         }
     prose = {"prose.findings": read_prose(root)}
-    live = live_metrics(root)
-    release = release_metrics(root, model.commit)
-    values = drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
+    recorded = of_task(root, TOTALS) | of_task(root, LIVE) | release(root, model.commit)
+    values = drift(model) | recorded | times | forbidden(model) | tests | prose
     return values | changes(model) | sizes(root) | read_times(root)
+
+
+def of_task(root: Path, file: Path) -> dict[str, Any]:
+    """Returns the metrics in the file of a task. Returns no metric if the inputs of the task have
+    changed since."""
+    task, keys = OF_TASKS[file]
+    record = read_fresh(root, file, task)
+    return {metric: record.get(key) for metric, key in keys.items()} if record else {}
+
+
+def release(root: Path, commit: str) -> dict[str, Any]:
+    """Returns the metric that is true if the files of the two builds of this commit are equal byte
+    by byte. Returns no metric if the builds were not compared."""
+    record = read_object(root / RELEASE)
+    if not record or not commit or not record["commit"].startswith(commit):
+        return {}
+    return {"release.reproducible": record["reproducible"]}
 
 
 def sizes(root: Path) -> dict[str, int]:
@@ -88,15 +126,6 @@ def changes(model: Model) -> dict[str, Any]:
     return {"changes.proven": sum(map(proven, made))} if ran else {}
 
 
-def coverage(root: Path) -> dict[str, Any]:
-    """Returns the coverage of the last test run on the host. Returns no metric if gcovr did not
-    count the coverage of this run."""
-    totals = read_totals(root)
-    if totals is None:
-        return {}
-    return {"coverage.line": totals["line_percent"], "coverage.branch": totals["branch_percent"]}
-
-
 def drift(model: Model) -> dict[str, Any]:
     """Returns the number of seeded faults, and the number of seeded faults that a check found.
     Returns no metric if files have changed since the faults were seeded."""
@@ -106,15 +135,6 @@ def drift(model: Model) -> dict[str, Any]:
         "drift.seeded": len(model.outcomes),
         "drift.caught": sum(outcome.caught for outcome in model.outcomes),
     }
-
-
-def image(root: Path) -> dict[str, Any]:
-    """Returns the flash and RAM sizes of the firmware image in bytes. Returns no metric if the
-    firmware image was not built from the present sources."""
-    record = read_image(root)
-    if record is None:
-        return {}
-    return {"firmware.flash_bytes": record["flash"], "firmware.ram_bytes": record["ram"]}
 
 
 def forbidden(model: Model) -> dict[str, Any]:
@@ -156,6 +176,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[schema.Clause]]) -> dic
     runs = [run for test in model.tests.values() for run in test.results.values() if run.result]
     applications = list(model.patterns.values())
     decided = all(clauses.get(application.id) for application in applications)
+    missed, lines = driver_lines(model)
 
     def conforms(application: schema.PatternApplication) -> bool:
         return all(clause.holds for clause in clauses[application.id])
@@ -181,7 +202,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[schema.Clause]]) -> dic
         "tests.total": len(runs) if fresh else None,
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "tests.skipped": sum(run.result == "skipped" for run in runs) if fresh else None,
-        "coverage.drivers_on_board": _executed(model.board_lines),
+        "coverage.drivers_on_board": round(100 * (lines - missed) / lines, 1) if lines else None,
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "patterns.price": {name: asdict(price) for name, price in model.prices.items()} or None,
         "bench.seen_cycle_ms": model.times.seen_ms if model.times else None,
@@ -276,8 +297,8 @@ def methods(requirements: Iterable[schema.Requirement]) -> dict[str, Any]:
     }
 
 
-def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
-    """Returns the percentage of source lines that tests executed, with one decimal place. Returns
-    None if there is no source line."""
-    hits = [hit for lines in (files or {}).values() for hit in lines.values()]
-    return round(100 * sum(hits) / len(hits), 1) if hits else None
+def driver_lines(model: Model) -> tuple[int, int]:
+    """Returns the number of lines of the drivers that were not executed in the image with recorded
+    lines, and the number of all their lines. Both are 0 if the lines were not measured."""
+    hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
+    return hits.count(False), len(hits)

@@ -12,12 +12,12 @@ from urllib.parse import urlencode
 
 from traceability.model.design_model import Model
 from traceability.model.made_changes import proven
-from traceability.model.metrics import METHODS
+from traceability.model.metrics import METHODS, driver_lines
 from traceability.model.report import Report
 from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
-from traceability.reading.fault_record import FAULTS, FUZZ, LOADS
 from traceability.reading.lint_record import FAILED, NOT_RUN
 from traceability.reading.products import RECORDED
+from traceability.reading.published import FAULTS, FUZZ, LOADS
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, BuildEvidence, LastRecord, Requirement
 
@@ -276,13 +276,6 @@ def _measurements(model: Model) -> Iterator[NotShown]:
             f"run at commit {recorded[0].recorded[:7]} proved the same models.",
             "proofs",
         )
-
-
-def driver_lines(model: Model) -> tuple[int, int]:
-    """Returns the number of lines of the drivers that were not executed in the image ``RECORDED``,
-    and the number of all their lines. Both are 0 if the lines were not measured."""
-    hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
-    return hits.count(False), len(hits)
 
 
 def unmeasured_drivers(model: Model) -> list[str]:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from traceability.grouping import grouped
 from traceability.reading.declared import Declared
 from traceability.reading.proof_record import read_proofs, readable
 from traceability.schema import ProofProperty, Proofs, StateMachine, Transition
@@ -96,7 +97,8 @@ def step_of(machine: StateMachine) -> str:
         "  if",
         f"  :: event == machine_reset -> {name} = {name}_{machine.initial}",
     ]
-    for (source, event), steps in _grouped(machine).items():
+    groups = grouped(machine.transitions, lambda step: (step.source, step.event))
+    for (source, event), steps in groups.items():
         at = f"{name} == {name}_{source} && event == {name}_on_{slug(event)}"
         lines += [f"  :: {at} ->", *_choice(machine, steps, "     ")]
     lines += ["  :: else", "  fi", "}", ""]
@@ -105,13 +107,6 @@ def step_of(machine: StateMachine) -> str:
 
 def _numbers(begin: str, names: Iterable[str]) -> list[str]:
     return [f"#define {begin}{slug(name)} {number}" for number, name in enumerate(names, 1)]
-
-
-def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
-    groups: dict[tuple[str, str], list[Transition]] = {}
-    for step in machine.transitions:
-        groups.setdefault((step.source, step.event), []).append(step)
-    return groups
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:

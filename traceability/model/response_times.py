@@ -22,8 +22,7 @@ from traceability.model.stack import Prover, read_declared
 from traceability.model.time_bounds import DeclaredFacts, Limit, Spread, Times
 from traceability.reading.call_record import BYTE_RECEIVED, Recording, read_recordings
 from traceability.reading.chains import Chain, declared_chains, follow, frames_in
-from traceability.reading.flow_facts import Inequality, read_inequality
-from traceability.reading.loop_bounds import Bounds, Place
+from traceability.reading.loop_bounds import Bounds, Inequality, Place, read_inequality
 from traceability.reading.products import DEFAULT
 from traceability.reading.results import numbers_reported
 from traceability.reading.source_facts import Facts

@@ -13,7 +13,8 @@ from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from traceability.model.design_model import Model
+from traceability.grouping import grouped
+from traceability.model.design_model import Model, requirement_key
 from traceability.model.design_texts import page_facts, reasons, safety_sections
 from traceability.model.trees import accepted
 from traceability.reading.build_evidence import git
@@ -224,7 +225,7 @@ class LinkTexts:
             bodies = self.facts.bodies.get(name, [])
             if bodies:
                 text = "\n".join(self._slice(body.place, body.end) for body in bodies)
-                yield LinkText("body", name, replace(bodies[0].place, end=bodies[0].end), text)
+                yield LinkText("body", name, bodies[0].place, text)
                 files |= {body.place.file for body in bodies}
         for file in sorted(files):
             text = next(FINDERS["constants"](self.support.text(file), file))
@@ -246,14 +247,13 @@ class LinkTexts:
 
     def _transitions(self, requirement: Requirement) -> Iterator[LinkText]:
         for machine in self.model.machines.values():
-            steps: dict[str, list[Transition]] = {}
-            for step in machine.transitions:
-                name = f"{machine.id}: {step.source}, {step.event}, {step.target}"
-                steps.setdefault(name, []).append(step)
+            steps = grouped(
+                machine.transitions, lambda step: f"{step.source}, {step.event}, {step.target}"
+            )
             for name, alike in steps.items():
                 if any(requirement.id in step.requirements for step in alike):
                     text = "\n".join(_effect(machine, step) for step in alike)
-                    yield LinkText("transition", name, alike[0].place, text)
+                    yield LinkText("transition", f"{machine.id}: {name}", alike[0].place, text)
 
     def _specification(self, method: Method) -> tuple[Place, str]:
         for lines, _, whole in specifications(self.support.text(method.place.file)):
@@ -310,7 +310,7 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
     hashes = dict(before.hashes)
     hashes |= {text.key: text.hash for listed in texts.values() for text in listed}
     parts = [BASELINE_HEADING, f"\n[{LINKS}]\n"]
-    named = sorted(links.keys() - {DESIGN}, key=_order)
+    named = sorted(links.keys() - {DESIGN}, key=requirement_key)
     parts += [f"{name} = {json.dumps(sorted(links[name]))}\n" for name in named]
     used = sorted({key for keys in links.values() for key in keys})
     for kind in KINDS:
@@ -342,11 +342,6 @@ def add_review(root: Path, review: Review) -> None:
     answers = ", ".join(f'{key} = "{answer}"' for key, answer in review.answers.items())
     entry = f"\n[[review]]\n{''.join(lines)}answers = {{ {answers} }}\n"
     write_whole(path, before + entry)
-
-
-def _order(name: str) -> tuple[str, int]:
-    kind, _, number = name.partition("-")
-    return kind, int(number)
 
 
 def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterator[str]:
@@ -382,9 +377,7 @@ def with_reviews(model: Model, facts: Facts) -> Model:
     root, entries = facts.root, facts.declared.entries
     baseline = read_baseline(root, entries)
     finder = LinkTexts(model, facts)
-    reviews: dict[str, list[Review]] = {}
-    for review in read_reviews(root, entries):
-        reviews.setdefault(review.requirement, []).append(review)
+    reviews = grouped(read_reviews(root, entries), lambda review: review.requirement)
     requirements: dict[str, Requirement] = {}
     covered: set[str] = set()
     for name, requirement in model.requirements.items():

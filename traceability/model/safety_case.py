@@ -6,7 +6,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.model.report import Verdict
@@ -29,9 +28,10 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
     if not case.goals:
         return case
     playing: dict[str, list[str]] = {}
-    texts = {test.place.file: "" for test in model.tests.values()}
-    texts = {file: _playing(facts.root / file) for file in texts}
-    code = {case.id: case.code for text in texts.values() for case in read_tests(text)}
+    files = dict.fromkeys(test.place.file for test in model.tests.values())
+    texts = {file: text_of(facts.root / file) for file in files}
+    playing_texts = (text for text in texts.values() if "scenario" in text.lower())
+    code = {case.id: case.code for text in playing_texts for case in read_tests(text)}
     for test in model.tests.values():
         body = code.get(test.id, "")
         runs = [name for result in test.results.values() for name in result.recordings]
@@ -51,13 +51,6 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
         for name, goal in case.goals.items()
     }
     return replace(case, scenarios=scenarios, goals=goals, cost=read_cost(facts.root, case))
-
-
-def _playing(path: Path) -> str:
-    """Returns the text of a test file if the text contains the word ``scenario``. Otherwise returns
-    an empty text."""
-    text = text_of(path)
-    return text if "scenario" in text.lower() else ""
 
 
 def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:

@@ -16,6 +16,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from traceability.grouping import grouped
 from traceability.model.design_model import Model
 from traceability.model.execution import DISPATCH
 from traceability.model.image_code import ImageCode
@@ -134,9 +135,8 @@ class Prover:
         self.facts = facts
         self.model = model
         self.declared = declared
-        self.symbols: dict[str, list[str]] = {}  # short name -> symbols
-        for symbol, function in graph.items():
-            self.symbols.setdefault(short_name(function.name), []).append(symbol)
+        # short name -> symbols
+        self.symbols = grouped(graph, lambda symbol: short_name(graph[symbol].name))
         self.written: dict[tuple[str, int], list[tuple[str, CallFact]]] = {}
         for body in facts.syntax.bodies:
             for call in body.calls:
@@ -267,11 +267,8 @@ class Prover:
         kinds = robot.constructed & {kind, *self.facts.subclasses.get(kind, [])}
         if not kinds:
             return robot.targets(call)
-        return list(
-            dict.fromkeys(
-                method for one in sorted(kinds) for method in robot.own_targets(call, one)
-            )
-        )
+        methods = (method for one in sorted(kinds) for method in robot.own_targets(call, one))
+        return list(dict.fromkeys(methods))
 
     def _kind_of(self, body: str, way: Sequence[tuple[str, int]]) -> str:
         """Returns the class of the object on which the method ``body`` runs. If ``body`` is inlined

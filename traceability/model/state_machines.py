@@ -60,13 +60,11 @@ def is_stay(step: Transition) -> bool:
 
 def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
     code = MachineCode()
-    declared = facts.declared.applications.get(machine.application)
-    bases = declared.roles.get("State", []) if declared else []
-    if not declared or not bases or bases[0] not in facts.classes:
+    roles = _roles(machine, facts)
+    base = next(iter(roles.get("State", [])), "")
+    if base not in facts.classes:
         return code
-    base = bases[0]
-    contexts = declared.roles.get("Context", [])
-    code.holders = _holders(base, contexts, facts)
+    code.holders = _holders(base, roles.get("Context", []), facts)
     code.operations = _operations(base, facts)
     code.storage = _storage(machine, facts)
     for state, module in machine.states.items():
@@ -332,11 +330,13 @@ def machines_of(
     """Returns the state machines. Each transition contains its places in the code, and the passing
     tests that executed it."""
     machines: dict[str, StateMachine] = {}
+    passing = model.passing(model.tests, HOST).items()
     for name, machine in facts.declared.machines.items():
         code = read_machine(machine, facts)
         watcher = Watcher(code, set(machine.events.values()), _family(machine, facts))
         seen = watch_all(watcher, recordings[HOST], cache / f"{name}.pickle")
-        machines[name] = _shown(machine, code, _passing(model, seen))
+        shown = [(test, change) for file, test in passing for change in seen.get(file, [])]
+        machines[name] = _shown(machine, code, shown)
     return machines
 
 
@@ -373,21 +373,14 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
     return cached_result(cache, parts, watch)
 
 
-def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]]:
-    """Returns a pair of a test and a change for each change that the recordings of a passing test
-    show."""
-    return [
-        (test.id, change)
-        for test in model.tests.values()
-        if HOST in test.gave("passed")
-        for recording in test.results[HOST].recordings
-        for change in seen.get(recording, [])
-    ]
+def _roles(machine: StateMachine, facts: Facts) -> dict[str, list[str]]:
+    """Returns the modules with each role in the application of the State pattern."""
+    declared = facts.declared.applications.get(machine.application)
+    return declared.roles if declared else {}
 
 
 def _family(machine: StateMachine, facts: Facts) -> set[str]:
-    declared = facts.declared.applications.get(machine.application)
-    bases = declared.roles.get("State", []) if declared else []
+    bases = _roles(machine, facts).get("State", [])
     return {module for base in bases for module in (base, *facts.subclasses.get(base, []))}
 
 

@@ -12,11 +12,10 @@ from itertools import chain, product
 from types import MappingProxyType
 
 from traceability.model.image_code import Program
-from traceability.model.longest_path import FlowFact, Problem
+from traceability.model.longest_path import Problem
 from traceability.model.stack import Prover
 from traceability.reading.call_graph import Function, short_name
-from traceability.reading.flow_facts import ENTRIES, Inequality
-from traceability.reading.loop_bounds import Bound, Bounds, Place
+from traceability.reading.loop_bounds import ENTRIES, Bound, Bounds, Inequality, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
 from traceability.schema import Place as SourcePlace
 
@@ -317,21 +316,24 @@ class Times:
         facts = self._facts(code, method, apart)
         longest = Problem(code, cost, rounds, counted, facts, apart).solve()
         if longest is None or code.hidden:
-            self.unbound.add((code.symbol, self._place(next(iter(code.blocks))) or ("?", 0)))
+            self._note_unbound(code)
         return longest or 0
 
-    def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
+    def _note_unbound(self, code: Code) -> None:
+        self.unbound.add((code.symbol, self._place(next(iter(code.blocks))) or ("?", 0)))
+
+    def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[Inequality]:
         """Converts the declared facts about the marked source lines of a function to facts about
         the blocks of the function."""
-        marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
+        marked: dict[int | str, list[list[int | str]]] = {one: [[one]] for one in apart}
         for name, copies in self._marked(code).items():
             marked.setdefault(name, []).extend([*copy] for copy in copies)
         declared = self.flows.get(method, ())
         return [fact for one in declared for fact in self._facts_of(code, one, marked)]
 
     def _facts_of(
-        self, code: Code, one: Inequality, marked: Mapping[str, Sequence[Sequence[int | str]]]
-    ) -> Iterator[FlowFact]:
+        self, code: Code, one: Inequality, marked: Mapping[int | str, Sequence[Sequence[int | str]]]
+    ) -> Iterator[Inequality]:
         """Converts a declared fact to facts about blocks. A marked source line can have several
         copies in the compiled code, and each copy consists of blocks.
 
@@ -347,16 +349,14 @@ class Times:
                 left += [[(start, factor) for start in copy] for copy in copies]
             elif name != ENTRIES:
                 if not copies:  # The marked source line is not in the compiled code.
-                    self.unbound.add(
-                        (code.symbol, self._place(next(iter(code.blocks))) or ("?", 0))
-                    )
+                    self._note_unbound(code)
                 for start in chain.from_iterable(copies):
                     right[start] = right.get(start, 0) + factor
         for choice in product(*left):
             factors = dict(right)
             for start, factor in choice:
                 factors[start] = factors.get(start, 0) + factor
-            yield FlowFact(factors, most)
+            yield Inequality(factors, most)
 
     def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
         """Returns a map from each counter to the copies of its source line in the compiled code.

@@ -240,13 +240,8 @@ class Run:
 
 def _passing(model: Model, requirement: Requirement, run: Run) -> dict[str, str]:
     """Returns the recordings of the passing tests of a requirement, each with its test."""
-    return {
-        recording: name
-        for name in requirement.verified_by
-        if run.binding in model.tests[name].gave("passed")
-        for recording in model.tests[name].results[run.binding].recordings
-        if recording in run.traces.tests
-    }
+    passing = model.passing(requirement.verified_by, run.binding)
+    return {name: test for name, test in passing.items() if name in run.traces.tests}
 
 
 @dataclass

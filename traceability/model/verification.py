@@ -23,7 +23,7 @@ def with_verification(model: Model, facts: Facts, coverage: dict[str, Coverage])
     for name, requirement in model.requirements.items():
         covered: dict[str, list[MethodCoverage]] = {}
         for binding, measured in coverage.items():
-            recordings = passing_recordings(model, [requirement.id], binding)
+            recordings = model.passing(requirement.verified_by, binding)
             if any(recording in measured.recordings for recording in recordings):
                 covered[binding] = _covered_methods(
                     requirement, facts, measured, measured.of(recordings)
@@ -31,18 +31,6 @@ def with_verification(model: Model, facts: Facts, coverage: dict[str, Coverage])
         requirements[name] = replace(requirement, coverage=covered)
     gaps = list(_line_gaps(model, facts, coverage[HOST]))
     return replace(model, requirements=requirements, line_gaps=gaps)
-
-
-def passing_recordings(model: Model, requirements: Iterable[str], binding: str) -> list[str]:
-    """Returns the recordings of the tests that verify one of the requirements and passed on a
-    target."""
-    tests = {test for name in requirements for test in model.requirements[name].verified_by}
-    return [
-        recording
-        for test in sorted(tests)
-        if binding in model.tests[test].gave("passed")
-        for recording in model.tests[test].results[binding].recordings
-    ]
 
 
 def _covered_methods(
@@ -65,7 +53,7 @@ def _covered_methods(
                 coverages.append(
                     MethodCoverage(
                         method,
-                        Place(body.place.file, body.place.line, body.end),
+                        body.place,
                         {line: line in hit for line in lines},
                         [branch in taken for branch in branches] if measured.branched else None,
                     )
@@ -116,8 +104,8 @@ def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineG
             continue
         requirements = frozenset(owners.of(body.id) or model.requirements)
         if requirements not in executed:
-            names = passing_recordings(model, requirements, HOST)
-            executed[requirements] = coverage.of(names)
+            tests = {test for name in requirements for test in model.requirements[name].verified_by}
+            executed[requirements] = coverage.of(model.passing(tests, HOST))
         hit = executed[requirements].lines.get(body.place.file, set())
         lines = lines_of(body, coverage.whole.lines.get(body.place.file, set()) - hit)
         if lines:

@@ -70,7 +70,6 @@ class ClassFact:
     local: bool = False  # true if the type is declared in an anonymous namespace or in a function
     access: str = "invalid"  # "public", "protected" or "private" for a nested class
     bases: list[str] = field(default_factory=list)
-    base_places: list[Place] = field(default_factory=list)
     methods: list[MethodFact] = field(default_factory=list)
     fields: list[FieldFact] = field(default_factory=list)
     values: list[FieldFact] = field(default_factory=list)  # values of an enumeration

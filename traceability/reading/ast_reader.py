@@ -110,7 +110,7 @@ class Reader:
         # true if an earlier condition may end the function before the present statement
         self.left = False
         # operands of the conditions that enclose the present statement
-        self.asked: list[list[str]] = []
+        self.asked: list[str] = []
         # operands of the earlier conditions that may end the function
         self.left_by: list[str] = []
 
@@ -192,12 +192,12 @@ class Reader:
         if body is None:
             self.walk(cursor, body, owner)
             return
-        decides, turns = cursor.kind in flow.CHANCES, cursor.kind in flow.LOOPS
-        self.asked += [self.questions(cursor)] if decides else []
+        around, turns = len(self.asked), cursor.kind in flow.LOOPS
+        self.asked += self.questions(cursor) if cursor.kind in flow.CHANCES else []
         self.loops += turns
         self.walk(cursor, body, owner, flow.sure_parts(cursor))
         self.loops -= turns
-        del self.asked[len(self.asked) - decides :]
+        del self.asked[around:]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
         """Records which constant or data member was declared last. A call outside functions belongs
@@ -213,7 +213,7 @@ class Reader:
         """Records the operands of all conditions that enclose a return statement."""
         if cursor.kind == CursorKind.RETURN_STMT and self.chances > 0:
             self.left = True
-            self.left_by += [question for group in self.asked for question in group]
+            self.left_by += self.asked
 
     def questions(self, cursor: Cursor) -> list[str]:
         """Returns the operands of the condition that a statement evaluates."""
@@ -259,8 +259,8 @@ class Reader:
                 self.facts.silent.append(SilentFact(f"{name}::{value.spelling}", at))
 
     def constant(self, cursor: Cursor) -> None:
-        value = next((c for c in cursor.get_children() if not c.kind.is_reference()), None)
-        value = _exposed(value)
+        given = next((c for c in cursor.get_children() if not c.kind.is_reference()), None)
+        value = _inner(given, {CursorKind.UNEXPOSED_EXPR})
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
             # A number of C++ is left out if Python cannot read this form of number.
@@ -337,8 +337,7 @@ class Reader:
                 call.on, call.args = self.flow.receiver(cursor), args
                 call.sometimes = self.chances > 0 or self.left
                 call.repeated, call.end = self.loops > 0, cursor.extent.end.offset
-                conditions = [question for group in self.asked for question in group]
-                call.asked = list(dict.fromkeys([*self.left_by, *conditions]))
+                call.asked = list(dict.fromkeys([*self.left_by, *self.asked]))
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
         """Records the classes whose objects the standard library constructs for a member, for
@@ -461,7 +460,7 @@ class Reader:
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
         """Records the class whose object ``field_.emplace(...)`` constructs. The data member
         contains this object by value."""
-        member = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
+        member = next((part for part in cursor.walk_preorder() if flow.is_field(part)), None)
         if member is None:
             return
         args = [self.flow.sources(value) for value in cursor.get_arguments()]
@@ -472,11 +471,6 @@ class Reader:
             body.calls.append(CallFact(constructor, False, place))
             if name.split("::", maxsplit=1)[0] != owner.split("::", maxsplit=1)[0]:
                 self.facts.names.append(NameFact(owner, name, "construct", place))
-
-    def is_field(self, cursor: Cursor) -> bool:
-        if cursor.kind != CursorKind.MEMBER_REF_EXPR or cursor.referenced is None:
-            return False
-        return bool(cursor.referenced.kind == CursorKind.FIELD_DECL)
 
     def name(
         self, owner: str, target: Cursor | None, how: str, place: Place, member: str = ""
@@ -493,7 +487,7 @@ class Reader:
     def assignment(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
         if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling in ("swap", "exchange"):
             for part in cursor.walk_preorder():
-                if self.is_field(part):
+                if flow.is_field(part):
                     owner = class_name(part.referenced.semantic_parent)
                     body.assigns.append((f"{owner}::{part.spelling}", place.line))
             return
@@ -527,7 +521,7 @@ class Reader:
         if kind.kind not in _REFERRING or meant.is_const_qualified():
             return None
         given = [bare(part) for part in variable.get_children() if not part.kind.is_reference()]
-        member = next((each for each in given if each is not None and self.is_field(each)), None)
+        member = next((each for each in given if each is not None and flow.is_field(each)), None)
         same = member is not None and member.type.get_canonical().spelling == meant.spelling
         return member if same else None
 
@@ -550,7 +544,6 @@ class Reader:
                 base = unaliased(child)
                 if base is not None and self.place(base) is not None:
                     fact.bases.append(class_name(base))
-                    fact.base_places.append(at)
             elif is_function(child):
                 fact.methods.append(self.method_fact(child, at, name))
             elif child.kind in (CursorKind.FIELD_DECL, CursorKind.VAR_DECL):
@@ -616,7 +609,7 @@ class Reader:
             id=f"{owner}::{name}",
             owner=owner,
             name=name,
-            signature=_signature(cursor, kind, result, params),
+            signature=_signature(cursor, name, kind, result, params),
             access=cursor.access_specifier.name.lower(),
             kind=kind,
             result=result,
@@ -647,10 +640,6 @@ def bare(cursor: Cursor | None) -> Cursor | None:
     """Returns the inner expression without the brackets, address operators and dereferences around
     it."""
     return _inner(cursor, _WRAPPING)
-
-
-def _exposed(cursor: Cursor | None) -> Cursor | None:
-    return _inner(cursor, {CursorKind.UNEXPOSED_EXPR})
 
 
 def _inner(cursor: Cursor | None, around: set[CursorKind]) -> Cursor | None:
@@ -711,7 +700,7 @@ def _makes_address(cursor: Cursor) -> bool:
     if cursor.kind == CursorKind.CXX_STATIC_CAST_EXPR:
         return any(part.kind == CursorKind.CXX_NULL_PTR_LITERAL_EXPR for part in _parts(cursor))
     if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling in _COPIES:
-        target = _exposed(next(cursor.get_arguments(), None))
+        target = _inner(next(cursor.get_arguments(), None), {CursorKind.UNEXPOSED_EXPR})
         kind = target.type.get_canonical().get_pointee() if target is not None else None
         return kind is not None and kind.kind == TypeKind.POINTER
     return False
@@ -764,8 +753,9 @@ def _short(type_name: str) -> str:
     return type_name.replace(f"{NAMESPACE}::", "").replace(" &", "&").replace(" *", "*")
 
 
-def _signature(cursor: Cursor, kind: str, result: str, params: list[tuple[str, str]]) -> str:
-    name = function_id(cursor).rsplit("::", 1)[-1]
+def _signature(
+    cursor: Cursor, name: str, kind: str, result: str, params: list[tuple[str, str]]
+) -> str:
     inner = ", ".join(f"{type_name} {param}".strip() for param, type_name in params)
     before = {"virtual": "virtual ", "pure": "virtual ", "static": "static "}.get(kind, "")
     after = " const" if cursor.is_const_method() else ""

@@ -73,9 +73,6 @@ class Touched:
     lines_added: int = 0
     code_added: int = 0  # number of added lines that contain code, without empty lines and comments
 
-    def as_json(self) -> dict[str, Any]:
-        return dict(vars(self))
-
 
 def count_patch(text: str) -> Touched:
     """Counts the files and lines of a patch in git's format."""

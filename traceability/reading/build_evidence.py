@@ -58,7 +58,7 @@ NUMBER = re.compile(r"\d+\.\d+[\w.+-]*")
 
 def read_build(root: Path) -> BuildEvidence:
     tool_tests = read_tool_tests(root)
-    ran = [folder for folder, counts in tool_tests.items() if counts]
+    ran = [root / results_of(folder) for folder, counts in tool_tests.items() if counts]
     return BuildEvidence(
         commit=git(root, "rev-parse", "HEAD").strip(),
         changed=[line[3:] for line in git(root, "status", "--porcelain").splitlines()],
@@ -69,8 +69,8 @@ def read_build(root: Path) -> BuildEvidence:
         hashes=read_hashes(root),
         lint=read_lint(root),
         tool_tests=tool_tests,
-        failed=[name for folder in ran for name in failed_tests(root / results_of(folder))],
-        repeated=repeated_tests(root, ran),
+        failed=[name for results in ran for name in failed_tests(results)],
+        repeated=[name for results in ran for name in repeated_tests(results)],
         long_tests=long_tests(root),
         exemptions=read_exemptions(root),
     )

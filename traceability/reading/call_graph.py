@@ -13,6 +13,7 @@ import re
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from traceability.grouping import grouped
 from traceability.reading.machine_code import register_words
 from traceability.reading.programs import disassembly, output_of
 from traceability.schema import Place
@@ -145,12 +146,9 @@ def _read_listing(listing: str) -> dict[str, Function]:
 def names_of_addresses(elf: Path) -> list[list[str]]:
     """Returns the groups of symbols that have the same address. The compiler can merge functions
     with equal code."""
-    symbols: dict[str, list[str]] = {}
-    for line in output_of("arm-none-eabi-nm", elf).splitlines():
-        address, kind, name = (*line.split(), "", "")[:3]
-        if kind in ("t", "T", "W"):
-            symbols.setdefault(address, []).append(name)
-    return [names for names in symbols.values() if len(names) > 1]
+    rows = re.findall(r"^(\w+) [tTW] (\S+)", output_of("arm-none-eabi-nm", elf), re.MULTILINE)
+    groups = grouped(rows, lambda row: str(row[0])).values()
+    return [[name for _, name in group] for group in groups if len(group) > 1]
 
 
 def table_bytes(elf: Path) -> dict[str, int]:

@@ -3,7 +3,7 @@ calls."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
@@ -93,12 +93,6 @@ class Recording:
         """Returns the times of the requests on an interrupt line. Requests that did not start the
         handler are left out."""
         return [activation.raised for activation in self.activations if activation.line == line]
-
-    def between(self, begin: int, end: int) -> Iterator[int]:
-        """Yields the numbers of the calls that begin between two times."""
-        for number, span in enumerate(self.spans):
-            if begin <= span.begin < end:
-                yield number
 
 
 def declared_recordings(root: Path, entries: Entries | None = None) -> list[Window]:

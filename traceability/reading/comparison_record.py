@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from traceability.reading.results import RESULTS, read_record
-from traceability.whole_file import write_whole
+from traceability.whole_file import write_json
 
 RECORD = RESULTS / "diff.json"
 
@@ -35,7 +34,7 @@ class Comparison:
 
 
 def write_comparison(root: Path, comparison: Comparison) -> None:
-    write_whole(root / RECORD, json.dumps(asdict(comparison), indent=1) + "\n")
+    write_json(root / RECORD, asdict(comparison))
 
 
 def read_comparison(root: Path) -> Comparison | None:

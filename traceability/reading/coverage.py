@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import functools
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -40,7 +41,7 @@ class Coverage:
         """Returns whether the target records branches."""
         return any(self.whole.branches.values())
 
-    def of(self, recordings: list[str]) -> Covered:
+    def of(self, recordings: Iterable[str]) -> Covered:
         """Returns the code that was executed in at least one of these recordings."""
         union = Covered()
         for name in recordings:
@@ -51,7 +52,7 @@ class Coverage:
     @functools.cached_property
     def all(self) -> Covered:
         """Returns the code that was executed in at least one recording of the target."""
-        return self.of(list(self.recordings))
+        return self.of(self.recordings)
 
 
 def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:

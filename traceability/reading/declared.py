@@ -8,7 +8,6 @@ from pathlib import Path
 
 from traceability import schema
 from traceability.reading.change_kits import Kit, read_kits
-from traceability.reading.change_texts import ChangeTexts, read_change_texts
 from traceability.reading.concordance import Concordance, read_concordance
 from traceability.reading.constant_texts import Constants
 from traceability.reading.declared_safety import read_safety_case
@@ -16,6 +15,8 @@ from traceability.reading.proof_record import ProofEvent, read_events, read_prop
 from traceability.reading.toml_reader import Entries, Problem
 from traceability.schema import Place, TreeNode
 from traceability.sources import files_below
+
+CHANGES = Path("design/changes.toml")
 
 
 @dataclass
@@ -85,6 +86,32 @@ class Protection:
 
 
 @dataclass
+class Recipe:
+    """The recipe of a pattern: the steps that make a likely change where this pattern is used.
+    ``alters``, ``adds`` and ``derives`` name roles of the pattern."""
+
+    pattern: str
+    # Each module with one of these roles implements one variant. To change a variant, only its
+    # module must be edited.
+    alters: list[str]
+    adds: str = ""  # role of the class that the change adds
+    derives: str = ""  # the added class derives from a class with this role
+    steps: list[str] = field(default_factory=list)
+    place: Place = field(default_factory=lambda: Place(str(CHANGES), 1))
+
+
+@dataclass
+class Particular:
+    """The texts about the likely change of one pattern application."""
+
+    id: str
+    derives: list[str] = field(default_factory=list)
+    examples: list[str] = field(default_factory=list)
+    steps: list[str] = field(default_factory=list)
+    place: Place = field(default_factory=lambda: Place(str(CHANGES), 1))
+
+
+@dataclass
 class Declared:
     entries: Entries = field(default_factory=lambda: Entries(Path()))
     machines: dict[str, schema.StateMachine] = field(default_factory=dict)
@@ -121,7 +148,8 @@ class Declared:
     numbers_without: list[schema.NumbersWithout] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[schema.Tuned] = field(default_factory=list)
-    changes: ChangeTexts = field(default_factory=ChangeTexts)
+    recipes: dict[str, Recipe] = field(default_factory=dict)  # pattern -> its recipe
+    particulars: dict[str, Particular] = field(default_factory=dict)
     # pattern application -> the folder that makes the likely change of this application
     kits: dict[str, Kit] = field(default_factory=dict)
     safety: schema.SafetyCase = field(default_factory=schema.SafetyCase)
@@ -179,7 +207,11 @@ def read_declared(root: Path, constants: Constants | None = None) -> Declared:
     )
     declared.numbers_without = entries.records(numbers, "without", schema.NumbersWithout)
     declared.concordance = read_concordance(root, entries)
-    declared.changes = read_change_texts(root, entries)
+    changes, may = root / CHANGES, ["derives", "steps"]
+    declared.recipes = entries.named(changes, "recipe", Recipe, "pattern", may=["adds", *may])
+    declared.particulars = entries.named(
+        changes, "application", Particular, "id", may=["examples", *may]
+    )
     declared.kits = read_kits(root, entries)
     declared.safety = read_safety_case(root, entries)
     declared.proofs = read_properties(root, entries)

@@ -223,8 +223,8 @@ class FlowReader:
         if target.is_const_method() or target.is_static_method():
             return []
         first = next(call.get_children(), None)
-        if first is not None and is_method_name(first):
-            first = next(first.get_children(), None)
+        if first is not None and first.kind == CursorKind.MEMBER_REF_EXPR and first.referenced:
+            first = first if is_field(first) else next(first.get_children(), None)
         return self.members(first) if first is not None else []
 
     def members(self, cursor: Cursor) -> list[str]:
@@ -290,10 +290,10 @@ def operator_of(cursor: Cursor, left: Cursor) -> str:
     return ""
 
 
-def is_method_name(cursor: Cursor) -> bool:
-    if cursor.kind != CursorKind.MEMBER_REF_EXPR or cursor.referenced is None:
-        return False
-    return bool(cursor.referenced.kind != CursorKind.FIELD_DECL)
+def is_field(cursor: Cursor) -> bool:
+    """Returns whether an expression names a data member."""
+    named = cursor.referenced if cursor.kind == CursorKind.MEMBER_REF_EXPR else None
+    return named is not None and bool(named.kind == CursorKind.FIELD_DECL)
 
 
 def method_in_template(call: Cursor) -> Cursor | None:

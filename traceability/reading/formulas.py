@@ -12,7 +12,8 @@ from typing import Protocol
 
 NAME = re.compile(r"SG-\d+\.\w+|[A-Za-z_]\w*(?:(?:::|\.)\w+)*")
 UNIT = re.compile(r" \[([^\]]+)\]$")
-OPERATIONS: dict[type[ast.operator], Callable[[float, float], float]] = {
+Operations = Mapping[type[ast.operator], Callable[[float, float], float]]
+OPERATIONS: Operations = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
@@ -34,6 +35,17 @@ class Value(Protocol):
 def value_of(formula: str, constants: Mapping[str, Value]) -> float | None:
     """Returns the value of a formula. Returns None if the formula contains an unknown name, or is
     not valid."""
+    try:
+        return float(evaluated(formula, lambda name: float(constants[name].number)))
+    except (KeyError, SyntaxError, TypeError, ValueError, ZeroDivisionError):
+        return None
+
+
+def evaluated(
+    formula: str, number_of: Callable[[str], float], operations: Operations = OPERATIONS
+) -> float:
+    """Returns the value of a formula. Raises KeyError, SyntaxError or ValueError if the formula has
+    no value. ``number_of`` returns the value of a name."""
     names: list[str] = []
 
     def replaced(match: re.Match[str]) -> str:
@@ -43,21 +55,19 @@ def value_of(formula: str, constants: Mapping[str, Value]) -> float | None:
         return f"_{len(names) - 1}"
 
     text = NAME.sub(replaced, UNIT.sub("", formula))
-    try:
-        values = [float(constants[name].number) for name in names]
-        return _value(ast.parse(text, mode="eval").body, values)
-    except (KeyError, SyntaxError, TypeError, ValueError, ZeroDivisionError):
-        return None
+    values = [number_of(name) for name in names]
+    return _value(ast.parse(text, mode="eval").body, values, operations)
 
 
-def _value(node: ast.expr, values: list[float]) -> float:
+def _value(node: ast.expr, values: list[float], operations: Operations) -> float:
     if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
         return node.value
     if isinstance(node, ast.Name):
         return math.pi if node.id == PI else values[int(node.id[1:])]
-    if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
-        left, right = _value(node.left, values), _value(node.right, values)
-        return float(OPERATIONS[type(node.op)](left, right))
+    if isinstance(node, ast.BinOp) and type(node.op) in operations:
+        left, right = (_value(side, values, operations) for side in (node.left, node.right))
+        return operations[type(node.op)](left, right)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-        return FUNCTIONS[node.func.id](*(_value(part, values) for part in node.args))
+        parts = (_value(part, values, operations) for part in node.args)
+        return FUNCTIONS[node.func.id](*parts)
     raise ValueError(f"this is not a formula: {ast.unparse(node)}")

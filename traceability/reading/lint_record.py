@@ -1,20 +1,24 @@
-"""The record of ./wr lint: the result of each step, and the hash of the files that the steps
-read."""
+"""The records of ./wr lint: the result of each step, the number of findings of the prose linter,
+and the hashes of the files that they read."""
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from traceability.reading import prose_record
 from traceability.reading.results import RESULTS, read_object
 from traceability.schema import Exemption, LintRun, Place
-from traceability.sources import files_below, hash_of
-from traceability.whole_file import write_whole
+from traceability.sources import DESIGN, files_below, hash_of
+from traceability.whole_file import write_json
 
 RECORD = RESULTS / "lint.json"
+PROSE = RESULTS / "prose.json"
+FOLDERS = (  # the texts that the prose linter reads
+    *("docs", "requirements", "design", *DESIGN, "changes", "ports", "sim", "client", "tests"),
+    *("tools", "traceability", "site/portal", "site/templates", "site/theme", "setup"),
+    *("README.md", "wr"),
+)
 SETTINGS = (
     *("pyproject.toml", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"),
     *("site/search_words.txt", "site/synonyms.txt", "site/conf.py"),
@@ -27,7 +31,7 @@ NOT_RUN, PASSED, FAILED = "not run", "passed", "failed"
 
 
 def files_hash(root: Path) -> str:
-    return hash_of(root, files_below(root, (*prose_record.FOLDERS, *SETTINGS)))
+    return hash_of(root, files_below(root, (*FOLDERS, *SETTINGS)))
 
 
 def write_lint(root: Path, steps: Mapping[str, str], commit: str, files: str) -> None:
@@ -40,8 +44,7 @@ def write_lint(root: Path, steps: Mapping[str, str], commit: str, files: str) ->
     earlier = read_object(root / RECORD)
     kept = earlier["steps"] if earlier.get("files") == files else {}
     results = {name: kept.get(name, how) if how == NOT_RUN else how for name, how in steps.items()}
-    content = {"commit": commit, "files": files, "steps": results}
-    write_whole(root / RECORD, json.dumps(content, indent=1))
+    write_json(root / RECORD, {"commit": commit, "files": files, "steps": results})
 
 
 def read_lint(root: Path) -> LintRun | None:
@@ -50,6 +53,22 @@ def read_lint(root: Path) -> LintRun | None:
     record = read_object(root / RECORD)
     fresh = record and record.get("files") == files_hash(root)
     return LintRun(record["commit"], record["steps"]) if fresh else None
+
+
+def texts_hash(root: Path) -> str:
+    return hash_of(root, files_below(root, FOLDERS))
+
+
+def write_prose(root: Path, findings: int) -> None:
+    write_json(root / PROSE, {"findings": findings, "texts": texts_hash(root)})
+
+
+def read_prose(root: Path) -> int | None:
+    """Returns the number of findings in the present texts. Returns None if the texts changed since
+    the linter read them."""
+    record = read_object(root / PROSE)
+    fresh = record and record.get("texts") == texts_hash(root)
+    return int(record["findings"]) if fresh else None
 
 
 def tidied(root: Path, suffixes: tuple[str, ...]) -> list[Path]:

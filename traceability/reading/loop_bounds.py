@@ -1,27 +1,28 @@
 """Reads the maximum number of iterations of each loop. The number is in a comment of the source
-file, or in the head of the loop."""
+file, or in the head of the loop.
+
+Also reads linear inequalities, such as ``edges <= entries``. They limit the numbers of executions
+of the marked source lines."""
 
 from __future__ import annotations
 
 import ast
 import operator
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from traceability.reading.formulas import OPERATIONS, evaluated
 from traceability.sources import text_of
 
 PASSES = re.compile(r"//\s*passes:\s*([^;]+?)\s*(?:;|$)")
 COUNTS = re.compile(r"//\s*counts:\s*(\w+)\s*(?:;|$)")
 DECLARED = re.compile(r"//\s*bound:\s*([^;]+?)(\s+in all)?\s*(?:;|$)")
 HEAD = re.compile(r"for \(std::size_t (\w+) = \d+; \1 < ([\w:]+);")
-OPERATIONS: dict[type, Callable[[int, int], int]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.floordiv,
-}
+OF_INTEGERS = {**OPERATIONS, ast.Div: operator.floordiv}
+
+ENTRIES = "entries"  # this counter of an inequality is the number of calls of the method
 
 Place = tuple[str, int]
 
@@ -74,8 +75,11 @@ class Bounds:
         return match[1] if match else None
 
     def value(self, text: str) -> int:
-        """Returns the value of a constant expression."""
-        return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
+        """Returns the value of a constant expression. Raises ValueError if it is not an integer."""
+        number = evaluated(text.replace("__", "::"), self.values.__getitem__, OF_INTEGERS)
+        if not isinstance(number, int):
+            raise ValueError(f"{text} is not an integer")
+        return number
 
     def _before(self, place: Place) -> str:
         """Returns the line before a source line, without its indentation."""
@@ -87,11 +91,51 @@ class Bounds:
             self.lines[file] = text_of(self.root / file).splitlines()
         return self.lines[file]
 
-    def _of(self, node: ast.expr) -> int:
-        if isinstance(node, ast.Constant) and isinstance(node.value, int):
-            return node.value
-        if isinstance(node, ast.Name):
-            return self.values[node.id.replace("__", "::")]
-        if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
-            return OPERATIONS[type(node.op)](self._of(node.left), self._of(node.right))
-        raise ValueError(f"the bound of this loop cannot be computed: {ast.unparse(node)}")
+
+@dataclass(frozen=True)
+class Inequality:
+    """An inequality in this form: the sum of the numbers of executions, each multiplied by its
+    factor, is at most ``most``."""
+
+    # counter or address of a block -> factor; negative if the counter is on the right side of the
+    # inequality in the text
+    factors: Mapping[int | str, int]
+    most: int
+
+
+def read_inequality(text: str, counters: Iterable[str], value: Callable[[str], int]) -> Inequality:
+    """Reads an inequality between two sums. ``value`` is a function that returns the number of a
+    constant expression."""
+    left, sign, right = text.partition("<=")
+    if not sign:
+        raise ValueError(f"no inequality: {text}")
+    names = frozenset((*counters, ENTRIES))
+    factors: dict[int | str, int] = {}
+    most = 0
+    for side, direction in ((left, 1), (right, -1)):
+        for term in _terms(ast.parse(side.strip().replace("::", "__"), mode="eval").body):
+            name, factor = _split(term, names, value)
+            if name is None:
+                most -= direction * factor
+            else:
+                factors[name] = factors.get(name, 0) + direction * factor
+    return Inequality(factors, most)
+
+
+def _terms(node: ast.expr) -> list[ast.expr]:
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        return [*_terms(node.left), *_terms(node.right)]
+    return [node]
+
+
+def _split(
+    term: ast.expr, names: frozenset[str], value: Callable[[str], int]
+) -> tuple[str | None, int]:
+    """Returns the counter and the factor of a term. The counter is None for a constant number."""
+    if isinstance(term, ast.Name) and term.id in names:
+        return term.id, 1
+    if isinstance(term, ast.BinOp) and isinstance(term.op, ast.Mult):
+        counter = ast.unparse(term.right)
+        if counter in names:
+            return counter, value(ast.unparse(term.left))
+    return None, value(ast.unparse(term))

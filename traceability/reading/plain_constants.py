@@ -8,7 +8,9 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from traceability.grouping import grouped
 from traceability.reading.constants import unit_in
+from traceability.reading.source_lines import place_at
 from traceability.schema import Constant, Place
 from traceability.sources import files_below
 
@@ -55,13 +57,10 @@ def _constants(root: Path) -> Iterator[tuple[str, Constant]]:
 
 def unambiguous(constants: Iterable[tuple[str, Constant]]) -> dict[str, Constant]:
     """Returns the constants by their names. A name is left out if it has more than one value."""
-    values: dict[str, list[Constant]] = {}
-    for name, constant in constants:
-        values.setdefault(name, []).append(constant)
     return {
-        name: found[0]
-        for name, found in values.items()
-        if len({(value.number, value.unit) for value in found}) == 1
+        name: found[0][1]
+        for name, found in grouped(constants, lambda pair: pair[0]).items()
+        if len({(value.number, value.unit) for _, value in found}) == 1
     }
 
 
@@ -70,8 +69,8 @@ def constants_of_cpp(path: Path, file: str) -> Iterator[tuple[str, Constant]]:
     folder = f"{path.parent.name}::{path.stem}::"
 
     def constant(match: re.Match[str], group: str, unit: str) -> Constant:
-        place = Place(file, text.count("\n", 0, match.start("name")) + 1)
-        return Constant(float(match[group].replace("'", "")), unit, place)
+        number = float(match[group].replace("'", ""))
+        return Constant(number, unit, place_at(file, text, match.start("name")))
 
     for match in _CPP.finditer(text):
         unit = unit_in(match["comment"]) or next(

@@ -9,9 +9,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from traceability.reading.image_record import read_image
 from traceability.reading.programs import output_of
-from traceability.reading.results import read_record
+from traceability.reading.results import read_image, read_record
 from traceability.schema import ProductImage
 from traceability.sources import DESIGN, SRC, files_below
 
@@ -51,18 +50,13 @@ def listed(root: Path) -> list[Product]:
     ]
 
 
-def functions_of(root: Path) -> dict[str, frozenset[str]]:
-    """Returns a map from each function that a user sees to the names of the products with this
-    function. These products contain the module of the function."""
-    table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
-    return {
-        function: frozenset(product.name for product in listed(root) if module in product.has)
-        for function, module in table["functions"].items()
-    }
-
-
-_LISTED = listed(Path(__file__).parents[2])
-FUNCTIONS = functions_of(Path(__file__).parents[2])
+_ROOT = Path(__file__).parents[2]
+_LISTED = listed(_ROOT)
+# function that a user sees -> the products that contain the module of this function
+FUNCTIONS = {
+    function: frozenset(product.name for product in _LISTED if module in product.has)
+    for function, module in tomllib.loads((_ROOT / LIST).read_text("utf-8"))["functions"].items()
+}
 PRODUCTS = {product.name: product.commands for product in _LISTED}
 HAS = {product.name: set(product.has) for product in _LISTED}
 DIFFERENT = set().union(*HAS.values())

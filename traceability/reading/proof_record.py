@@ -10,7 +10,7 @@ from traceability.reading.results import RESULTS, read_record
 from traceability.reading.task_record import PROOFS as TASK
 from traceability.reading.task_record import is_fresh
 from traceability.reading.toml_reader import Entries
-from traceability.schema import ProofProperty, ProofResult
+from traceability.schema import Place, ProofProperty, ProofResult
 
 PROPERTIES = Path("design/proofs/properties.toml")
 PROOFS = RESULTS / "proofs.json"
@@ -30,10 +30,11 @@ class ProofEvent:
 
     id: str
     says: str
-    actions: Sequence[str]  # actions that cause the event; empty if no action can cause it
+    place: Place
+    action: str = ""  # actions that cause the event, separated by semicolons
     # action in the next cycle that ends the effect of the event; "" if no action is needed
-    ends: str
-    wait: int  # time that the scenario waits for the event [ms]
+    without: str = ""
+    wait: int = 0  # time that the scenario waits for the event [ms]
 
 
 def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
@@ -41,18 +42,8 @@ def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
 
 
 def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
-    may: dict[str, type] = {"action": str, "without": str, "wait": int}
-    tables = entries.tables(root / PROPERTIES, "event", {"id": str, "says": str}, may, own="id")
-    return {
-        item["id"]: ProofEvent(
-            item["id"],
-            item["says"],
-            [part.strip() for part in item.get("action", "").split(";") if part.strip()],
-            item.get("without", ""),
-            item.get("wait", 0),
-        )
-        for item, _ in tables
-    }
+    may = ["action", "without", "wait"]
+    return entries.named(root / PROPERTIES, "event", ProofEvent, "id", may=may)
 
 
 def read_proofs(root: Path) -> dict[str, ProofResult] | None:
@@ -99,16 +90,17 @@ def scenario(
             ending = {}
         elif kind == "event" and rest in declared:
             event = declared[rest]
-            if not event.actions and not event.wait:
+            actions = list(filter(None, map(str.strip, event.action.split(";"))))
+            if not actions and not event.wait:
                 return ""
             at += event.wait
-            for action in event.actions:
+            for action in actions:
                 word = action.rpartition(" ")[0]
                 if lasting.get(word) != action or not rest.startswith("rc-"):
                     lines.append(f"at {at + after} {action}")
                     lasting[word] = action
             after += AFTER_MS
-            if event.ends:
-                ending[rest] = event.ends
+            if event.without:
+                ending[rest] = event.without
     head = f"# Counterexample of the property {proof.name}: {proof.says}"
     return "\n".join([head, "seed 1", *lines, f"at {at + 2 * ROUND_MS} end"]) + "\n"

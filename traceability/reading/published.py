@@ -1,9 +1,8 @@
-"""Reads and writes published results: committed records of runs that take too long for each
-build."""
+"""Reads and writes published results: committed records of runs that take too long for each build,
+such as the campaigns: long runs with inserted faults, random inputs or random drives."""
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -12,9 +11,17 @@ from typing import Any
 
 from traceability.reading.results import read_object
 from traceability.schema import LastRecord
-from traceability.whole_file import write_whole
+from traceability.whole_file import write_json
 
 RECORDS = Path("tests/records")
+OUTCOMES = ("harmless", "detected", "late", "silent", "hung", "stopped")
+FAULTS, FUZZ, LOADS = "faults", "fuzz", "loads"  # names of the published campaigns
+METRICS = (
+    "reliability.faults",
+    *(f"reliability.faults_{outcome}" for outcome in OUTCOMES),
+    "reliability.fuzz_inputs",
+    "reliability.fuzz_failures",
+)
 
 
 @dataclass(frozen=True)
@@ -31,7 +38,7 @@ def publish(root: Path, name: str, command: str, commit: str, result: Mapping[st
     """Writes the record of a run with the date of today. Returns the path of the record."""
     record = Published(command, commit, time.strftime("%Y-%m-%d", time.gmtime()), result)
     path = root / RECORDS / f"{name}.json"
-    write_whole(path, json.dumps(asdict(record), indent=1) + "\n")
+    write_json(path, asdict(record))
     return path
 
 
@@ -52,3 +59,34 @@ def last_score(root: Path, name: str) -> LastRecord | None:
     justified, total = record.result.get("justified", 0), record.result.get("total")
     command = record.command.removeprefix("./wr ")
     return LastRecord(command, record.commit, found, tried, False, record.date, justified, total)
+
+
+def read_campaigns(root: Path) -> dict[str, Published]:
+    """Returns the published results by the kind of the campaign."""
+    records = {name: read_published(root, name) for name in (FAULTS, FUZZ, LOADS)}
+    return {name: record for name, record in records.items() if record}
+
+
+def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
+    """Returns the metrics of the last campaigns. All of them are below the key ``last``, because a
+    build does not run the campaigns."""
+    return {
+        metric: {
+            "command": record.command,
+            "commit": record.commit,
+            "date": record.date,
+            "value": value,
+        }
+        for name, record in records.items()
+        for metric, value in _values(name, record.result).items()
+    }
+
+
+def _values(name: str, result: Mapping[str, Any]) -> dict[str, Any]:
+    if name == LOADS:
+        return {}  # The page of the bench shows these results.
+    if name == FUZZ:
+        counts = result["outcomes"]
+        return {f"reliability.fuzz_{key}": counts[key] for key in ("inputs", "failures")}
+    counts = {f"reliability.faults_{key}": result["outcomes"][key] for key in OUTCOMES}
+    return {"reliability.faults": result["cases"], **counts}

@@ -24,6 +24,11 @@ RUNS = {HOST: "trace", VIRTUAL_K64: "board"}
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
 TYPE = re.compile(r"/\d+$")  # a suite of typed tests ends with "/" and the number of the type
 PLAIN = "plain"  # name of the test run without recordings
+# file with the flash and RAM sizes of the firmware image
+TOTALS = RESULTS / "image_k64.json"
+RELEASE = RESULTS / "release.json"  # comparison of the files of a release that was built twice
+# the WebAssembly module that runs the firmware images in a web page, and its measurements
+LIVE_MODULE, LIVE = Path("build/web/sim/live.wasm"), RESULTS / "live.json"
 # The results of gcovr: the totals, and the executed lines of each file.
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
@@ -63,6 +68,12 @@ def read_fresh(root: Path, path: Path, task: str) -> dict[str, Any] | None:
     or incomplete, or if the inputs of the task have changed since."""
     content = read_object(root / path)
     return content if content and task_record.is_fresh(root, task) else None
+
+
+def read_image(root: Path) -> dict[str, Any] | None:
+    """Returns the flash and RAM sizes of the firmware image. Returns None if the image was not
+    built from the present sources."""
+    return read_fresh(root, TOTALS, task_record.IMAGES)
 
 
 def day_of(record: Path) -> str:
@@ -119,20 +130,6 @@ def run_hash(root: Path, binding: str) -> str:
     """Returns the hash of the result file of the last test run. Each run has another hash,
     because the file contains times."""
     return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
-
-
-def read_totals(root: Path) -> dict[str, float] | None:
-    """Returns the totals of gcovr. Returns None if they do not belong to the last run on the
-    host."""
-    return count_totals(root) if task_record.is_fresh(root, task_record.COVERAGE) else None
-
-
-def count_totals(root: Path) -> dict[str, float] | None:
-    """Returns the totals of gcovr. Returns None if gcovr found no source line of the design."""
-    record = read_object(root / COVERAGE)
-    if not record or not record["line_total"]:
-        return None
-    return {name: record[name] for name in ("line_percent", "branch_percent")}
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:

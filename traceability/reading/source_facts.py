@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from traceability.grouping import grouped
 from traceability.reading.ast_facts import (
     BodyFact,
     CallFact,
@@ -19,7 +20,7 @@ from traceability.reading.ast_facts import (
 )
 from traceability.reading.comments import NO_COMMENT, Comment, Comments
 from traceability.reading.declared import Declared
-from traceability.reading.graphs import reached_from
+from traceability.reading.graphs import Ways, reached_from, ways_from
 from traceability.reading.products import is_of_default
 from traceability.schema import Place
 from traceability.sources import DESIGN, SRC
@@ -180,9 +181,7 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
         while upper is not None:
             overriders.setdefault(upper, []).append(method.id)
             upper = methods[upper].overrides if upper in methods else None
-    bodies: dict[str, list[BodyFact]] = {}
-    for body in syntax.bodies:
-        bodies.setdefault(body.id, []).append(body)
+    bodies = grouped(syntax.bodies, lambda body: body.id)
     written_in = {
         file: fact.name
         for fact in syntax.classes
@@ -430,27 +429,21 @@ class References:
             for source in call.args[number]
         ]
 
-    def reached(
-        self, start: Iterable[str], within: dict[str, str], ends: list[str]
-    ) -> dict[str, str]:
+    def reached(self, start: Iterable[str], within: dict[str, str], ends: list[str]) -> Ways[str]:
         """Returns all methods and functions that the functions in ``start`` may call, directly or
         indirectly. For each of them, the result contains the first caller that was found.
 
         ``within`` maps a virtual method to an overriding method. A call of such a virtual method
         counts as a call of only this overriding method. Calls inside the methods in ``ends`` are
         not followed."""
-        callers = dict.fromkeys(start, "")
-        work = list(callers)
-        while work:
-            caller = work.pop(0)
+
+        def next_of(caller: str) -> Iterator[str]:
             for body in self.own_bodies(caller) if caller not in ends else []:
                 for call in body.calls:
                     narrowed = within.get(call.target)
-                    for target in [narrowed] if narrowed else self.targets(call):
-                        if target not in callers:
-                            callers[target] = caller
-                            work.append(target)
-        return callers
+                    yield from [narrowed] if narrowed else self.targets(call)
+
+        return ways_from(start, next_of)
 
     def own_bodies(self, method: str) -> list[BodyFact]:
         """Returns the bodies of a method or function in the files that are read."""

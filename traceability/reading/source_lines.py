@@ -8,7 +8,22 @@ from itertools import pairwise
 from pathlib import Path
 
 from traceability.schema import Place
-from traceability.sources import files_below, text_of
+from traceability.sources import DESIGN, files_below, text_of
+
+# The texts of the project that people read: pages, comments, requirements, texts of design/ and the
+# files that describe builds, tests and runs.
+READ = (
+    *("requirements", "design", "docs", *DESIGN, "sim", "tests", "client", "tools", "site"),
+    *("traceability", "changes", "ports", "setup", "CMakeLists.txt", ".ci", ".github", ".vscode"),
+    *("README.md", "CONTRIBUTING.md", "CHANGELOG.md"),
+)
+SUFFIXES = (
+    *(".dox", ".hpp", ".cpp", ".h", ".S", ".py", ".toml", ".rst", ".md", ".html", ".scenario"),
+    *(".txt", ".cmake", ".ld", ".json", ".yml"),
+)
+# The tests of the tools and the seeded faults contain names that do not exist. The other files are
+# generated, and other findings report wrong names in them.
+NOT_READ = ("tests/python/", "tests/drift/", "tests/records/", "requirements/baseline.toml")
 
 
 def texts_below(
@@ -27,6 +42,13 @@ def lines_below(
     for file, text in texts_below(root, names, suffixes):
         for number, line in enumerate(text.splitlines(), 1):
             yield Place(file, number), line
+
+
+def text_lines(root: Path) -> Iterator[tuple[Place, str]]:
+    """Yields the lines of all texts that people read, with their places."""
+    for place, line in lines_below(root, READ, SUFFIXES):
+        if not place.file.startswith(NOT_READ):
+            yield place, line
 
 
 def place_at(file: str, text: str, position: int) -> Place:

@@ -81,14 +81,19 @@ def _is_stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bo
         return False
     if entry["reader"] != _reader_hash(is_board(unit)):
         return False
-    own = own_files(unit)
     for file, digest in entry["files"].items():
-        key = file if file in own else f"code of {file}"
+        key = file if file in own_files(unit) else f"code of {file}"
         if key not in hashes:
-            hashes[key] = file_hash(root / file) if file in own else code_hash(root / file)
+            hashes[key] = _hash(root, unit, file)
         if hashes[key] != digest:
             return False
     return True
+
+
+def _hash(root: Path, unit: str, file: str) -> str:
+    """Returns the hash of a file of a translation unit. For an included file, only its code
+    matters."""
+    return (file_hash if file in own_files(unit) else code_hash)(root / file)
 
 
 def own_files(unit: str) -> tuple[str, str]:
@@ -118,21 +123,14 @@ def _reader_hash(board: bool) -> str:
 
 def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> None:
     facts, included = parse(root, unit, files, standard(cache, is_board(unit)))
-    own = own_files(unit)
     entry = {
-        "reader": _reader_hash(is_board(unit)),
-        "files": {
-            file: file_hash(root / file) if file in own else code_hash(root / file)
-            for file in sorted(included)
-        },
+        "reader": "the unit has errors" if facts.errors else _reader_hash(is_board(unit)),
+        "files": {file: _hash(root, unit, file) for file in sorted(included)},
         # The facts are pickled separately, because only the same version of the reader can unpickle
         # them.
         "facts": pickle.dumps(facts),
     }
-    path = _entry(cache, unit)
-    if facts.errors:
-        entry["reader"] = "the unit has errors"
-    write_whole(path, pickle.dumps(entry))
+    write_whole(_entry(cache, unit), pickle.dumps(entry))
 
 
 def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax, set[str]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 from traceability.reading.results import RESULTS
@@ -53,14 +53,9 @@ def name_of(case: ET.Element) -> str:
     return f"{case.get('classname', '').replace('.', '/')}.py::{case.get('name')}"
 
 
-def repeated_tests(root: Path, folders: Iterable[str]) -> list[str]:
+def repeated_tests(results: Path) -> list[str]:
     """Returns the names of the tests that failed at first, and whose second result counts."""
-    return [
-        name_of(case)
-        for folder in folders
-        for case in ET.parse(root / results_of(folder)).iter("testcase")
-        if case.get(REPEATED)
-    ]
+    return [name_of(case) for case in ET.parse(results).iter("testcase") if case.get(REPEATED)]
 
 
 def long_tests(root: Path) -> dict[str, int]:

@@ -21,8 +21,7 @@ from tools.campaign.workers import run_here, run_on_dask
 from tools.cli import parser
 from tools.lock import BusyError
 from tools.steps import FailureError
-from traceability.reading.fault_record import OUTCOMES, campaign_metrics
-from traceability.reading.published import publish, read_published
+from traceability.reading.published import OUTCOMES, campaign_metrics, publish, read_published
 
 pytestmark = pytest.mark.runs_tools
 

@@ -13,8 +13,7 @@ import pytest
 
 from tools.campaign.fuzz import NAMES, PROGRAM, options, summarise
 from tools.campaign.fuzz_program import INPUTS
-from traceability.reading.fault_record import campaign_metrics
-from traceability.reading.published import Published
+from traceability.reading.published import Published, campaign_metrics
 
 pytestmark = pytest.mark.runs_tools
 

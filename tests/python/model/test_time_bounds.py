@@ -13,7 +13,7 @@ import pytest
 
 from traceability.model.image_code import Program
 from traceability.model.interrupt_locks import longest_locks
-from traceability.model.longest_path import FlowFact, Problem
+from traceability.model.longest_path import Problem
 from traceability.model.response_times import (
     CLOCK,
     NANOSECONDS,
@@ -27,8 +27,7 @@ from traceability.model.stack import Prover
 from traceability.model.time_bounds import DeclaredFacts, Spread, Times
 from traceability.reading.call_graph import Function
 from traceability.reading.call_record import Activation, Recording, Span
-from traceability.reading.flow_facts import Inequality, read_inequality
-from traceability.reading.loop_bounds import Bound, Bounds
+from traceability.reading.loop_bounds import Bound, Bounds, Inequality, read_inequality
 from traceability.reading.machine_code import REFILL, Code, read_code
 from traceability.schema import TimeBound
 
@@ -243,13 +242,13 @@ def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
     code = code_of(tmp_path, LOOP)
     (loop,) = code.loops
     after = max(code.blocks)
-    fact = FlowFact({loop.head: 1, after: 2}, 7)
+    fact = Inequality({loop.head: 1, after: 2}, 7)
     assert longest(code, 10, [fact]) == 1 + 5 * 3 + 4 * REFILL + 1 + REFILL
 
 
 def test_a_callee_that_is_counted_apart_costs_its_number_of_calls(tmp_path: Path) -> None:
     code = code_of(tmp_path, MEMORY)
-    facts = [FlowFact({"orders": 3}, 9)]
+    facts = [Inequality({"orders": 3}, 9)]
     assert longest(code, 0, facts, {"orders": 100}) == (longest(code) or 0) + 300
 
 

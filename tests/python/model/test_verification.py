@@ -19,9 +19,8 @@ from traceability.model.build import build
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.model.reviews import LinkTexts, write_baseline
-from traceability.reading.image_record import TOTALS
 from traceability.reading.result_cache import cached_result, code_of
-from traceability.reading.results import RESULTS
+from traceability.reading.results import RESULTS, TOTALS
 from traceability.reading.task_record import IMAGES, TESTS_TRACE
 from traceability.reading.traces import EXIT, SOURCES
 from traceability.schema import HOST

@@ -46,10 +46,8 @@ from traceability.checks.registry import CHECKS as CHECKS_OF_PROJECT
 from traceability.checks.registry import Check
 from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
-from traceability.reading.fault_record import OUTCOMES
-from traceability.reading.published import Published
-from traceability.reading.seeded_fault_record import Outcome
-from traceability.reading.seeded_faults import Fault
+from traceability.reading.published import OUTCOMES, Published
+from traceability.reading.seeded_faults import Fault, Outcome
 from traceability.schema import (
     HOST,
     VIRTUAL_K64,

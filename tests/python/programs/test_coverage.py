@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 
+from traceability.reading import task_record
 from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.gcov_arcs import Covered
-from traceability.reading.results import COVERAGE_LINES, read_totals
+from traceability.reading.results import COVERAGE, COVERAGE_LINES, read_fresh
 from traceability.reading.task_record import TESTS_TRACE, is_fresh
 from traceability.schema import HOST, VIRTUAL_K64
 
@@ -21,7 +22,7 @@ Lines = dict[int, list[dict[str, Any]]]
 
 @pytest.fixture(scope="module", autouse=True)
 def run() -> None:
-    if read_totals(ROOT) is None or not is_fresh(ROOT, TESTS_TRACE):
+    if read_fresh(ROOT, COVERAGE, task_record.COVERAGE) is None or not is_fresh(ROOT, TESTS_TRACE):
         pytest.skip("the tests have not run with traces and coverage on the present sources")
 
 

@@ -13,12 +13,12 @@ from portal import site_build
 from tests.python.portal.fixture import REPORT, make_project
 from tools.browser import find_browser, result_of
 from traceability.reading.closed_loop_record import EXAMPLES
-from traceability.reading.live_record import MODULE
 from traceability.reading.products import PAPER, image_of, recorded_image_of
+from traceability.reading.results import LIVE_MODULE
 
 ROOT = Path(__file__).parents[3]
 COPIED = (
-    MODULE,
+    LIVE_MODULE,
     image_of(PAPER, ".bin"),
     image_of(PAPER, ".elf"),
     recorded_image_of(PAPER, ".bin"),
@@ -57,7 +57,7 @@ document.body.append(frame);
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    if not (ROOT / MODULE).exists():
+    if not (ROOT / LIVE_MODULE).exists():
         pytest.skip("the module is not built, because its compiler is not installed")
     root = tmp_path_factory.mktemp("project")
     model = make_project(root)

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import pytest
 
 from tests.python.reading.task_records import record_task
-from traceability.model.metrics import coverage, image
-from traceability.reading import baseline_record, bench_record, image_record, products, results
-from traceability.reading.seeded_fault_record import Outcome, read_record, write_record
+from traceability.model.metrics import of_task
+from traceability.reading import baseline_record, bench_record, products, results
+from traceability.reading.seeded_faults import Outcome, read_record, write_record
 from traceability.reading.task_record import BASELINE, BENCH, COVERAGE, IMAGES, SEEDED_FAULTS
 from traceability.schema import BenchScenario, ProductImage
 
@@ -23,7 +23,7 @@ BUILT = dict.fromkeys(products.PRODUCTS, ProductImage(**TOTALS, stack=0, forbidd
 
 
 def write_images(root: Path) -> None:
-    (root / image_record.TOTALS).write_text(json.dumps(TOTALS))
+    (root / results.TOTALS).write_text(json.dumps(TOTALS))
     content = {name: asdict(one) for name, one in BUILT.items()}
     (root / products.RESULTS).write_text(json.dumps(content))
 
@@ -59,7 +59,7 @@ CASES = {
     "image": Case(
         IMAGES,
         write_images,
-        image,
+        lambda root: of_task(root, results.TOTALS),
         {"firmware.flash_bytes": 17824, "firmware.ram_bytes": 12296},
         {},
     ),
@@ -67,7 +67,7 @@ CASES = {
     "coverage": Case(
         COVERAGE,
         writer(results.COVERAGE, {"line_total": 40, "line_percent": 98.5, "branch_percent": 95.0}),
-        coverage,
+        lambda root: of_task(root, results.COVERAGE),
         {"coverage.line": 98.5, "coverage.branch": 95.0},
         {},
     ),

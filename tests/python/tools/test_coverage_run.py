@@ -9,7 +9,8 @@ import pytest
 from tests.python.reading.task_records import record_task
 from tools.coverage_run import count_coverage, remove_stale_notes
 from tools.steps import FailureError
-from traceability.model.metrics import coverage
+from traceability.model.metrics import of_task
+from traceability.reading.results import COVERAGE as TOTALS
 from traceability.reading.results import COVERAGE_LINES
 from traceability.reading.task_record import COVERAGE
 
@@ -56,7 +57,7 @@ def count(root: Path) -> str:
 
 def test_a_line_of_several_functions_counts_once(root: Path) -> None:
     assert count(root) == "85.7 % of the lines, 50.0 % of the branches"
-    assert coverage(root) == {"coverage.line": 85.7, "coverage.branch": 50.0}
+    assert of_task(root, TOTALS) == {"coverage.line": 85.7, "coverage.branch": 50.0}
 
 
 def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
@@ -78,7 +79,7 @@ def test_a_run_without_a_line_of_the_design_is_a_failure(root: Path) -> None:
     run_program(root, "other/choose.cpp")
     with pytest.raises(FailureError, match="no line of the design"):
         count(root)
-    assert coverage(root) == {}
+    assert of_task(root, TOTALS) == {}
 
 
 def test_notes_of_an_object_that_is_no_longer_made_are_removed(root: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from tools.lint import LINT_RECORD, lint_tasks
 from tools.task_graph import Graph
-from traceability.reading.prose_record import RECORD, read_prose
+from traceability.reading.lint_record import PROSE, read_prose
 
 pytestmark = [pytest.mark.runs_tools, pytest.mark.reads(".")]
 
@@ -35,7 +35,7 @@ def test_the_prose_is_read_again_only_after_a_change(tmp_path: Path) -> None:
     page.write_text("A voltage.\n")
     assert "unchanged" not in run_prose(tmp_path)
     assert "unchanged" in run_prose(tmp_path)
-    (tmp_path / RECORD).unlink()
+    (tmp_path / PROSE).unlink()
     assert "unchanged" not in run_prose(tmp_path)
     page.write_text("A tension.\n")
     assert "1 words that the glossary replaces" in run_prose(tmp_path)

@@ -36,7 +36,8 @@ from traceability.schema import Place, ProofProperty, ProofResult, Proofs
 pytestmark = pytest.mark.reads("design", "changes", "sim/scenario", "requirements")
 
 ROOT = Path(__file__).parents[3]
-TRIED = ProofProperty("tried", "FR-1", "It is tried.", "[] !drives", Place("a.toml", 1))
+HERE = Place("a.toml", 1)
+TRIED = ProofProperty("tried", "FR-1", "It is tried.", "[] !drives", HERE)
 needs_spin = pytest.mark.skipif(bool(missing_program()), reason="Spin is not installed")
 
 
@@ -148,10 +149,10 @@ def test_at_least_twenty_properties_are_declared() -> None:
 
 def test_an_event_without_an_action_has_no_scenario() -> None:
     known = {
-        "order": ProofEvent("order", "it orders", ["order velocity 0"], "", 0),
-        "fails": ProofEvent("fails", "it fails", [], "", 0),
-        "press": ProofEvent("press", "it is pressed", ["estop press"], "estop release", 0),
-        "late": ProofEvent("late", "1 s passed", [], "", 1000),
+        "order": ProofEvent("order", "it orders", HERE, "order velocity 0"),
+        "fails": ProofEvent("fails", "it fails", HERE),
+        "press": ProofEvent("press", "it is pressed", HERE, "estop press", "estop release"),
+        "late": ProofEvent("late", "1 s passed", HERE, wait=1000),
     }
     played = ["round", "event order", "event press", "round", "event late"]
     assert scenario(TRIED, played, known).splitlines()[2:] == [

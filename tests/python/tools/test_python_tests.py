@@ -20,7 +20,7 @@ from tools.python_tests import (
 )
 from tools.tasks import PYTHON_TESTS, graph
 from traceability.reading.results import RESULTS
-from traceability.reading.tool_tests import python_task, repeated_tests
+from traceability.reading.tool_tests import python_task, repeated_tests, results_of
 
 pytestmark = pytest.mark.reads(".")  # graph() reads the files that changed since the last run
 
@@ -184,4 +184,5 @@ def test_only_the_failed_tests_of_the_client_run_again(
         [f"{tmp_path}/tests/python/tools/test_two.py::b[c d]"],
     ]
     assert not outcome.failed
-    assert repeated_tests(tmp_path, ["client"]) == ["tests/python/tools/test_two.py::b[c d]"]
+    second = repeated_tests(tmp_path / results_of("client"))
+    assert second == ["tests/python/tools/test_two.py::b[c d]"]

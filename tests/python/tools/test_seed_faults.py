@@ -11,8 +11,7 @@ import pytest
 
 from tools.seed_faults import copy_part
 from traceability.checks.registry import KNOWN
-from traceability.reading.seeded_fault_record import SOURCES
-from traceability.reading.seeded_faults import COMPILER, STAGES, Edit, Fault, read_faults
+from traceability.reading.seeded_faults import COMPILER, SOURCES, STAGES, Edit, Fault, read_faults
 
 pytestmark = pytest.mark.reads(".")
 

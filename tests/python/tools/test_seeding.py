@@ -6,8 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tools.seed_faults import Copy
-from traceability.reading.seeded_fault_record import Outcome
-from traceability.reading.seeded_faults import Edit, Fault
+from traceability.reading.seeded_faults import Edit, Fault, Outcome
 from traceability.schema import Finding
 
 
