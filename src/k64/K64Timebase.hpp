@@ -25,12 +25,10 @@ class K64Timebase final : public Timebase {
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 
     /// @brief Records the present time.
-    /// @satisfies FR-200
     /// @isr{yes}
     void record();
 
     /// @return the recorded time [us]
-    /// @satisfies FR-200
     /// @isr{yes}
     [[nodiscard]] Instant now() const override { return time_; }
 

@@ -32,7 +32,7 @@ from traceability.schema import (
     Requirement,
     Suspicion,
 )
-from traceability.sources import text_of
+from traceability.sources import DESIGN, text_of
 
 TAGGED = ("src", "extensions", "tests")
 TEST_BUILD = "tests/CMakeLists.txt"
@@ -54,7 +54,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     for find in (*of_model, _lines, _suspects, _reviews):
         yield from find(model)
     of_facts = (_unknown, _tagged, _switched_off, _sources, _uncalled, _equivalents, _unbuilt)
-    for find_in in (*of_facts, _old_image):
+    for find_in in (*of_facts, _old_image, _elsewhere):
         yield from find_in(model, facts)
     yield from _twice(facts)
     yield from _macros(facts)
@@ -159,6 +159,17 @@ def _without(model: Model) -> Iterator[Finding]:
     for test in tests_without(model):
         if test.id not in justified:
             yield Finding(test.place, "req-test", f"{test.id} verifies no requirement")
+
+
+def _elsewhere(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds tags @satisfies that are not at a method of a module. No page shows such a tag."""
+    methods = [method for name in model.modules for method in facts.classes[name].methods]
+    places = {facts.comment(method).place for method in methods}
+    for comment in facts.comments.below(DESIGN):
+        for tag in comment.of("satisfies") if comment.place not in places else ():
+            text = f"@satisfies {tag.argument} is not in the comment of a method of a module"
+            fix = "move the tag to a method of the module, or remove it"
+            yield Finding(tag.place, "req-method", text, fix)
 
 
 def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:

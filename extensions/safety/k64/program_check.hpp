@@ -10,7 +10,6 @@ extern ProgramCheck programCheck;
 
 /// @brief Switches on the light that shows that the start has ended, and checks the program between
 /// the interrupts. Never returns.
-/// @satisfies FR-309
 /// @isr{no}
 [[noreturn]] void checkForever();
 
