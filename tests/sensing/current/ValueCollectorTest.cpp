@@ -296,8 +296,8 @@ TEST_F(CurrentTest, FR128_NotInARow) {
   EXPECT_EQ(overcurrent.executions, 0);
 }
 
-/// @brief The overcurrent trip also acts on the lowest and the highest value of the converter (0 and
-/// 4095), even if this value is less than 15 A from the zero point.
+/// @brief The overcurrent trip also acts on the extreme values of the converter (0 and 4095), even
+/// if the extreme value is less than 15 A from the zero point.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_EndOfTheRange) {
   struct Sensor {
