@@ -26,7 +26,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         nargs="*",
         metavar="CHECK",
         help="first test the checks: insert each seeded fault of tests/drift into a copy of the "
-        "project. If CHECK is given, test only these checks and stop.",
+        "project. If you name checks, the command tests only these checks, and does not check the "
+        "project.",
     )
     parser.add_argument(
         "--publish",

@@ -26,8 +26,8 @@ from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
 ON_HOST = "debug"  # preset of the programs that are debugged on this computer
-# Folders with tests of the emulators. The emulators are programs of this computer, and these tests
-# do not run on the virtual board.
+# Folders with tests of the emulators. The emulators are programs for the host, and these tests do
+# not run on the virtual board.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
 SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"
@@ -38,7 +38,7 @@ WAIT = 20  # longest time until the virtual board opens its port [s]
 @dataclass(frozen=True)
 class Target:
     """The command that starts the debugger, and the command that starts the virtual board to which
-    the debugger connects. A program of this computer needs no board."""
+    the debugger connects. A program for the host needs no board."""
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)

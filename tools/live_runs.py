@@ -74,7 +74,7 @@ def examples(root: Path) -> list[Path]:
 
 
 def play_native(root: Path, scenario: Path) -> dict[str, Any]:
-    """Plays a scenario with the native program of this computer. Returns the reports with the true
+    """Plays a scenario with the native program for the host. Returns the reports with the true
     values, and the number and the hash of all events, in the form of a run of the module."""
     with tempfile.TemporaryDirectory() as folder:
         reports = Path(folder) / "reports.csv"

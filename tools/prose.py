@@ -116,7 +116,7 @@ def _strings(code: str) -> str:
 
 def _remarks(path: Path, text: str) -> str:
     """Returns the comments of code, and its strings of several words. Null characters replace all
-    other text. A phrase is therefore never found across code."""
+    other text. Therefore no phrase can begin in one comment or string and end in the next."""
     name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
     try:
         tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)

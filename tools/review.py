@@ -45,10 +45,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Shows the texts on which the verdict of one requirement depends: its text, "
         "tree, safety goals, methods, tests, fixtures and scenarios. Also shows the "
         "changes of these texts since the baseline. Then asks the questions of the "
-        "checklist, and records your answers in requirements/reviews.toml. According "
-        "to git, a reviewer must have written no line of these texts. With --baseline, "
-        "the command asks nothing, and records the hashes of the present texts in "
-        "requirements/baseline.toml. A baseline shows later changes, but is not a "
+        "checklist, and records your answers in requirements/reviews.toml. The reviewer "
+        "must not be an author of these texts: the command reads the authors from git. "
+        "With --baseline, the command asks nothing, and records the hashes of the present "
+        "texts in requirements/baseline.toml. A baseline shows later changes, but is not a "
         "review.",
     )
     parser.add_argument("ids", nargs="*", metavar="ID", help="a requirement, such as FR-15")

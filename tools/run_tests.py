@@ -79,14 +79,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--long",
         action="store_true",
-        help="--all, and also run the long tests of the tools, and test the checks: insert each "
-        "seeded fault of tests/drift into a copy of the project",
+        help="run all tests and measurements of --all, and also the long tests of the tools. Also "
+        "test the checks: insert each seeded fault of tests/drift into a copy of the project",
     )
     parser.add_argument(
         "--ci",
         action="store_true",
-        help="the run of .ci/run: --all, but leave out the tests with sanitizers, and run the "
-        "quick steps of ./wr lint at the same time",
+        help="run the tests of .ci/run: all tests and measurements of --all except the tests with "
+        "sanitizers, and at the same time the quick steps of ./wr lint",
     )
     parser.set_defaults(run=run)
 

@@ -9,7 +9,8 @@ namespace wr {
 
 namespace {
 
-// Greatest size of a program that is checked in kTimeToFind, in groups of four words.
+// Size of the largest program in which each changed bit is found within kTimeToFind [groups of four
+// words].
 constexpr std::size_t kMaxWords = std::size_t{64} * 1024 / sizeof(ProgramCheck::Words);
 
 // Time in which a changed bit is found.

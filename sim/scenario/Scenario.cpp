@@ -118,7 +118,8 @@ Scenario::Action readExpectation(Words& words) {
   const FrameField* const field = findField(name);
   const TruthField* const truth = findTruth(name);
   if (field == nullptr && truth == nullptr) {
-    throw Scenario::Error("Welcome, Report and the robot have no field '" + name + "'");
+    throw Scenario::Error("'" + name +
+                          "' is not a field of Welcome or Report, and not a true value");
   }
   Scenario::Expect expect{};
   if (field != nullptr) {

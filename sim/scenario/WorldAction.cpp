@@ -245,7 +245,7 @@ WorldAction worldActionOf(const std::string& line) {
   const std::string word = words.take("an action");
   const auto action = readWorldAction(word, words);
   if (!action) {
-    throw ScenarioError("the world has no action '" + word + "'");
+    throw ScenarioError("'" + word + "' is not an action of the world");
   }
   if (!words.done()) {
     throw ScenarioError("'" + words.take("") + "' is a superfluous word");

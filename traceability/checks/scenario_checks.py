@@ -108,7 +108,8 @@ def wrong_words(root: Path) -> Iterator[Finding]:
         named |= {_stem(word) for word in words}
         for word in sorted(words):
             if _stem(word) not in known and not (word.isupper() or BYTE.fullmatch(word)):
-                yield Finding(place, "doc-scenario", f"scenarios have no word {word}")
+                text = f"this page names '{word}', but a scenario cannot contain this word"
+                yield Finding(place, "doc-scenario", text)
     for place, words_read in read:
         for word in words_read:
             if _stem(word) not in named:
@@ -135,7 +136,8 @@ def _wrong_faults(root: Path) -> Iterator[Finding]:
         for literal in LITERAL.findall(cell[1]) if cell else ():
             name, *arguments = literal.split()
             if faults.get(name) != len(arguments):
-                yield Finding(place, "doc-scenario", f"scenarios have no fault '{literal}'")
+                text = f"this page names the fault '{literal}', but a scenario cannot contain it"
+                yield Finding(place, "doc-scenario", text)
 
 
 # ---- numbers in comments -----------------------------------------------------

@@ -63,7 +63,8 @@ def _bound(proof: StackProof) -> Iterator[Finding]:
         largest = max(calls, key=lambda call: call.bytes)
         text = (
             f"the stack has {proof.limit} bytes, but the program may need {proof.total} bytes; in "
-            f"the deepest chains {largest.name} has the largest frame, {largest.bytes} bytes"
+            f"the chains of calls that need the most stack, {largest.name} has the largest frame, "
+            f"{largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"
         yield Finding(SCRIPT, "stack-bound", text, fix)

@@ -375,7 +375,7 @@ def test_the_evidence_shows_the_tests_of_the_tools_that_ran(tmp_path: Path) -> N
     assert "No test was repeated." in text
     build = replace(build, repeated=["test_a.py::test_b"], long_tests={"test_c.py": 2})
     text = shown(tmp_path, replace(make_project(tmp_path), build=build))["evidence"].text
-    assert "only its second result counts: test_a.py::test_b." in text
+    assert "Only the second result of each test counts: test_a.py::test_b." in text
     assert "The long tests are 2 test functions in these files: test_c.py." in text
 
 

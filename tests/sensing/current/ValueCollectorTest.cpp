@@ -296,8 +296,8 @@ TEST_F(CurrentTest, FR128_NotInARow) {
   EXPECT_EQ(overcurrent.executions, 0);
 }
 
-/// @brief A value at an end of the sensor's range counts as too high, even when it is less than 15
-/// A from the zero point.
+/// @brief The overcurrent trip also acts on the extreme values of the converter (0 and 4095), even
+/// if the extreme value is less than 15 A from the zero point.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_EndOfTheRange) {
   struct Sensor {
@@ -319,8 +319,8 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief The zero point may be less than 15 A from an end of the range. Then only the last value
-/// at this end of the range counts as too high.
+/// @brief The zero point may be less than 15 A from an end of the range of the converter. At this
+/// end the overcurrent trip then acts only on the extreme value (0 or 4095).
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {
