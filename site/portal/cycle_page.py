@@ -117,7 +117,7 @@ def cycle(portal: Portal) -> dict[str, Any]:
 
 
 def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
-    """Returns the lanes: the highest priority first, and the main program last."""
+    """Returns the lanes: the highest priority first, and the idle program last."""
     lanes: dict[int | None, Lane] = {}
     inside = [
         a

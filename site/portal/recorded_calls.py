@@ -19,7 +19,7 @@ from traceability.reading.call_record import (
 
 PULSE = "cycleTimerInterrupt"  # the handler of the clock pulse
 COMMAND = "./wr portal"  # the command that makes the records
-NOT_ENTERED = "main program"
+NOT_ENTERED = "idle program"
 
 
 @dataclass(frozen=True)

@@ -54,7 +54,8 @@ class DeclaredSequence:
 
 @dataclass(frozen=True)
 class Message:
-    """A call from a participant to another participant, or a frame on the serial line."""
+    """A call from a participant to another participant, or a frame on the serial line. The call can
+    pass through methods that are not shown."""
 
     source: str
     target: str

@@ -129,7 +129,7 @@ TEST_F(DirSystemTest, FR116_APositionThatIsUnknownIsMissing) {
 }
 
 /// @brief The work of a cycle is complete under two conditions: the steering got an order in this
-/// cycle, and its last tick was at most 20 ms ago.
+/// cycle, and its newest status is at most 20 ms old.
 /// @verifies FR-117
 TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
   publish({});

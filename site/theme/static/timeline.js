@@ -147,7 +147,7 @@
         depth += 1;
         if (!drawRow(group, lane.rows[depth - 1], y, x, names)) break;
       }
-      const title = lane.priority === null ? "main program" : "priority " + lane.priority;
+      const title = lane.priority === null ? "idle program" : "priority " + lane.priority;
       const name = draw("text", { class: "tl-name", x: 6, y: top + 13 }, group);
       fit(name, title, [...names].filter((each) => each !== title), width - 12);
       top += HEAD + depth * ROW + 4;

@@ -117,7 +117,7 @@
     });
     const [runs, ...waiting] = activeAt(lanes, at).map((context) => context.name);
     text.textContent =
-      `${(at / MS).toFixed(3)} ms: ${runs || "main program"}` + (waiting.length ? `, preempts ${waiting.join(", ")}` : "");
+      `${(at / MS).toFixed(3)} ms: ${runs || "idle program"}` + (waiting.length ? `, preempts ${waiting.join(", ")}` : "");
   }
 
   scope.LiveLanes.show = ({ switches, lasted }) => {
