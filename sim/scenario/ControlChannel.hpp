@@ -10,9 +10,9 @@ namespace wr::scenario {
 /// @brief A datagram socket that accepts actions of a scenario while the robot runs in real time.
 ///
 /// Each datagram is one action of a scenario without its time, for example "rc off", "fault hall 0"
-/// or "expect true_velocity0 between 5 3000". The sender gets the answer "ok" or the error message.
-/// Actions of the PC are rejected, because the PC link is in use. Actions that need a scenario, for
-/// example 'mark', are also rejected.
+/// or "expect true_velocity0 between 5 3000". The answer is "ok" or the error message. A sender
+/// that has not bound its socket to a path gets no answer. Actions of the PC are rejected, because
+/// the PC link is in use. Actions that need a scenario, for example 'mark', are also rejected.
 class ControlChannel {
  public:
   /// @brief Opens the socket. Throws std::system_error when this fails.

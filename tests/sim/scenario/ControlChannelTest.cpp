@@ -122,8 +122,8 @@ TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   EXPECT_EQ(robot.takeSent().size(), 0U);
 }
 
-/// @brief The sender of each datagram gets an answer. When the channel is destroyed, its socket is
-/// removed.
+/// @brief A sender with a bound socket gets an answer to each datagram. When the channel is
+/// destroyed, its socket is removed.
 TEST_F(ControlChannelTest, TheSocketAnswersItsSender) {
   {
     scenario::ControlChannel channel(path, robot);
