@@ -191,12 +191,6 @@ class Module:
     # tests that executed a method of the module, and the tests in the test file that is named after
     # the module
     tests: Sequence[str] = field(default_factory=list)
-    lines_total: int | None = None
-    lines_covered: int | None = None
-    branches_total: int | None = None
-    branches_covered: int | None = None
-    # file -> source line -> 1 if a test executed the line, otherwise 0
-    line_hits: Mapping[str, dict[int, int]] = field(default_factory=dict)
     flash_bytes: int | None = None
     ram_bytes: int | None = None
 
@@ -345,6 +339,17 @@ class MethodCoverage:
     place: Place
     lines: Mapping[int, bool]
     branches: Sequence[bool] | None  # None if the target does not record branches
+
+
+@dataclass(frozen=True)
+class FileCoverage:
+    """The source lines and branches of a file that the tests on the host executed. gcovr counts the
+    branches: it counts a branch once for each compiled copy of its source line."""
+
+    lines: Mapping[int, bool]  # source line -> true if a test executed the line
+    missed: Sequence[int]  # source lines with a branch that no test executed
+    # number of executed branches, and number of all branches; None if gcovr did not count them
+    branches: tuple[int, int] | None
 
 
 @dataclass(frozen=True)

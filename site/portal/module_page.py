@@ -8,6 +8,7 @@ from markupsafe import Markup
 
 from portal import calls
 from portal.portal import Page, Portal
+from portal.verification_views import coverage_of
 from traceability.schema import Method, Module
 
 FIRST_TESTS = 12  # number of tests that the page of a module shows without a click
@@ -21,6 +22,8 @@ def module_page(portal: Portal, module: Module) -> Page:
     logic = portal.model.logic_modules.get(module.logic)
     first_tests = portal.own_tests(module)[:FIRST_TESTS]
     specified = [m for m in module.methods if m.access == "public"]
+    files = [path for path in (module.header, module.source) if path]
+    on_board = portal.model.board_lines or {}
     return portal.page(
         f"modules/{module.name}",
         module.name,
@@ -39,10 +42,11 @@ def module_page(portal: Portal, module: Module) -> Page:
         through=requirement_methods(portal, module),
         siblings=[name for name in (logic.modules if logic else []) if name != module.name],
         ancestors=portal.links.ancestors(module.name),
-        bars=coverage_bars(portal, module),
+        bars=[(path, bars_of(portal, path)) for path in files if path in portal.hits],
+        covered=coverage_of(portal.model, module.name, files),
         changes=portal.changes_of(module.name),
         in_paper=portal.in_paper(module.name),
-        on_board=[hit for lines in board_hits(portal, module).values() for hit in lines.values()],
+        on_board=[hit for path in files for hit in on_board.get(path, {}).values()],
     )
 
 
@@ -77,27 +81,13 @@ def requirement_methods(portal: Portal, module: Module) -> dict[str, list[str]]:
     }
 
 
-def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
-    """Returns the kinds of the source lines of each file: executed, missed, or without code."""
-    bars = []
-    for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
-        kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
-        bars.append((path, kinds))
-    return bars
+def bars_of(portal: Portal, path: str) -> list[str]:
+    """Returns the kind of each source line of a file: executed, missed, or without code."""
+    hits = portal.hits[path]
+    return [line_kind(hits.get(number)) for number in range(1, portal.length(path) + 1)]
 
 
-def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
-    """Returns the source lines with code of each file of a driver. A line that the virtual K64
-    executed maps to 1, and a missed line maps to 0."""
-    measured = portal.model.board_lines or {}
-    return {
-        path: {line: int(hit) for line, hit in sorted(measured[path].items())}
-        for path in (module.header, module.source)
-        if path and path in measured
-    }
-
-
-def line_kind(hits: int | None) -> str:
-    if hits is None:
+def line_kind(hit: bool | None) -> str:
+    if hit is None:
         return "z"
-    return "h" if hits else "m"
+    return "h" if hit else "m"

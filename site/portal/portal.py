@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -337,17 +337,11 @@ class Portal:
         return marks
 
     @functools.cached_property
-    def hits(self) -> dict[str, dict[int, int]]:
-        """Returns the number of times that tests executed each source line, by file and line. For a
-        line that was measured on the virtual K64, the number is only 1 (executed) or 0."""
-        hits: dict[str, dict[int, int]] = {}
-        for module in self.model.modules.values():
-            for path, lines in module.line_hits.items():
-                hits.setdefault(path, {}).update(lines)
-        for path, measured in (self.model.board_lines or {}).items():
-            counts = hits.setdefault(path, {})
-            counts.update({line: int(hit) for line, hit in measured.items()})
-        return hits
+    def hits(self) -> dict[str, Mapping[int, bool]]:
+        """Returns for each measured source line whether a test executed it, by file and line. The
+        drivers are measured on the virtual K64, and the other files on the host."""
+        on_host = {path: file.lines for path, file in self.model.host_files.items()}
+        return {**on_host, **(self.model.board_lines or {})}
 
     def length(self, path: str) -> int:
         return len(self.code.lines(path))

@@ -10,6 +10,7 @@ from portal.module_page import line_kind
 from portal.portal import Page, Portal
 from traceability.grouping import grouped
 from traceability.reading.products import RECORDED
+from traceability.sources import DESIGN
 
 
 def folders(portal: Portal) -> dict[str, list[str]]:
@@ -24,21 +25,19 @@ class Line:
 
 def source_page(portal: Portal, path: str) -> Page:
     marks, hits = portal.marks.get(path, {}), portal.hits.get(path, {})
-    on_board = path in (portal.model.board_lines or {})
     lines = [
-        Line(line_html(number, code, hits.get(number), on_board), marks.get(number, []))
+        Line(line_html(number, code, hits.get(number)), marks.get(number, []))
         for number, code in enumerate(portal.code.lines(path), 1)
     ]
     modules = [m.name for m in portal.model.modules.values() if path in (m.header, m.source)]
     return portal.page(
         f"source/{path}", path, "source", "source_file", path=path, lines=lines, modules=modules,
-        measured=bool(hits), recorded=RECORDED if on_board else "",
+        measured=bool(hits), designed=path.startswith(DESIGN),
+        recorded=RECORDED if path in (portal.model.board_lines or {}) else "",
     )  # fmt: skip
 
 
-def line_html(number: int, code: str, hits: int | None, on_board: bool) -> Markup:
-    """Returns a source line as HTML, with its line number and a link to itself. If the host
-    measured the line, a tooltip shows how often tests executed it."""
-    title = "" if hits is None or on_board else f' title="executed {hits} times"'
-    anchor = f'<a class="ln" href="#L{number}"{title}>{number}</a>'
-    return Markup(f'<span class="cl {line_kind(hits)}" id="L{number}">{anchor}{code}</span>\n')
+def line_html(number: int, code: str, hit: bool | None) -> Markup:
+    """Returns a source line as HTML, with its line number and a link to itself."""
+    anchor = f'<a class="ln" href="#L{number}">{number}</a>'
+    return Markup(f'<span class="cl {line_kind(hit)}" id="L{number}">{anchor}{code}</span>\n')

@@ -7,11 +7,12 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from traceability.grouping import grouped
 from traceability.model.design_model import Model
 from traceability.model.not_shown import ONLY, targets_of
 from traceability.model.report import Report
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Module, Requirement, Test
+from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Place, Requirement, Test
 
 
 @dataclass
@@ -23,7 +24,7 @@ class Share:
 
     @property
     def per_cent(self) -> float:
-        return round(100 * self.part / self.whole, 1)
+        return round(100 * self.part / self.whole, 1) if self.whole else 100
 
     def __str__(self) -> str:
         return f"{self.part}/{self.whole}"
@@ -51,33 +52,42 @@ def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
 
 
 @dataclass
-class ModuleCoverage:
-    """The source lines and branches of a module that the tests on the host executed."""
+class CoverageRow:
+    """The source lines and branches of a module that the tests on the host executed. A file that
+    belongs to no module has a separate row."""
 
-    module: str
+    name: str  # module or file
     lines: Share
-    branches: Share | None
+    branches: Share | None  # None if the branches were not counted
+    missed: list[Place]  # source lines with a branch that no test executed
 
 
-def coverage_of_modules(modules: Iterable[Module]) -> list[ModuleCoverage]:
-    """Returns the coverage of each module that has measured lines. The module with the smallest
-    share of executed lines is the first."""
-    rows = [
-        ModuleCoverage(
-            module.name,
-            Share(module.lines_covered or 0, module.lines_total),
-            Share(module.branches_covered or 0, module.branches_total)
-            if module.branches_total
-            else None,
-        )
-        for module in modules
-        if module.lines_total
-    ]
+def coverage_rows(model: Model) -> list[CoverageRow]:
+    """Returns a row for each module and each other file of the design that has measured lines. The
+    smallest share of executed lines comes first."""
+    owners = {
+        file: module.name
+        for module in model.modules.values()
+        if not module.datatype
+        for file in (module.header, module.source)
+    }
+    files = grouped(model.host_files, lambda file: owners.get(file, file))
+    rows = [coverage_of(model, name, paths) for name, paths in files.items()]
 
-    def order(row: ModuleCoverage) -> tuple[float, float, str]:
-        return row.lines.per_cent, row.branches.per_cent if row.branches else 100, row.module
+    def order(row: CoverageRow) -> tuple[float, float, str]:
+        return row.lines.per_cent, row.branches.per_cent if row.branches else 100, row.name
 
-    return sorted(rows, key=order)
+    return sorted(filter(None, rows), key=order)
+
+
+def coverage_of(model: Model, name: str, files: Iterable[str]) -> CoverageRow | None:
+    """Returns the coverage of some files together. Returns None if no line of them was measured."""
+    measured = {file: model.host_files[file] for file in files if file in model.host_files}
+    lines = share(hit for file in measured.values() for hit in file.lines.values())
+    counts = [file.branches for file in measured.values() if file.branches is not None]
+    branches = Share(*map(sum, zip(*counts, strict=True))) if counts else None
+    missed = [Place(path, line) for path, file in measured.items() for line in file.missed]
+    return CoverageRow(name, lines, branches, missed) if lines else None
 
 
 def chart(

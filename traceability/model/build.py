@@ -45,7 +45,7 @@ from traceability.reading.plain_constants import plain_constants, unambiguous
 from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
 from traceability.reading.published import last_score, read_campaigns
-from traceability.reading.results import read_sizes
+from traceability.reading.results import read_branches, read_sizes
 from traceability.reading.seeded_faults import last_seeded, read_faults, read_record
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
@@ -535,36 +535,31 @@ def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> M
     for name, module in model.modules.items():
         flash, ram = sizes.get(name, (None, None))
         modules[name] = (
-            module
-            if module.datatype
-            else replace(_covered(module, coverage[HOST]), flash_bytes=flash, ram_bytes=ram)
+            module if module.datatype else replace(module, flash_bytes=flash, ram_bytes=ram)
         )
-    board_lines = _board_lines(model, coverage[VIRTUAL_K64])
-    return replace(model, modules=modules, board_lines=board_lines)
-
-
-def _covered(module: schema.Module, coverage: Coverage) -> schema.Module:
-    """Returns the module with the coverage of its header and of its ``.cpp`` file: the numbers of
-    source lines and branches, and the numbers of source lines and branches that tests executed."""
-    whole, covered = coverage.whole, coverage.all
-    files = [
-        file for file in (module.header, module.source) if file is not None and file in whole.lines
-    ]
-    if not files:
-        return module
-    hit = {file: covered.lines.get(file, set()) for file in files}
-    taken = [whole.branches[file] & covered.branches.get(file, set()) for file in files]
+    branches = {} if model.stale_on(HOST) else read_branches(root)
     return replace(
-        module,
-        line_hits={
-            file: {line: int(line in hit[file]) for line in sorted(whole.lines[file])}
-            for file in files
-        },
-        lines_total=sum(len(whole.lines[file]) for file in files),
-        lines_covered=sum(len(whole.lines[file] & hit[file]) for file in files),
-        branches_total=sum(len(whole.branches[file]) for file in files),
-        branches_covered=sum(len(branches) for branches in taken),
+        model,
+        modules=modules,
+        host_files=host_files_of(coverage[HOST], branches),
+        board_lines=_board_lines(model, coverage[VIRTUAL_K64]),
     )
+
+
+def host_files_of(
+    coverage: Coverage, branches: dict[str, tuple[int, int]]
+) -> dict[str, schema.FileCoverage]:
+    whole, covered = coverage.whole, coverage.all
+    files: dict[str, schema.FileCoverage] = {}
+    for file, lines in sorted(whole.lines.items()):
+        hit = covered.lines.get(file, set())
+        missed = whole.branches[file] - covered.branches.get(file, set())
+        files[file] = schema.FileCoverage(
+            {line: line in hit for line in sorted(lines)},
+            sorted({branch[0] for branch in missed}),
+            branches.get(file),
+        )
+    return files
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:

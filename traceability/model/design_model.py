@@ -71,6 +71,8 @@ class Model:
     belief_sources: Mapping[str, schema.BeliefSource] = field(default_factory=dict)
     # faults that were seeded in the drivers; None if they were not tried with the present sources
     driver_faults: Sequence[schema.DriverFault] | None = None
+    # file of the design -> the lines and branches of the file that the tests on the host executed
+    host_files: Mapping[str, schema.FileCoverage] = field(default_factory=dict)
     # file of a driver -> number of a source line -> true if a test on the virtual K64 executed it
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[schema.LineGap] = field(default_factory=list)

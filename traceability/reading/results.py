@@ -70,6 +70,16 @@ def read_fresh(root: Path, path: Path, task: str) -> dict[str, Any] | None:
     return content if content and task_record.is_fresh(root, task) else None
 
 
+def read_branches(root: Path) -> dict[str, tuple[int, int]]:
+    """Returns the number of executed branches and of all branches of each file, as gcovr counted
+    them. Returns no file if gcovr did not count them with the present sources."""
+    counted = read_fresh(root, COVERAGE, task_record.COVERAGE) or {"files": []}
+    return {
+        file["filename"]: (file["branch_covered"], file["branch_total"])
+        for file in counted["files"]
+    }
+
+
 def read_image(root: Path) -> dict[str, Any] | None:
     """Returns the flash and RAM sizes of the firmware image. Returns None if the image was not
     built from the present sources."""

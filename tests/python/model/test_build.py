@@ -9,10 +9,12 @@ import pytest
 
 from tests.python.model.small_tree import write_tree
 from tests.python.reading.task_records import record_task
-from traceability.model.build import build
+from traceability.model.build import build, host_files_of
 from traceability.model.design_model import Model
+from traceability.reading.coverage import Coverage
+from traceability.reading.gcov_arcs import Covered
 from traceability.reading.task_record import TESTS_TRACE
-from traceability.schema import HOST, BindingResult
+from traceability.schema import HOST, BindingResult, FileCoverage
 
 
 @pytest.fixture(scope="module")
@@ -146,3 +148,12 @@ def test_callers_include_functions_outside_classes(tmp_path: Path) -> None:
     change = next(m for m in model.modules["MainController"].methods if m.name == "changeMode")
     assert set(change.called_by) == {"PC::set", "RC::set", "start"}
     assert list(model.functions) == ["start"]
+
+
+def test_the_coverage_of_a_file_lists_its_missed_lines_and_branches() -> None:
+    whole = Covered({"src/a.hpp": {1, 2}}, {"src/a.hpp": {(1, 0), (1, 1), (2, 0)}})
+    executed = Covered({"src/a.hpp": {1}}, {"src/a.hpp": {(1, 1), (2, 0)}})
+    coverage = Coverage(whole, {"A.B": executed})
+    assert host_files_of(coverage, {"src/a.hpp": (2, 4)}) == {
+        "src/a.hpp": FileCoverage({1: True, 2: False}, [1], (2, 4))
+    }

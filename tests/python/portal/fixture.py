@@ -21,6 +21,7 @@ from traceability.schema import (
     Clause,
     Curve,
     DriverFault,
+    FileCoverage,
     LikelyChange,
     LogicModule,
     LoopFigure,
@@ -82,12 +83,8 @@ def make_model() -> Model:
     controller = make_module("MainController", "main_control", "Context", [], calls=[call])
     mode = make_module("Mode", MODES, "State", [])
     rc = make_module("RC", MODES, "Concrete State", ["Mode"], satisfies=["FR-15"])
-    hits = {f"src/{MODES}/RC.cpp": {3: 7, 4: 0}}
     controller, mode = replace(controller, uses=["Mode"]), replace(mode, subclasses=["RC"])
-    rc = replace(
-        rc, requirements=["FR-15"], tests=["RcTest.Reads"], lines_total=2, lines_covered=1,
-        line_hits=hits,
-    )  # fmt: skip
+    rc = replace(rc, requirements=["FR-15"], tests=["RcTest.Reads"])
     modules = {m.name: m for m in (controller, mode, rc)}
     asked = Place("design/fsm/a.toml", 3)
     place = Place("src/main_control/MainController.cpp", 1)
@@ -172,7 +169,14 @@ def make_model() -> Model:
                 ["Derive from {derives}.", "Construct it in {edits}."], [],
             )
         },
-        files=[f for m in modules.values() for f in (m.header, str(m.source))],
+        host_files={
+            f"src/{MODES}/RC.cpp": FileCoverage({3: True, 4: False}, [3], (1, 2)),
+            "src/services/assertion.hpp": FileCoverage({4: True, 5: True}, [], (0, 0)),
+        },
+        files=[
+            *(f for m in modules.values() for f in (m.header, str(m.source))),
+            "src/services/assertion.hpp",
+        ],
     )  # fmt: skip
 
 

@@ -32,9 +32,10 @@ from portal.requirement_pages import Row, aligned, outside_tree, shortened
 from portal.tuned_values import chosen_values, other_lines
 from portal.tuning_page import control_values
 from portal.verification_views import (
-    ModuleCoverage,
+    CoverageRow,
     Share,
-    coverage_of_modules,
+    coverage_of,
+    coverage_rows,
     facets,
     facets_of_test,
     measured_lines,
@@ -343,16 +344,29 @@ def test_lines_that_only_the_virtual_k64_executed_are_shown_with_their_target(
     assert measured_lines(on_both) == (HOST, Share(2, 2))
 
 
-def test_the_module_with_the_smallest_share_of_executed_lines_is_the_first() -> None:
-    rc = make_model().modules["RC"]
-    whole = replace(
-        rc, name="PC", lines_total=3, lines_covered=3, branches_total=4, branches_covered=2
-    )
-    unmeasured = replace(rc, name="Mode", lines_total=None, lines_covered=None)
-    assert coverage_of_modules([whole, unmeasured, rc]) == [
-        ModuleCoverage("RC", Share(1, 2), None),
-        ModuleCoverage("PC", Share(3, 3), Share(2, 4)),
+def test_the_coverage_lists_modules_and_other_files_with_their_total(tmp_path: Path) -> None:
+    model, file = make_project(tmp_path), "src/services/assertion.hpp"
+    assert coverage_rows(model) == [
+        CoverageRow("RC", Share(1, 2), Share(1, 2), [Place(str(model.modules["RC"].source), 3)]),
+        CoverageRow(file, Share(2, 2), Share(0, 0), []),
     ]
+    assert coverage_of(model, "Mode", ["src/Mode.hpp"]) is None
+    uncounted = {file: replace(model.host_files[file], branches=None)}
+    assert coverage_of(replace(model, host_files=uncounted), file, [file]) == CoverageRow(
+        file, Share(2, 2), None, []
+    )
+    rows = shown(tmp_path, model)["requirements/index"].rows
+    assert ["RC", "1/2 lines", "1/2 branches", "RC.cpp:3"] in rows
+    assert ["assertion.hpp", "2/2 lines", "no branches", "\N{EN DASH}"] in rows
+    total = "all files: 75.0 % of the lines, 50.0 % of the branches"
+    assert [total, "3/4 lines", "1/2 branches", "\N{EN DASH}"] in rows
+
+
+def test_a_source_page_states_that_no_line_is_measured(pages: dict[str, Shown]) -> None:
+    missing = "No executed line of this file is measured."
+    folder = "source/src/main_control/operation_modes"
+    assert missing in pages[f"{folder}/RC.hpp"].text
+    assert missing not in pages[f"{folder}/RC.cpp"].text
 
 
 def test_the_evidence_shows_the_static_analysis_only_for_the_present_files(tmp_path: Path) -> None:

@@ -6,8 +6,11 @@ import json
 from pathlib import Path
 from typing import Any
 
+from tests.python.reading.task_records import record_task
+from traceability.reading import task_record
 from traceability.reading.results import (
     bindings_of,
+    read_branches,
     read_recording_factor,
     read_results,
 )
@@ -29,6 +32,14 @@ def test_a_folder_of_tests_has_its_bindings() -> None:
     assert bindings_of("tests/system/host/RcTest.cpp") == [HOST]
     assert bindings_of("tests/system/board/LineTest.cpp") == [VIRTUAL_K64]
     assert bindings_of("tests/usual_design/BehaviourTest.cpp") == []
+
+
+def test_branches_count_only_with_the_present_sources(tmp_path: Path) -> None:
+    file = {"filename": "src/a.hpp", "branch_covered": 1, "branch_total": 4}
+    write(tmp_path, "coverage.json", {"files": [file]})
+    assert read_branches(tmp_path) == {}
+    record_task(tmp_path, task_record.COVERAGE)
+    assert read_branches(tmp_path) == {"src/a.hpp": (1, 4)}
 
 
 def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
