@@ -631,8 +631,8 @@ class FaultScenario:
     title: str
     goals: Sequence[str]
     place: Place
-    # number of a line in the scenario file -> the time that the expectation there allows [s]
-    bounds: Mapping[int, float] = field(default_factory=dict)
+    # number of a line in the scenario file -> the expectation in this line
+    expects: Mapping[int, str] = field(default_factory=dict)
     tests: Sequence[str] = field(default_factory=list)
 
 

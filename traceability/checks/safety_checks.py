@@ -20,6 +20,7 @@ GEAR = "plant::DriveTrain::kRatio"
 RADIUS = "plant::DriveTrain::kRadius"  # [m]
 TOLERANCE = 0.01
 PRIORITIES = ("low", "medium", "high")
+WITHIN = re.compile(r"\bwithin ([\d.]+) ms\b")  # the longest time of an expectation
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -142,7 +143,9 @@ def _bounds(model: Model) -> Iterator[Finding]:
     declared exceptions are not checked."""
     for goal in model.safety.goals.values():
         for scenario in () if goal.exceptions else scenarios_of(model, goal):
-            for line, bound in scenario.bounds.items():
+            for line, expectation in scenario.expects.items():
+                allows = WITHIN.search(expectation)
+                bound = float(allows[1]) / 1000 if allows else 0
                 if bound > goal.time:
                     accepts, allowed = f"accepts {bound:g} s", f"allows {goal.time:g} s"
                     text = f"the scenario {scenario.name} {accepts}, but {goal.id} {allowed}"

@@ -161,7 +161,7 @@ def _last(root: Path, sources: str) -> dict[str, schema.LastRecord]:
 
 
 def source_files(root: Path) -> list[str]:
-    suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".pml", ".S", ".ld")
+    suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".pml", ".S", ".ld", ".scenario")
     folders = (*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design")
     paths = files_below(root, folders, suffixes)
     return [str(path.relative_to(root)) for path in paths]

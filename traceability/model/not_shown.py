@@ -189,6 +189,13 @@ def _requirements(model: Model, report: Report) -> Iterator[NotShown]:
         )
     if goals := [name for name, verdict in report.goals.items() if verdict.state != "verified"]:
         yield NotShown(f"These safety goals are not verified: {', '.join(goals)}.", "safety")
+    hazards = model.safety.hazards.values()
+    if unplayed := [hazard.id for hazard in hazards if not hazard.scenarios]:
+        yield NotShown(
+            f"No fault scenario plays {len(unplayed)} of {_count(len(hazards), 'hazard')}: "
+            f"{', '.join(unplayed)}.",
+            "safety",
+        )
     if short := sum(len(nodes_of(requirement.tree)) == 1 for requirement in requirements):
         yield NotShown(
             f"Number of invocation trees with only one node: {short}. Such a tree shows that a "

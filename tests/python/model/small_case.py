@@ -77,7 +77,13 @@ answer = "A stop acts in every mode."
 paths = ["src/sensing/"]
 why = "A filter was wrong."
 """
-SCENARIO = "# The radio is lost.\n# goal SG-1\nseed 1\nat 100 end\n"
+SCENARIO = """\
+# The radio is lost.
+# goal SG-1
+seed 1
+at 50 expect braking 1 within 300 ms
+at 100 end
+"""
 TEST = '/// @brief It stops.\nTEST(Safety, FR1_Stops) {\n  playScenario("lost");\n}\n'
 
 

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
+from tests.python.project_files import write_files
 from tests.python.reading.task_records import record_task
-from traceability.model.build import build, host_files_of
+from traceability.model.build import build, host_files_of, source_files
 from traceability.model.design_model import Model
 from traceability.reading.coverage import Coverage
 from traceability.reading.gcov_arcs import Covered
@@ -157,3 +158,8 @@ def test_the_coverage_of_a_file_lists_its_missed_lines_and_branches() -> None:
     assert host_files_of(coverage, {"src/a.hpp": (2, 4)}) == {
         "src/a.hpp": FileCoverage({1: True, 2: False}, [1], (2, 4))
     }
+
+
+def test_a_scenario_is_a_source_file(tmp_path: Path) -> None:
+    write_files(tmp_path, {"sim/scenario/a.scenario": "at 0 end\n", "sim/a.py": ""})
+    assert source_files(tmp_path) == ["sim/scenario/a.scenario"]

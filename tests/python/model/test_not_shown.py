@@ -150,3 +150,11 @@ def test_a_run_that_was_not_repeated_names_its_commit(tmp_path: Path) -> None:
     assert release in texts(tmp_path)
     current = {"release": replace(last, current=True)}
     assert not [text for text in texts(tmp_path, last=current) if "release" in text]
+
+
+def test_hazards_that_no_scenario_plays_are_listed(tmp_path: Path) -> None:
+    write_case(tmp_path, ('scenarios = ["lost"]\n', ""))
+    model = make_model(tmp_path)
+    found = [one.text for one in not_shown(model, report_of(model))]
+    assert "No fault scenario plays 1 of 1 hazard: HZ-1." in found
+    assert not [text for text in texts(tmp_path) if "No fault scenario" in text]

@@ -49,6 +49,7 @@ def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
     assert case.assumptions["AU-1"].hazards == ["HZ-1"]
     assert case.scenarios["lost"].goals == ["SG-1"]
     assert case.scenarios["lost"].title == "The radio is lost."
+    assert case.scenarios["lost"].expects == {4: "at 50 expect braking 1 within 300 ms"}
 
 
 def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() -> None:

@@ -54,7 +54,8 @@ def portal_of(root: Path, state: str, cost: SafetyCost | None = None) -> Portal:
     model.requirements["FR-1"] = requirement
     model.tests.update(other.tests)
     facts: Any = SimpleNamespace(root=root, declared=Declared(safety=other.safety))
-    model = replace(model, safety=replace(safety_of(model, facts), cost=cost))
+    files = [*model.files, *(one.place.file for one in other.safety.scenarios.values())]
+    model = replace(model, safety=replace(safety_of(model, facts), cost=cost), files=files)
     report = report_of(model, {"FR-1": state, "FR-15": "verified"})
     return Portal(root, model, replace(report, clauses=REPORT.clauses), [])
 
@@ -87,6 +88,24 @@ def test_the_pages_of_a_case_lead_to_each_other(tmp_path: Path) -> None:
         "HZ-1": "safety/hazards.html#HZ-1",
         "AU-1": "safety/index.html#AU-1",
     }
+
+
+def test_the_page_of_a_goal_shows_what_its_scenarios_expect(tmp_path: Path) -> None:
+    found = pages(portal_of(tmp_path, "verified"))
+    file = "source/sim/scenario/safety/lost.scenario"
+    assert "at 50 expect braking 1 within 300 ms" in found["safety/SG-1"].text
+    assert f"@/{file}.html#L1" in found["safety/SG-1"].links.keys() & found["safety/hazards"].links
+    assert "at 100 end" in found[file].text
+
+
+def test_the_table_of_hazards_counts_the_scenarios(tmp_path: Path) -> None:
+    portal = portal_of(tmp_path, "verified")
+    row = ["HZ-1", "No stop", "S2 E3 C3", "AgPL c", "SG-1", "AU-1"]
+    assert [*row, "1"] in pages(portal)["safety/index"].rows
+    hazard = replace(portal.model.safety.hazards["HZ-1"], scenarios=[])
+    case = replace(portal.model.safety, hazards={"HZ-1": hazard})
+    portal = Portal(tmp_path, replace(portal.model, safety=case), portal.report, [])
+    assert [*row, "none"] in pages(portal)["safety/index"].rows
 
 
 def test_the_page_lists_all_exceptions_and_open_points(tmp_path: Path) -> None:
