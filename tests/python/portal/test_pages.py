@@ -28,7 +28,7 @@ from portal.paper_views import (
     hidden_names,
 )
 from portal.portal import Portal
-from portal.requirement_pages import Row, aligned, outside_tree, shortened
+from portal.requirement_pages import Row, aligned, outside_tree, requirement_page, shortened
 from portal.tuned_values import chosen_values, other_lines
 from portal.tuning_page import control_values
 from portal.verification_views import (
@@ -198,6 +198,8 @@ def test_the_methods_outside_of_a_tree(tmp_path: Path) -> None:
     sheet = read_page(dossier_page(portal, requirement).body).text
     assert "RC::tick (not in the tree)" in sheet
     assert "RC::read (not in the tree)" not in sheet
+    page = read_page(requirement_page(portal, requirement).body).text
+    assert "A tree has only one root." in page
     assert outside_tree(model, replace(requirement, tree=None)) == []
     abstract = TreeNode("Mode::read", "Mode", "read", None, "root", Place("a.tree", 1))
     assert "RC::read" not in outside_tree(model, replace(requirement, tree=abstract))
