@@ -891,8 +891,8 @@ _FIXED = [
         "Each public method of a design module is tagged with @satisfies or has a node in a tree. "
         "If a method has a tag or a node, the method that it overrides and the other methods that "
         "override the same method need none. A constructor serves the requirements of its module. "
-        "Other methods are justified in design/justified.toml. Each @satisfies is in the comment of "
-        "a method of a module.",
+        "Other methods are justified in design/justified.toml. Each @satisfies is in the comment "
+        "of a method of a module.",
         "The check cannot judge whether the requirement needs the method.",
         "tag the method with @satisfies, use it in a tree, remove it, or justify it in "
         "design/justified.toml.",
