@@ -69,7 +69,7 @@ def run(
     log.write(f"$ {' '.join(words)}\n")
     log.flush()
     if _interrupted.is_set():
-        raise FailureError("an interrupt ended the command")
+        raise FailureError("not started: Ctrl-C ended the command; start it again")
     try:
         program = subprocess.Popen(
             words,

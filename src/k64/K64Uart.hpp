@@ -16,8 +16,8 @@ namespace wr {
 /// @brief Serial port of the K64. Port 0 is connected to the USB debug port of the board.
 /// @function Receives and sends bytes in the background, with 115200 baud, 8 data bits, no parity
 /// and 1 stop bit.
-/// @secret The transfer of bytes between the registers of the port and the buffers. The form in
-/// which the time of a zero byte is stored, and the handling of transmission errors.
+/// @secret The transfer of bytes between the registers of the port and the buffers. The storage of
+/// the times at which zero bytes were received. The handling of transmission errors.
 /// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:

@@ -161,8 +161,8 @@ class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
   }
 };
 
-/// @brief When any step of the clock's start fails, no cycle runs, and the outputs are safe from
-/// 0.1 ms after each reset on. The watchdog repeats the start at least every 340 ms. When the clock
+/// @brief If a step of the start of the clock fails, no cycle runs. After each reset, the outputs
+/// have their safe levels within 0.1 ms, and keep them. The watchdog repeats the start at least every 340 ms. When the clock
 /// works again, the robot starts and reports the step that failed.
 /// @verifies FR-72
 /// @verifies FR-73

@@ -311,7 +311,7 @@ TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
 }
 
 /// @brief Orders acknowledge for 1 s after the sequence "stop", "PC", "drive" of the switch, also
-/// if the switch was in the position "PC" during this second. Later orders do not acknowledge.
+/// if the switch was in the position "PC" during this second. Later orders acknowledge no fault.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheAcknowledgementExpires) {
   for (const int cycles : {10, 11, 20}) {

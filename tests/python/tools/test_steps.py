@@ -81,7 +81,7 @@ def test_an_interrupt_ends_a_program_with_those_that_it_started() -> None:
 
 def test_after_an_interrupt_a_thread_starts_no_program(tmp_path: Path) -> None:
     def late(log: TextIO) -> None:
-        with pytest.raises(FailureError, match="an interrupt ended the command"):
+        with pytest.raises(FailureError, match="Ctrl-C ended the command"):
             run(log, ["touch", tmp_path / "made"])
 
     with (tmp_path / "log").open("w") as log:
