@@ -162,8 +162,8 @@ class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
 };
 
 /// @brief If a step of the start of the clock fails, no cycle runs. After each reset, the outputs
-/// have their safe levels within 0.1 ms, and keep them. The watchdog repeats the start at least every 340 ms. When the clock
-/// works again, the robot starts and reports the step that failed.
+/// have their safe levels within 0.1 ms, and keep them. The watchdog repeats the start at least
+/// every 340 ms. When the clock works again, the robot starts and reports the step that failed.
 /// @verifies FR-72
 /// @verifies FR-73
 /// @verifies FR-76

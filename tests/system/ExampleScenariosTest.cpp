@@ -54,7 +54,8 @@ TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
 }
 
 /// @brief The slope grows from flat to 10 % downhill in 2 s. During this time and after it, a wheel
-/// with an order of 150 rpm is never faster than 165 rpm. On a real slope, this change lasts longer.
+/// with an order of 150 rpm is never faster than 165 rpm. On a real slope, this change lasts
+/// longer.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
