@@ -285,9 +285,9 @@ def show_start(link: Link, before: Welcome | None) -> Welcome | None:
 
 
 def show_changes(report: Report, before: list[str]) -> list[str]:
-    """Shows each condition once when it begins and once when it ends. If another
-    reason why the robot does not move replaces a reason, the end of the first reason is not shown.
-    Returns all present conditions.
+    """Shows each condition once when it begins and once when it ends. If one reason why the robot
+    does not move replaces another reason, the end of the other reason is not shown. Returns all
+    present conditions.
     """
     now = conditions(report)
     for condition in now:

@@ -318,7 +318,7 @@ def test_a_script_that_is_ended_orders_stop(mcu: Any, tmp_path: Path, sent: int)
 
 
 @pytest.mark.parametrize(
-    ("content", "told"),
+    ("content", "expected"),
     [
         (b"at 0s fly\n", (exit_codes.USAGE, "{}:1:")),
         (b"\xff\xfe", (exit_codes.USAGE, "{}: the file is not UTF-8 text; save it as UTF-8")),
@@ -330,12 +330,12 @@ def test_a_script_that_cannot_be_read_is_named(
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     content: bytes | None,
-    told: tuple[int, str],
+    expected: tuple[int, str],
 ) -> None:
     script = tmp_path / "script"
     if content is not None:
         script.write_bytes(content)
-    code, reason = told
+    code, reason = expected
     assert drive.run(options(mcu, script=script)) == code
     assert reason.format(script) in capsys.readouterr().err
 
