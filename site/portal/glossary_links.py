@@ -25,7 +25,7 @@ OWN_SENSE = {
     ),
     "hold": ("hold the steering", "holds the steering", "order to hold", "a hold"),
     "message": (
-        *("message arrives", "message can be read", "message is missing", "as a message"),
+        *("message arrives", "message can be read", "as a message"),
         *("has a message", "reads a message", "read the message", "without a message"),
         *("no message", "last message"),
     ),
@@ -34,16 +34,11 @@ OWN_SENSE = {
 # Words that contain a term but have another meaning.
 OTHER_WORDS = (
     *("stop bit", "after a stop that is longer", "halts the core"),
-    *(
-        "product of voltage",
-        ">product in ",
-        "order in which",
-        "reason in the order",
-        "in this order",
-    ),
-    *("random order", "same order", "other order", "define this order", "order and the number"),
+    *("product of voltage", ">product in "),
+    *("order in which", "reason in the order", "in this order"),
+    *("random order", "same order", "other order", "order and the number"),
     *("order of the tree", "order of the modes", "order of the decorators"),
-    *("order of the interrupts", "order of the priorities", "order of the calls"),
+    *("order of the interrupts", "order of the calls"),
     *("order of calls", "have no message"),
     *("code host", "secret key", "findings of a code review", "neutral value", "neutral range"),
 )
