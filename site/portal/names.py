@@ -40,6 +40,8 @@ RESULTS = {
     "skipped": ("warn", "skipped"),
     None: ("none", "not run"),
 }
+CODE = re.compile(r"<code>[^<]*</code>")
+OPTION = re.compile(r"(?<![^\s>])-{1,2}[a-z][a-z-]*")
 
 # Methods whose results are cached: the link of a name is computed only once.
 KEPT = ("mod", "meth", "logic", "req", "safety", "pat", "change", "test", "check", "keys")
@@ -257,6 +259,16 @@ def marked(words: str) -> str:
 def _paragraph(text: str) -> str:
     first, *items = re.split(r"(?:^|\n)- ", text)
     return first + ("<ul><li>" + "</li><li>".join(items) + "</li></ul>" if items else "")
+
+
+def unbroken_options(html: str) -> str:
+    """Marks the options of commands in code. The style sheet then prevents a line break after a
+    hyphen of an option. On hand-written pages, Sphinx has marked each word of code with ``pre``."""
+
+    def mark(code: re.Match[str]) -> str:
+        return OPTION.sub(r'<span class="option">\g<0></span>', code[0])
+
+    return CODE.sub(mark, html.replace('<span class="pre">-', '<span class="pre option">-'))
 
 
 def gist(brief: str) -> str:

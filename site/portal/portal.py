@@ -168,7 +168,7 @@ class Portal:
         body = self.templates.get_template(f"{template}.html").render(**values)
         if template not in WITHOUT_TERMS:
             body = self.glossary.link(body)
-        return Page(name, title, body, nav, wide, bare)
+        return Page(name, title, names.unbroken_options(body), nav, wide, bare)
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
         """Returns the page of a navigation entry. ``values`` computes the values for the template

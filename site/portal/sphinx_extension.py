@@ -16,6 +16,7 @@ from sphinx.util.docutils import SphinxRole
 
 from portal.glossary_links import GLOSSARY, GlossaryLinks
 from portal.links import ROOT, depth_prefix
+from portal.names import unbroken_options
 
 LOGGER = logging.getLogger(__name__)
 # File in the source folder of Sphinx. It contains the kind, name and address of each element.
@@ -92,11 +93,11 @@ def mark(app: Sphinx, _doctree: nodes.document) -> None:
 def link_terms(
     app: Sphinx, name: str, _template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Adds links from the terms on a hand-written page to the glossary. Generated pages already
-    have these links."""
+    """Adds links from the terms on a hand-written page to the glossary, and marks options. This was
+    already done for generated pages."""
     if doctree is not None and name.startswith("docs/") and name != GLOSSARY.id:
         glossary = GlossaryLinks(Path(app.srcdir), link_targets(app)["constant"])
-        context["body"] = glossary.link(context["body"], depth_prefix(name))
+        context["body"] = unbroken_options(glossary.link(context["body"], depth_prefix(name)))
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

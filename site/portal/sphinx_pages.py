@@ -229,8 +229,11 @@ def run_sphinx(
     portal: Portal, pages: Path, site: Path, made: Callable[[], list[Page]]
 ) -> list[Finding]:
     cache = portal.root / "build" / "pages-cache"
-    sound = cache / "sound-docs"  # hash of the pages if Sphinx read all of them without a warning
+    # Contains the hash of the pages and of the code that builds them, if Sphinx read all pages
+    # without a warning.
+    sound = cache / "sound-docs"
     docs = hash_of(pages, files_below(pages, ("docs", "_generated", "links.json")))
+    docs += hash_of(SITE, files_below(SITE, ("portal",), (".py",)))
     collector = WarningCollector(portal.root, pages)
     with patch_docutils(), docutils_namespace():
         app = Sphinx(

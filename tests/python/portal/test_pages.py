@@ -16,7 +16,7 @@ from portal.dossier import dossier_page
 from portal.highlight import highlighted_lines
 from portal.links import Links, slug
 from portal.measured_pages import driver_coverage, missed_lines
-from portal.names import VERDICTS
+from portal.names import VERDICTS, unbroken_options
 from portal.navigation import DOCS
 from portal.pages import all_pages, trees, uses
 from portal.paper_views import (
@@ -693,3 +693,8 @@ def test_the_name_of_a_method_comes_first_in_its_signature(
     shown = fromstring(f"<p>{portal.names.signature(method)}</p>")
     assert shown.text_content() == read
     assert [bold.text_content() for bold in shown.iter("b")] == ["read"]
+
+
+def test_each_option_in_code_is_marked_as_one_word() -> None:
+    shown = fromstring(unbroken_options("<p><code>./wr drive --link -v a-b</code> but-not --this"))
+    assert [word.text_content() for word in shown.iter("span")] == ["--link", "-v"]
