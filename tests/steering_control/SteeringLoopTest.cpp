@@ -279,7 +279,7 @@ TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
 }
 
 /// @brief A push of 2.5 degrees off the angle is corrected without a fault. A push of more than 3
-/// degrees is a fault, because steps were lost or the sensor is loose.
+/// degrees is a fault, because it looks like lost steps or a loose sensor.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-227
@@ -327,7 +327,8 @@ TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   }
 }
 
-/// @brief A stuck sensor is detected as a fault within 0.4 s after the steering begins to turn.
+/// @brief The sensor is stuck when the steering gets a new angle. The fault is detected within
+/// 416 ms after this order.
 /// @verifies FR-111
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
