@@ -376,9 +376,9 @@ TEST(VelocityLoop, FR223_StepsWithHallSensors) {
   }
 }
 
-/// @brief A step from one velocity to another settles within 5 s, also when it reverses the wheel.
-/// This limit is 2 s longer than for a step from rest, because a wheel must become slow before it
-/// reverses. A step to 5 rpm settles within 8 s.
+/// @brief A step from one velocity to another settles within 5 s, or within 8 s if the new velocity
+/// is 5 rpm. A step that reverses the wheel has the same limits. The limit of 5 s is 2 s longer
+/// than for a step from rest, because a wheel must become slow before it reverses.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {

@@ -580,7 +580,7 @@ TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
 
 /// @brief An order is stale when its sequence number is equal to the number of the last accepted
 /// frame, or to one of the 128 numbers before this number. A stale order is dropped and counted. An
-/// order with one of the next 127 numbers is new.
+/// order with one of the next 127 numbers is fresh.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   for (int ahead = 0; ahead < 256; ++ahead) {
@@ -613,7 +613,8 @@ TEST_F(PcConnectionTest, FR243_AStaleOrderChangesNothing) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief A KeepAlive with an old sequence number does not make old orders valid.
+/// @brief After a KeepAlive with an old sequence number, an order with the next number is still
+/// stale.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
   handshake();
