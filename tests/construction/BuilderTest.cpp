@@ -164,9 +164,9 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The second timer ticks from the start of the robot on. At each tick, the second timer
-/// executes the commands of the wheels and the steering. The command of a wheel and the command of
-/// the steering each request a sample.
+/// @brief The start of the robot starts the second timer. At each tick, the second timer executes
+/// the commands of the wheels and the steering. The command of a wheel and the command of the
+/// steering each request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();

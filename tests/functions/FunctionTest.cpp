@@ -88,7 +88,7 @@ TEST(Function, FR125_SampledCurrent) {
   EXPECT_EQ(function.calculate(Given(-2, 0, 10, 8, 2)), -5);
 }
 
-/// @brief Angle is (samples - offset) * scale / divisor, rounded to the nearest number.
+/// @brief Angle is (sum - offset) * scale / divisor, rounded to the nearest number.
 /// @verifies FR-129
 TEST(Function, FR129_SampledAngle) {
   const SampledAngle function;

@@ -102,8 +102,8 @@ TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
   EXPECT_TRUE(report().held);
 }
 
-/// @brief Without set-points, and also in the state Reconnecting, the reported reason is that no
-/// source sends orders.
+/// @brief Without set-points, and also in the state Reconnecting, the report contains this reason
+/// for not following the set-points: no source sends orders.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
@@ -120,8 +120,9 @@ TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
   EXPECT_TRUE(reconnecting.held);
 }
 
-/// @brief The report contains the reason, the cause and the wheel that a safety function returns.
-/// The report also shows that the robot is held.
+/// @brief The report contains three values of the safety functions: the reason for not following
+/// the set-points, the cause of the protective stop, and the wheel that caused this stop. The
+/// report also shows that the robot is held.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_TheReasonOfASafetyFunctionIsReported) {

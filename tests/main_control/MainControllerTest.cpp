@@ -158,10 +158,10 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report contains two counts of processor cycles. The first count begins at the clock
-/// pulse of the previous control cycle and ends at the clock pulse of this control cycle. It does
-/// not include the time in which the processor slept. The second count begins at the clock pulse of
-/// this control cycle and ends when this control cycle starts.
+/// @brief Two of the counts of processor cycles in the report are correct. The first count begins
+/// at the clock pulse of the previous control cycle and ends at the clock pulse of this control
+/// cycle. It does not include the time in which the processor slept. The second count begins at the
+/// clock pulse of this control cycle and ends when this control cycle starts.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();

@@ -153,8 +153,8 @@ TEST(ControlThreadDeathTest, HasOneBody) {
   EXPECT_DEATH(thread.start(body), "assertion 3 failed");
 }
 
-/// @brief Posts are never lost, at any time of an activation: each post runs the body or counts as
-/// an overrun. After the last activation, the thread is idle again.
+/// @brief At any time of an activation, each post runs the body or counts as an overrun. After the
+/// last activation, the thread is idle again.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostsAtAnyMomentAreNeverLost) {

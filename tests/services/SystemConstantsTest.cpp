@@ -7,7 +7,7 @@
 namespace wr {
 namespace {
 
-/// @brief There is one instance, and a second instance cannot be constructed.
+/// @brief SystemConstants has one instance, and a second instance cannot be constructed.
 TEST(SystemConstants, HasOneInstance) {
   EXPECT_EQ(&SystemConstants::instance(), &SystemConstants::instance());
   EXPECT_FALSE(std::is_default_constructible_v<SystemConstants>);

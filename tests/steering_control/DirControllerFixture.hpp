@@ -46,8 +46,7 @@ struct DirControl {
 };
 
 /// @brief A controller. The test generates the ticks, orders and positions of the controller, and
-/// replaces the motor. There is a tick every 10 ms. The motor therefore moves little between two
-/// ticks.
+/// the feedback of its motor. There is a tick every 10 ms.
 class DirControllerFixture : public testing::Test {
  protected:
   void follow(std::int32_t angle) {

@@ -175,7 +175,7 @@ TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief Both end stops together are a fault also at rest.
+/// @brief At rest, both end stops together are also a fault.
 /// @verifies FR-226
 TEST_F(DirControllerTest, FR226_BothEndStopsAreAFaultAtRest) {
   switchOn();
@@ -187,8 +187,8 @@ TEST_F(DirControllerTest, FR226_BothEndStopsAreAFaultAtRest) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A position that differs from the steps by more than 3.00 degrees is a fault also during a
-/// turn.
+/// @brief During a turn, a position that differs from the steps by more than 3.00 degrees is also a
+/// fault.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_ThePositionFollowsTheStepsDuringATurn) {
   beginTurn();

@@ -50,7 +50,8 @@ TEST_F(DirSystemTest, FR115_TheOrderToHoldIsHandedOver) {
   EXPECT_EQ(target.read()->at, clock.now());
 }
 
-/// @brief An acknowledgement passes an order to release to the steering, but only once.
+/// @brief After an acknowledgement, the steering gets an order that releases its fault. The next
+/// order does not release a fault.
 /// @verifies FR-112
 TEST_F(DirSystemTest, FR112_AReleaseIsHandedOverOnce) {
   pool.acknowledge(1);

@@ -151,8 +151,8 @@ class SteeringLoop {
   std::uint32_t cycle = 0;
   bool ordering = true;  // false: there are no control cycles
   bool acknowledges = false;
-  int moves = 0;      // moves that are separated by pauses of more than 100 ms
-  int reversals = 0;  // steps in the opposite direction of the previous step
+  int moves = 0;      // number of moves; a pause of more than 100 ms ends a move
+  int reversals = 0;  // number of steps in the opposite direction of the previous step
 
  private:
   void order() {

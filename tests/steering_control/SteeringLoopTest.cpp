@@ -20,8 +20,8 @@ struct SteeringLoopTest : testing::Test {
   SteeringPlant& plant = loop.plant;
 };
 
-/// @brief At each tick, the sensor samples. At each eighth tick, the controller acts after the
-/// sensor, and the motor moves after the controller.
+/// @brief At each tick, the sensor samples. At each eighth tick, the sensor, the controller and the
+/// motor act in this order.
 /// @verifies FR-114
 TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   std::string sequence;
@@ -43,7 +43,8 @@ TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
 }
 
 /// @brief A new angle turns the steering after the motor has settled. The motor is switched on at
-/// the end of a measurement, and the turn begins at the end of the first measurement after 50 ms.
+/// the end of a measurement. The turn begins at the end of the first measurement that ends at least
+/// 50 ms later.
 /// @verifies FR-101
 /// @verifies FR-107
 TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
@@ -197,8 +198,8 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
 }
 
 /// @brief When the control cycles end, the motor is switched off at the end of the first
-/// measurement after 300 ms. When the cycles begin again, the motor is switched on, and the
-/// steering continues to its angle.
+/// measurement that ends more than 300 ms after the last order. When the cycles begin again, the
+/// motor is switched on, and the steering continues to its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
@@ -279,7 +280,7 @@ TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
 }
 
 /// @brief A push of 2.5 degrees off the angle is corrected without a fault. A push of more than 3
-/// degrees is a fault, because steps were lost or the sensor is loose.
+/// degrees is a fault, because it looks like lost steps or a loose sensor.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-227
@@ -327,7 +328,8 @@ TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   }
 }
 
-/// @brief A stuck sensor is detected as a fault within 0.4 s after the steering begins to turn.
+/// @brief The sensor is stuck when the steering gets a new angle. The fault is detected within
+/// 416 ms after this order.
 /// @verifies FR-111
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {

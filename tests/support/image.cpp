@@ -39,8 +39,8 @@ emulator::ExecutedCode& executed() {
   return instance;
 }
 
-/// A connection between GDB and the firmware. GDB cannot go back in time, because a running test
-/// cannot be restarted.
+/// A connection between GDB and the firmware. GDB cannot run the firmware backwards, because a
+/// running test cannot be restarted.
 class Debug {
  public:
   explicit Debug(const std::string& port) : line_(programs::openLine("tcp:" + port)) {}

@@ -56,8 +56,9 @@ TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   EXPECT_EQ(this->robot.report().unexpected, 2);
 }
 
-/// @brief Damaged frames, frames of wrong length, frames of unknown type or version, and orders out
-/// of range are counted separately. The robot reads no order from these frames.
+/// @brief Six kinds of bad frames are counted separately: damaged frames, frames that are too long,
+/// frames of wrong length, frames of unknown type, frames of unknown version, and orders out of
+/// range. The robot reads no order from these frames.
 TYPED_TEST(Behaviour, CountsBadFrames) {
   this->robot.commandByPc();
   scenario::Bytes damaged = this->robot.pc.keepAlive();
@@ -140,8 +141,8 @@ TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   EXPECT_FALSE(this->robot.report().held());
 }
 
-/// @brief Without orders, the modes alternate. Each design defines after how many failed reads the
-/// modes begin to alternate.
+/// @brief Without orders, the modes alternate. The number of failed reads before the first change
+/// of the mode depends on the design.
 TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   this->robot.commandByPc();
   int mode = kPc;
@@ -225,7 +226,7 @@ TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
 
 // ---- the wheel ---------------------------------------------------------------------------------
 
-/// @brief From 2.5 s after the order on, the mean velocity over 2 s is within 2 percent of the
+/// @brief The mean velocity over 2 s, beginning 2.5 s after the order, is within 2 percent of the
 /// order.
 TYPED_TEST(Behaviour, ReachesAVelocity) {
   const auto order = this->robot.velocity(1000);

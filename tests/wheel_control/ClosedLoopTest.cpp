@@ -115,8 +115,8 @@ TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   EXPECT_NEAR(plant.present().count(), 1500, 15);
 }
 
-/// @brief From 1 s after the order on, while the wheel accelerates, the error of the current is at
-/// most 5 % of the order.
+/// @brief While the wheel accelerates, the error of the current is at most 5 % of the order,
+/// beginning 1 s after the order.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   plant.load = kRolling;
@@ -128,8 +128,8 @@ TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   }
 }
 
-/// @brief If a new current order brakes the wheel, the error of the current is at most 0.1 A after
-/// 1 s.
+/// @brief An order of 3 A accelerates a wheel without friction to more than 150 rpm. 1 s after the
+/// next order of -0.5 A, the error of the current is at most 0.1 A.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   run(currentOf(3000), 14);
@@ -138,8 +138,8 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
-/// @brief 1 s after an order of a current that brakes the wheel, the error of the current is at
-/// most 0.2 A.
+/// @brief A wheel with friction turns at 300 rpm. 1 s after an order of -0.5 A or -1 A, the error
+/// of the current is at most 0.2 A.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentOfADeceleratingWheel) {
   for (const std::int16_t order : {std::int16_t{-500}, std::int16_t{-1000}}) {
@@ -159,7 +159,7 @@ TEST_F(ClosedLoopTest, FR85_CurrentOfADeceleratingWheel) {
   }
 }
 
-/// @brief From 1 s after the order on, the error of the current is at most the greater of two
+/// @brief Beginning 1 s after the order, the error of the current is at most the greater of two
 /// values: 5 % of the order, and 0.1 A. This is tested over the whole range of currents, in both
 /// directions, for the extreme values of supply, winding and motor constant. Friction consumes 97 %
 /// of the torque. The wheel therefore stays slow, and the supply is sufficient.
@@ -205,7 +205,7 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
 }
 
 /// @brief The supply is not sufficient for the first current order. The second current order is
-/// lower. From 1 s after this order on, the error of the current is at most 5 %. The overshoot is
+/// lower. Beginning 1 s after this order, the error of the current is at most 5 %. The overshoot is
 /// less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
@@ -259,7 +259,7 @@ TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {
 struct Step {
   double overshoot = 0;  // [0.1 rpm] velocity beyond the target
   double settled =
-      0;  // [s] time from which on the velocity stays within the greater of 5 % and 2 rpm
+      0;  // [s] time after which the velocity remains within the greater of 5 % and 2 rpm
   double steady = 0;  // [0.1 rpm] error of the mean over the fifth second
 };
 
@@ -320,9 +320,9 @@ WheelPlant plantOf(const Variant& variant) {
 }
 
 /// @brief After a step from rest, a wheel settles in 3 s with less than 30 % overshoot. The error
-/// of its mean velocity is at most the greater of 1 % and 0.5 rpm. This is tested over the whole
-/// range of velocities, in both directions, with the extreme values of supply, inertia, winding,
-/// motor constant and rolling resistance.
+/// of its mean velocity over the fifth second is at most the greater of 1 % and 0.5 rpm. This is
+/// tested over the whole range of velocities, in both directions, with the extreme values of
+/// supply, inertia, winding, motor constant and rolling resistance.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   for (const Variant& variant : variants()) {
@@ -376,9 +376,9 @@ TEST(VelocityLoop, FR223_StepsWithHallSensors) {
   }
 }
 
-/// @brief A step from one velocity to another settles within 5 s, also when it reverses the wheel.
-/// This limit is 2 s longer than for a step from rest, because a wheel must become slow before it
-/// reverses. A step to 5 rpm settles within 8 s.
+/// @brief A step from one velocity to another settles within 5 s, or within 8 s if the new velocity
+/// is 5 rpm. A step that reverses the wheel has the same limits. The limit of 5 s is 2 s longer
+/// than for a step from rest, because a wheel must become slow before it reverses.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {
@@ -413,7 +413,8 @@ TEST(VelocityLoop, FR222_ReversalFromFullSpeedIsInTime) {
   }
 }
 
-/// @brief A wheel that is halted at 300 rpm comes to rest and is then short-circuited.
+/// @brief A wheel that is halted at 300 rpm is slower than 5 rpm after 2.5 s. It is then
+/// short-circuited.
 /// @verifies FR-88
 TEST_F(ClosedLoopTest, FR88_HaltBringsToRest) {
   run(velocityOf(3000), 40);

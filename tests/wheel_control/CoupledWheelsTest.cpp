@@ -40,7 +40,8 @@ TEST(CoupledWheels, FR224_WheelsDoNotFightAfterLostEdges) {
   }
 }
 
-/// @brief While wheel 0 has no Hall edges for four cycles, wheel 1 is at most 5 % faster than ordered.
+/// @brief While wheel 0 has no Hall edges for four cycles, wheel 1 is less than 5 % faster than
+/// ordered.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_LostEdgesDoNotSpeedUpTheRobot) {
   CoupledWheels robot;

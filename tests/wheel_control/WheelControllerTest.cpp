@@ -617,9 +617,9 @@ TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief Two calls that are more than 50 ms apart belong to two cycles. The second call then ends
-/// the time in which the current decays, and the motor brakes. After 50 ms or less the driver stays
-/// off.
+/// @brief Two calls of driverOff() that are more than 50 ms apart belong to two cycles. The second
+/// call then switches the driver on without voltage, and the motor brakes. If the calls are at most
+/// 50 ms apart, the driver stays off.
 /// @verifies FR-221
 TEST_F(WheelControllerTest, FR221_CallsOfTwoCycles) {
   for (const int distance : {50, 51}) {

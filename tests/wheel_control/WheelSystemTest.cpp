@@ -129,8 +129,8 @@ TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
   EXPECT_EQ(outputs.tensions[1], Tension(88));
 }
 
-/// @brief If a cycle has no current samples for 200 ms, the current is reported as missing, and the
-/// wheel is stopped.
+/// @brief If there was no sample of the current for 200 ms, the current is reported as missing, and
+/// the wheel is stopped.
 /// @verifies FR-93
 TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   system.start();

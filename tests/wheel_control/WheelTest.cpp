@@ -133,7 +133,8 @@ TEST_F(WheelTest, FR221_SecondTripKeepsTheDriverOff) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A second trip that occurs while the driver is switched on for braking has priority.
+/// @brief If a second trip occurs while the driver is being switched on for braking, the driver is
+/// switched off again.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   wheel.cutOff().execute();
@@ -143,7 +144,8 @@ TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A second trip that occurs just before the driver is switched on for braking has priority.
+/// @brief If a second trip occurs just before the driver is switched on for braking, the driver is
+/// switched off again.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_TripWinsBeforeBraking) {
   Interrupted output;
@@ -183,7 +185,8 @@ TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A trip that occurs while the driver is being switched on has priority.
+/// @brief If a trip occurs while the driver is being switched on, the driver is switched off again,
+/// and the trip is latched.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   enable.onRise([this] { wheel.cutOff().execute(); });
@@ -192,8 +195,8 @@ TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   EXPECT_TRUE(wheel.isCutOff());
 }
 
-/// @brief A trip that occurs after the check of the latch, but before the driver is switched on,
-/// also has priority.
+/// @brief If a trip occurs after the check of the latch, but before the driver is switched on, the
+/// driver is also switched off again.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsBeforeTheSwitch) {
   Interrupted output;

@@ -162,7 +162,7 @@ TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   }
 }
 
-/// @brief In each state of the connection, each Hello is answered. Each answer has a new session
+/// @brief In each state of the connection, a Hello is answered. Each answer has a new session
 /// number.
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR30_EachHelloIsAnsweredWithANewSession) {
@@ -545,8 +545,8 @@ TEST_F(PcConnectionTest, FR240_AStopActsInAStaleOrder) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop order has no effect if its frame is damaged, has another version or type, or is
-/// too short to contain a stop.
+/// @brief A stop order has no effect if its frame is damaged, has another version or type, or has a
+/// payload that is too short for an order.
 /// @verifies FR-240
 TEST_F(PcConnectionTest, FR240_AStopNeedsAGoodFrame) {
   handshake();
@@ -580,7 +580,7 @@ TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
 
 /// @brief An order is stale when its sequence number is equal to the number of the last accepted
 /// frame, or to one of the 128 numbers before this number. A stale order is dropped and counted. An
-/// order with one of the next 127 numbers is new.
+/// order with one of the next 127 numbers is fresh.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   for (int ahead = 0; ahead < 256; ++ahead) {
@@ -613,7 +613,8 @@ TEST_F(PcConnectionTest, FR243_AStaleOrderChangesNothing) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief A KeepAlive with an old sequence number does not make old orders valid.
+/// @brief After a KeepAlive with an old sequence number, an order with the next number is still
+/// stale.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
   handshake();
@@ -1036,7 +1037,7 @@ Bytes withThisBuild(Bytes body) {
 }
 
 /// @brief The connection accepts each example frame of the PC, in the sequence of the examples. The
-/// Welcome of the connection equals the Welcome of the examples, except for the build id.
+/// first Welcome of the connection is the example Welcome of session 1, except for the build id.
 /// @verifies FR-30
 /// @verifies FR-31
 /// @verifies FR-40
@@ -1058,7 +1059,7 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
 }
 
 /// @brief In one example, the robot starts after a fault. When the firmware has the data of this
-/// start, it sends the same Welcome as the example.
+/// start, it sends the Welcome of this example, except for the build id.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};

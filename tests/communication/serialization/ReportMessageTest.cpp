@@ -292,7 +292,7 @@ TEST(ReportMessage, FR175_EachFlagHasItsBit) {
 }
 
 /// @brief Four bytes contain the reason why the robot does not follow its set-points, the cause of
-/// a protective stop, the wheel of this cause, and the sources that order a stop.
+/// a protective stop, the wheel that caused this stop, and the sources that order a stop.
 /// @verifies FR-242
 TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   ReportData data;

@@ -11,7 +11,7 @@
 namespace wr {
 namespace {
 
-/// @brief No order is written, and no report is read.
+/// @brief An order cannot be written, and a report cannot be read. Both attempts return false.
 TEST(Serializable, TheOtherDirectionFails) {
   SerialWriter writer;
   EXPECT_FALSE(OrderMessage().writeTo(writer));

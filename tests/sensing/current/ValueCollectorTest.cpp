@@ -347,7 +347,7 @@ TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
 }
 
 /// @brief If the mean of a cycle is more than 16 A from the zero point, the current of the cycle is
-/// missing. Therefore the value of a broken sensor, which is at an end of the range, is not
+/// missing. A broken sensor has a value at an end of the range. Therefore this value is not
 /// reported.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EndOfTheRangeIsNoMeasurement) {

@@ -42,8 +42,9 @@ TEST_P(VelocityAccuracy, FR120_EvenEdges) {
   }
 }
 
-/// @brief One sensor is displaced by 5 % of the distance between two edges. From 60 rpm on, the
-/// error of each measurement is at most 1 %. At any velocity, this error is at most 6 %.
+/// @brief One sensor is displaced by 5 % of the distance between two edges. At 60 rpm or more, the
+/// error of each measurement is at most 1 % plus the rounding to 0.1 rpm. At a lower velocity, the
+/// error is at most 6 % plus this rounding.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_MisplacedSensor) {
   const double rpm = GetParam();
@@ -274,8 +275,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief A wheel turns at 100 rpm or more, and one of its sensors has no more edges. From the
-/// second cycle on, the last velocity is more than 150 ms old.
+/// @brief A wheel turns at 100 rpm or more, and one of its sensors has no more edges. No velocity
+/// is written in the next two cycles. The last velocity is then 200 ms old.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {
@@ -295,8 +296,8 @@ TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   }
 }
 
-/// @brief A sensor fails at any time of a cycle, while the wheel turns at 90 rpm or more. From
-/// the second cycle on, no velocity is written.
+/// @brief A sensor fails at any time of a cycle, while the wheel turns at 90 rpm or more. No
+/// velocity is written in the three cycles after this cycle.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_SensorThatFailsWithinACycle) {
   for (const int rpm : {90, 95, 100, 105, 109, 150, 300, -100}) {

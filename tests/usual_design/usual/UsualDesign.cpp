@@ -290,7 +290,7 @@ void UsualDesign::release(const WheelMeasurements& wheel) {
   }
 }
 
-// The driver stays off until the first cycle after the trip has reported the trip.
+// A trip that no cycle has reported yet stays latched.
 void UsualDesign::releaseTrip() {
   if (trip_.load() != Trip::None && trip_.load() != Trip::Tripped) {
     trip_.store(Trip::None);

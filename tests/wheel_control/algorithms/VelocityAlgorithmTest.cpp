@@ -127,10 +127,10 @@ TEST_F(VelocityAlgorithmTest, FR224_NothingIsDoubtfulBeforeAVoltage) {
   EXPECT_EQ(calculate(1500, 1400), Tension(7854 + 465 + 209));
 }
 
-/// @brief A velocity is doubtful if it explains too little of the applied voltage. The tolerance is
-/// 0.4 V plus a third of the greater of two voltages: the applied voltage and the voltage at the
-/// winding. With an applied voltage of 0, a velocity of 30.5 rpm is doubtful, but a velocity of 5
-/// rpm is not.
+/// @brief A velocity is doubtful if it and the current explain too little of the applied voltage.
+/// The tolerance is 0.4 V plus a third of the greater of two voltages: the applied voltage and the
+/// voltage at the winding. With an applied voltage of 0, a velocity of 30.5 rpm is doubtful, but a
+/// velocity of 5 rpm is not.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_ToleranceOfTheModel) {
   static_assert(2994 - 1596 == 400 + 2994 / 3, "the tolerance is reached");

@@ -81,7 +81,7 @@ TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
 }
 
-/// @brief A halt interrupts the count of slow cycles.
+/// @brief A halt sets the count of slow cycles to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AHaltInterruptsTheSlowCycles) {
   apply(-5000, 100);
@@ -187,7 +187,7 @@ TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   EXPECT_EQ(apply(5000, -790), Tension(5000));
 }
 
-/// @brief A demand in the present orientation ends the count of the cycles without voltage.
+/// @brief A demand in the present orientation sets the count of the cycles without voltage to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AgreementEndsTheCreep) {
   for (int cycle = 0; cycle < 10; ++cycle) {

@@ -86,8 +86,9 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief A current that is too high switches the driver off in the interrupt. From the second
-/// control cycle after this trip on, the driver is on again without voltage, and the wheel brakes.
+/// @brief A current that is too high switches the driver off in the interrupt. In the second
+/// control cycle after this trip, the driver is switched on again without voltage. The wheel then
+/// brakes.
 /// @verifies FR-89
 /// @verifies FR-94
 /// @verifies FR-221
@@ -110,8 +111,8 @@ TEST_F(WheelOrderTest, FR89_FR94_FR221_TrippedWheelBrakes) {
   }
 }
 
-/// @brief A halt also brakes a tripped wheel from the second control cycle after the trip on.
-/// Otherwise, the robot would roll on a slope.
+/// @brief During a halt, a tripped wheel also begins to brake in the second control cycle after the
+/// trip. Otherwise, the robot would roll on a slope.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   pass(true, kMiddle);
@@ -149,7 +150,7 @@ TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
 }
 
 /// @brief If the current sensor stays at the end of its range, another trip occurs as soon as the
-/// wheel brakes. The driver is then off.
+/// wheel brakes. The driver then stays off, even after the current is normal again.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   pass(true, kTooMuch);

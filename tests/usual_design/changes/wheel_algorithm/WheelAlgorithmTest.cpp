@@ -16,7 +16,7 @@ constexpr int unloaded(int tenthRpm) {
   return 5236 * tenthRpm / 1000;
 }
 
-/// @brief In the first cycles after a step of the set-point, an internal set-point rises by 20 rpm
+/// @brief In the first cycles after a step of the set-point, the internal set-point rises by 20 rpm
 /// per cycle. The wheel gets the voltage of this internal set-point.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
@@ -29,7 +29,7 @@ TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   EXPECT_LT(this->robot.report().tension[0], unloaded(600));
 }
 
-/// @brief From 3 s after the order on, the mean velocity over 2 s is within 5 percent of the
+/// @brief The mean velocity over 2 s, beginning 3 s after the order, is within 5 percent of the
 /// set-point.
 TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
   const auto order = this->robot.velocity(1000);
