@@ -199,7 +199,7 @@ def test_the_methods_outside_of_a_tree(tmp_path: Path) -> None:
     assert "RC::tick (not in the tree)" in sheet
     assert "RC::read (not in the tree)" not in sheet
     page = read_page(requirement_page(portal, requirement).body).text
-    assert "A tree has only one root." in page
+    assert "A tree contains only calls that begin at its root." in page
     assert outside_tree(model, replace(requirement, tree=None)) == []
     abstract = TreeNode("Mode::read", "Mode", "read", None, "root", Place("a.tree", 1))
     assert "RC::read" not in outside_tree(model, replace(requirement, tree=abstract))
