@@ -656,7 +656,7 @@ def test_the_page_of_robustness_explains_the_kinds_and_the_limits(tmp_path: Path
     text = " ".join(shown(tmp_path, model)["robustness"].text.split())
     assert "flash a changed bit of the firmware image in flash" in text
     assert "noise on the serial line" not in text, "the record has no fault of this kind"
-    assert "The 3,962 harmless faults of the flash are harmless until the next reset." in text
+    assert "The 3,962 harmless faults of the flash have no effect until the next reset." in text
     assert "1,464 of the 5,444 faults of sensors were detected late." in text
     assert "edges of a wheel are lost (1 to 60, in edges per second)" in text
     assert "The limits are 5 % of the supply voltage for the voltage of a wheel" in text
