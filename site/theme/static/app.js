@@ -130,8 +130,8 @@
     if (name && data.modules[name]) link.dataset.m = name;
   });
 
-  /* When the reader points at the box or at a table row of a module, both are highlighted. The same applies to the
-     line and the table rows of a transition. */
+  /* When the reader points at the box or at a table row of a module, the box and its table rows are highlighted. The
+     same applies to the line and the table rows of a transition. */
   const drawn = new Set(all(".main svg a[data-m]").map((link) => link.dataset.m));
   let joint = [];
   function join(node) {
@@ -205,8 +205,8 @@
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    /* The card is not a child of the link, because the styles of the link do not fit a card. It is a child of the
-       dialog, if the link is in a dialog; otherwise the dialog would cover the card. */
+    /* The card is not a child of the link, because the styles of the link do not fit a card. If the link is in a
+       dialog, the card is a child of this dialog, because the dialog would cover any card outside it. */
     (link.closest("dialog") || document.body).append(card);
     const at = link.closest("svg") ? link.getBoundingClientRect() : link.getClientRects()[0],
       height = card.offsetHeight;

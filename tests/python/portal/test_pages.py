@@ -199,7 +199,7 @@ def test_the_methods_outside_of_a_tree(tmp_path: Path) -> None:
     assert "RC::tick (not in the tree)" in sheet
     assert "RC::read (not in the tree)" not in sheet
     page = read_page(requirement_page(portal, requirement).body).text
-    assert "A tree has only one root." in page
+    assert "A tree contains only calls that begin at its root." in page
     assert outside_tree(model, replace(requirement, tree=None)) == []
     abstract = TreeNode("Mode::read", "Mode", "read", None, "root", Place("a.tree", 1))
     assert "RC::read" not in outside_tree(model, replace(requirement, tree=abstract))
@@ -378,9 +378,8 @@ def test_the_evidence_shows_the_static_analysis_only_for_the_present_files(tmp_p
     assert f"{title} not run in this build" in shown(tmp_path, model)["evidence"].text
     run = LintRun("c0ffee", {"ruff": "passed", "clang-tidy": "not run", "mypy": "passed"})
     text = shown(tmp_path, replace(model, build=replace(build, lint=run)))["evidence"].text
-    assert (
-        f"{title} not run: clang-tidy passed: ruff, mypy on these files, at commit c0ffee" in text
-    )
+    lint = "clang-tidy passed: ruff, mypy on the present files, at commit c0ffee"
+    assert f"{title} not run: {lint}" in text
 
 
 def test_the_evidence_shows_the_tests_of_the_tools_that_ran(tmp_path: Path) -> None:
@@ -657,7 +656,7 @@ def test_the_page_of_robustness_explains_the_kinds_and_the_limits(tmp_path: Path
     text = " ".join(shown(tmp_path, model)["robustness"].text.split())
     assert "flash a changed bit of the firmware image in flash" in text
     assert "noise on the serial line" not in text, "the record has no fault of this kind"
-    assert "The 3,962 harmless faults of the flash are harmless until the next reset." in text
+    assert "The 3,962 harmless faults of the flash have no effect until the next reset." in text
     assert "1,464 of the 5,444 faults of sensors were detected late." in text
     assert "edges of a wheel are lost (1 to 60, in edges per second)" in text
     assert "The limits are 5 % of the supply voltage for the voltage of a wheel" in text

@@ -45,8 +45,8 @@
     });
   }
 
-  /* Returns the contexts that have begun and not yet ended at a given instant [ns]. The first context is the one that
-   * runs; it preempts the other contexts. */
+  /* Returns the contexts that have begun and not yet ended at a given instant [ns]. The first context is
+   * running, and preempts the other contexts. */
   const activeAt = (lanes, at) =>
     lanes.flatMap((lane) => lane.bars.filter(({ begin, end }) => begin <= at && at < end).map((each) => each.context));
 

@@ -308,7 +308,7 @@ function imageWith(modules) {
 
 const ownerOf = (method) => facts.methods[method].split("::")[0];
 
-/* The modules that the page shows while a scenario plays, and the number of calls of each until now. */
+/* The modules that the page shows while a scenario plays, and the present number of calls of each module. */
 let shown = { modules: new Set(), counts: {} };
 
 /* Prepares a scenario for a page that shows modules. Each later message "playCycle" from the page runs one control
