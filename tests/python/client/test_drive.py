@@ -46,8 +46,8 @@ def script_in(folder: Path, text: str) -> Path:
 
 
 def orders(mcu: Any) -> list[tuple[int, int, int]]:
-    """Returns the velocity of the first wheel, the steering and the commands of each order, in the
-    units of the frames."""
+    """Returns three values of each order, in the units of the frames: the velocity of the first
+    wheel, the steering and the commands."""
     return [
         (
             int.from_bytes(frame.payload[9:11], "little", signed=True),

@@ -1,4 +1,5 @@
-"""In a browser, the pages have no error. The search and the theme work."""
+"""In a browser, the pages of a small project have no error. Their search, theme, cards and diagrams
+work."""
 
 from __future__ import annotations
 
