@@ -90,7 +90,8 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, o
 
 
 def undeclared(test: Path) -> list[str]:
-    """Returns the files that the running test has opened and does not declare."""
+    """Returns the files that the running test has opened, but that no mark of the test declares.
+    Files that need no mark are left out."""
     folder = test.parent.relative_to(ROOT)
     if folder.name in START_PROGRAMS:
         return []

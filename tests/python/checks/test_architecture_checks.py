@@ -1,4 +1,5 @@
-"""The check arch-module compares the elements of the architecture with the connections."""
+"""The check arch-module compares the modules of the architecture elements with the connections and
+the groups."""
 
 from __future__ import annotations
 

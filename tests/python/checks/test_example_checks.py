@@ -43,7 +43,7 @@ WRONG = """\
 
 
 def write(root: Path, page: str, text: str) -> list[tuple[int, str]]:
-    """Writes a page, and returns the lines and texts of the findings in it."""
+    """Writes a page. Returns the line and the text of each finding in this page."""
     write_files(root, {"client/weeding_robot_client/link.py": MODULE, page: text})
     return sorted((one.place.line, one.text) for one in wrong_examples(root))
 

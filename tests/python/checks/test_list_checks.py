@@ -1,5 +1,5 @@
-"""The check finds two kinds of wrong numbers in a text: the number of items of the list after the
-text, and the number of all parts of a kind, such as hazards."""
+"""The checks find two kinds of wrong numbers in a text. A number of items can differ from the list
+after the text. A number of parts, such as hazards, can differ from the number in the design."""
 
 from pathlib import Path
 

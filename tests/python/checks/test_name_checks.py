@@ -1,5 +1,5 @@
-"""The check finds a test that a page names and that does not exist, a wrong base class on a page,
-and a function in a comment that neither the module nor its uses have."""
+"""The checks find wrong names: on a page, a test that does not exist or a wrong base class; in a
+comment of a module, a function that neither this module nor a module that it uses has."""
 
 from pathlib import Path
 

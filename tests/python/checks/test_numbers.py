@@ -1,5 +1,5 @@
-"""The check finds the numbers with a unit in requirements, and compares them with constants of the
-code."""
+"""The numbers in the texts of requirements, with or without a unit. They are compared with the
+constants of the code."""
 
 from fractions import Fraction
 

@@ -33,8 +33,8 @@ def test_a_pin_next_to_another_signal_is_found(tmp_path: Path, text: str, found:
 
 @pytest.mark.reads("src/k64/pins.hpp")
 def test_comments_of_the_table_name_only_unused_pins() -> None:
-    """A page may name the pins of these comments. If a pin were in the table too, no check would
-    find the pages that name this pin after it has left the table."""
+    """A page may name a pin that these comments name. Suppose that a comment named a pin of the
+    table. If this pin then left the table, no check would find the pages that still name it."""
     text = (ROOT / PINS).read_text(encoding="utf-8")
     used = {f"PT{row[0]}{row[1]}" for row in ROW.findall(text)}
     assert used.isdisjoint(PIN.findall(text))

@@ -1,4 +1,5 @@
-"""The checks find wrong numbers of the protocol, wrong worked examples, and forbidden code."""
+"""The checks find wrong numbers and wrong worked examples of the protocol. They also find forbidden
+code: uses of the heap, and recursion."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The README and the pages may name only commands, folders, pins and programs that exist. The
-checks find all other names."""
+"""The README and the pages may name only commands, options, folders, pins and programs that exist.
+The checks find each name of these kinds that does not exist."""
 
 from pathlib import Path
 

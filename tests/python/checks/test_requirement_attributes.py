@@ -1,5 +1,5 @@
-"""The checks req-attribute and req-source. They check the level, the products, the verification
-method and the source of each requirement."""
+"""The checks req-attribute and req-source verify the level, the products, the verification method
+and the source of each requirement."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The check demands a description of each parameter of a constructor. It demands no brief."""
+"""The check demands a description of each parameter of a constructor. A constructor needs no brief,
+but an existing brief must have more than one word."""
 
 from __future__ import annotations
 

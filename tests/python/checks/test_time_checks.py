@@ -1,5 +1,5 @@
-"""The check finds a loop over an array whose bound is lower than the number of elements of the
-array."""
+"""The check compares the stated bound of a loop over an array with the number of elements of the
+array. It finds a bound that is lower than this number."""
 
 from pathlib import Path
 

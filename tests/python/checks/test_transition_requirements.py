@@ -1,5 +1,6 @@
-"""The check fsm-declared. A method of a state of the transition must serve each requirement of the
-transition. The operation of the event or the action must serve the requirement, too."""
+"""The check fsm-declared demands two facts for each requirement of a transition. First, a method of
+the old or of the new state serves the requirement. Second, the operation of the event or a method
+of the action serves the requirement."""
 
 from __future__ import annotations
 

@@ -51,8 +51,8 @@ class FakeWheel:
 
 @dataclass
 class FakeRobot:
-    """A robot that answers Hello, Confirm and orders. While a client is connected, the robot sends
-    a report in each cycle."""
+    """A robot that reacts to Hello, Confirm and orders. While a client is connected, the robot
+    sends a report in each cycle. If ``silent`` is true, the robot sends nothing."""
 
     versions: tuple[int, int] = (2, 2)
     schema: int = SCHEMA_HASH
@@ -112,7 +112,8 @@ class FakeRobot:
         return [frame for frame in list(self.received) if frame.kind == kind]
 
     def control(self, words: str) -> str:
-        """Executes an action of the bring-up, and answers in the same way as the simulator."""
+        """Executes an action of a simulated operator. Returns an answer in the form in which the
+        simulator answers."""
         match words.split():
             case ["fault" | "repair" as what, "left-end"]:
                 self.left_end = what == "fault"
@@ -265,8 +266,8 @@ class FakeRobot:
 
 
 class FakeControl:
-    """A control socket like the control socket of the simulator. It passes each action to the robot
-    in Python."""
+    """A control socket like that of the simulator. It passes each received action to the robot in
+    Python, and sends the answer back."""
 
     def __init__(self, path: Path, robot: FakeRobot) -> None:
         self._robot = robot

@@ -401,7 +401,7 @@ def test_the_port_of_the_only_board_is_chosen(
 
 
 class Person:
-    """A person at the terminal in which ``./wr bring-up`` runs."""
+    """A person at a terminal in which ``./wr bring-up`` runs."""
 
     def __init__(self, mcu: Any, folder: Path) -> None:
         self.keys, self._inner = pty.openpty()
@@ -414,7 +414,8 @@ class Person:
         self.shown = b""
 
     def reads(self, text: str, seconds: float = 15.0) -> None:
-        """Reads until a text is shown. The search begins after the text that was found last."""
+        """Reads the output of the program until a text is found. The search begins after the text
+        that the previous call found."""
         end = time.monotonic() + seconds
         while text.encode() not in self.shown:
             assert time.monotonic() < end, self.shown.decode()

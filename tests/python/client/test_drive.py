@@ -46,8 +46,8 @@ def script_in(folder: Path, text: str) -> Path:
 
 
 def orders(mcu: Any) -> list[tuple[int, int, int]]:
-    """Returns the velocity of the first wheel, the steering and the commands of each order, in the
-    units of the frames."""
+    """Returns three values of each order, in the units of the frames: the velocity of the first
+    wheel, the steering and the commands."""
     return [
         (
             int.from_bytes(frame.payload[9:11], "little", signed=True),
@@ -410,7 +410,8 @@ def test_the_monitor_shows_the_fault_before_the_last_start(
 
 
 def test_the_table_shows_that_the_layouts_of_the_frames_differ(mcu: Any) -> None:
-    """The table replaces the line that the monitor prints when the connection is established."""
+    """Each new table clears the screen, and with it the line that the monitor printed when the
+    connection was established. Therefore the table itself shows the difference."""
     mcu.schema = 1
     with Link(mcu.path) as link:
         assert "the layout 0x00000001" in monitor.as_table(next(link.reports(5.0)), link)
@@ -597,7 +598,7 @@ def start_drive(mcu: Any, *words: str, stdin: int) -> subprocess.Popen[bytes]:
 
 @dataclass
 class Terminal:
-    """A terminal that runs the program for driving by keyboard."""
+    """A terminal in which the program for driving by keyboard runs."""
 
     keys: int
     inner: int

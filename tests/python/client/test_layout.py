@@ -1,4 +1,4 @@
-"""The client reads the table of frames, and refuses a table with an error."""
+"""The client reads the table of frames, and rejects a table that contains an error."""
 
 import zlib
 

@@ -29,7 +29,7 @@ SEED = int(os.environ.get("WR_SEED", "1"))
 
 
 def example(start: str) -> Frame:
-    """Returns the frame of the worked example with a name that begins with ``start``."""
+    """Returns the frame of the worked example whose name begins with ``start``."""
     (line,) = (line for name, *_, line in examples() if name.startswith(start))
     (frame,) = Decoder().feed(bytes.fromhex(line))
     return frame

@@ -1,4 +1,4 @@
-"""Random bytes and damaged scripts never crash the client. The client accepts a message or a
+"""Random bytes and damaged scripts never crash the client. The client accepts each message and each
 script, or reports an error.
 """
 

@@ -1,6 +1,5 @@
-"""The program on the page "Use the data in other tools" that publishes reports in ROS 2. It runs
-here without ROS: simple classes replace the modules of ROS, and a list of reports replaces the
-robot."""
+"""The program that publishes reports in ROS 2, from the page "Use the data in other tools". It runs
+here without ROS: simple classes replace the modules of ROS, and one report replaces the robot."""
 
 from __future__ import annotations
 

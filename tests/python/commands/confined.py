@@ -1,8 +1,8 @@
 """Difficult environments for ./wr: a full disk, a folder that cannot be written, a replaced
 program, no network, and a user without the rights of root.
 
-Each environment except the last consists of Linux namespaces. Outside these namespaces, it does not
-change the computer.
+All environments except the last consist of Linux namespaces, and change nothing outside these
+namespaces.
 """
 
 from __future__ import annotations

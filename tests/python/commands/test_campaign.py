@@ -349,7 +349,8 @@ def test_the_committed_record_of_the_inputs_adds_up() -> None:
 
 
 def test_the_committed_record_of_the_drives_has_the_times_of_its_list() -> None:
-    """The list contains the drives with the longest cycles. Some drives can have noise."""
+    """The list contains the drives with the longest cycles. It can contain drives with noise and
+    drives without noise."""
     result = committed("loads")
     outcomes, listed = result["outcomes"], result["longest"]
     times = [drive["longest_ns"] for drive in listed]

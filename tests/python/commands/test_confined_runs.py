@@ -56,8 +56,8 @@ def command(root: Path) -> list[str | Path]:
 
 @pytest.fixture
 def copy() -> Iterator[Path]:
-    """Returns a copy of ./wr without its Python packages. Each user can read the folder of the
-    copy. The name of this folder has a blank.
+    """Returns a folder with a copy of ./wr and without Python packages. Each user can read this
+    folder. Its name contains a blank.
     """
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder) / "a copy"
@@ -86,7 +86,7 @@ def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size
     assert full.returncode in (1, MISSING)
     assert "No space left on device" in full.stdout + full.stderr
     (tmp_path / "build").rmdir()
-    # The folder build now contains the copy of the files that the first run left on the full disk.
+    # The copy of the files that the first run left on the full disk becomes the folder build.
     keep.rename(tmp_path / "build")
     assert run([*map(str, command(tmp_path))]).returncode == 0
     assert (tmp_path / RESULT).read_text() == expected(tmp_path)
@@ -142,7 +142,7 @@ def test_set_up_of_a_user_without_rights_names_the_folder(copy: Path) -> None:
 
 
 def test_after_set_up_no_network_is_needed(tmp_path: Path) -> None:
-    """All packages are installed. Therefore the set-up has nothing to do, and the tasks run."""
+    """All packages are installed. Therefore neither the set-up nor the tasks need a network."""
     write_sources(tmp_path, "text")
     for words in ([SOURCE / "wr", "setup"], command(tmp_path)):
         done = run(without_network(words))

@@ -1,5 +1,5 @@
-"""./wr campaign fuzz. Its program runs stubs in place of the fuzzers. The totals of its record are
-tested too."""
+"""./wr campaign fuzz, with stubs in place of the fuzzers: the cases of the campaign, and the totals
+of its record."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A signal ends a command at a random time. The next run has the right results, and repeats no
-completed task.
+"""A signal ends a command at a random time. The next run has the right results. If the sources are
+unchanged, the next run repeats no completed task.
 """
 
 from __future__ import annotations
@@ -103,7 +103,7 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         before, errors = program.communicate(timeout=60)
         print(f"WR_SEED={SEED}, {number.name}, turn {turn}: exit code {program.returncode}")
         if program.returncode == 0:
-            whole /= 2  # The run ended before the signal: the computer is faster now.
+            whole /= 2  # The run ended before the signal. The next signals come earlier.
         else:
             ended += 1
         assert program.returncode in (0, INTERRUPTED, -number), before + errors

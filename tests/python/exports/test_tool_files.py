@@ -121,8 +121,8 @@ PAGE = Path(__file__).parents[3] / "docs" / "other_tools.rst"
 
 
 def settings_of_the_page() -> str:
-    """Returns the conf.py from the page docs/other_tools.rst, which readers copy for
-    Sphinx-Needs."""
+    """Returns the content of conf.py from the page docs/other_tools.rst. Readers copy this content
+    for Sphinx-Needs."""
     _, _, rest = PAGE.read_text(encoding="utf-8").partition(".. code-block:: python\n")
     block = re.match(r"(?:\n| {3}.*\n)+", rest)
     assert block

@@ -111,7 +111,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "uart-baud",
         (Change("K64Uart.cpp", "static_cast<std::uint8_t>(divisor.divider)", "std::uint8_t{130}"),),
     ),
-    "handler that takes longer than the FIFO lasts": (
+    "interrupt handler of the UART too slow for its FIFO": (
         "uart-overrun",
         (
             Change(
@@ -126,7 +126,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "register-misuse",
         (Change("K64Adc.cpp", "adc::SC3_CAL | adc::SC3_AVGE | adc::SC3_AVGS_32", "{0}"),),
     ),
-    "calibration not waited for": (
+    "no wait for the calibration of the converters": (
         "register-misuse",
         (
             Change("K64Adc.cpp", "look < kMaxPolls &&", "look < 10 &&"),
@@ -153,7 +153,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "inputs b of the converters not chosen": (
-        # The program then reads the inputs with the suffix a of these channels.
+        # The firmware then reads the inputs with the suffix a of these channels.
         "unmodelled-register",
         (Change("K64Adc.cpp", "write(adc::CFG2_MUXSEL_B)", "write({0})"),),
     ),
@@ -193,7 +193,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "vector-missing",
         (Change("start_up/vectors.cpp", "= cycleTimerInterrupt;", "= nullptr;"),),
     ),
-    "PLL not waited for": (
+    "no wait for the PLL": (
         "register-misuse",
         (
             Change(
@@ -243,8 +243,8 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Program:
 
 @pytest.fixture(scope="module")
 def table() -> Iterator[dict[str, dict[str, object]]]:
-    """Yields the table of findings. If all faults were tried, stores the list of findings as a
-    result of the run."""
+    """Yields a table with the finding of each fault. If the tests of all faults ran, stores this
+    table in build/results."""
     rows: dict[str, dict[str, object]] = {}
     yield rows
     for fault, row in rows.items():

@@ -32,8 +32,8 @@ STAYS_OFF = Seen("Off", "press", "Off")
 
 
 def watched(calls: str) -> list[Seen]:
-    """Returns the transitions in recorded calls. In the text of the calls, each word enters a call,
-    and ``/`` leaves the last call."""
+    """Returns the transitions in recorded calls. In the text of the calls, each name begins a call,
+    and each ``/`` ends the innermost call."""
     events: list[tuple[str, bool]] = []
     stack: list[str] = []
     for word in calls.split():

@@ -276,8 +276,9 @@ def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() 
     # longer than one tick and shorter than two ticks. Therefore the requests of two ticks delay the
     # cycle.
     assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
-    # With noise, the requests of four ticks delay the cycle, because the handler of the first tick
-    # may be late.
+    # With noise, the interrupt has four requests in each tick. The computation adds two ticks: the
+    # tick before the cycle, and the longest delay of the handler of the tick. Therefore the
+    # requests of four ticks delay the cycle.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
 
@@ -327,8 +328,8 @@ def test_a_lock_lasts_until_the_last_lock_ends(tmp_path: Path, text: str, cycles
 def test_more_requests_than_declared_are_found(
     requests: Sequence[float], found: tuple[int, float] | None
 ) -> None:
-    """One request is declared in each tick. The first of two requests can be late. Therefore the
-    time between the requests can be a little shorter than a tick."""
+    """The declared number of requests is one in each tick. The first of two requests can be late.
+    Therefore the time between the two requests can be a little shorter than a tick."""
     (bound,) = with_responses([context("edge", 1_000, 1, entries=1)])
     times = [round(ms * NANOSECONDS) for ms in requests]
     recording = Recording(

@@ -1,4 +1,4 @@
-"""The layers of the page of the uses."""
+"""The layers of folders on the page "Uses"."""
 
 from __future__ import annotations
 

@@ -30,8 +30,8 @@ def test_a_module_has_its_largest_share_of_the_deepest_calls(tmp_path: Path) -> 
 
 
 def test_requirements_whose_tree_contains_the_module_are_listed(tmp_path: Path) -> None:
-    """A tree contains a module if the tree contains a method of this module. It also contains the
-    module if it contains an abstract method that the module overrides."""
+    """A tree contains a module in two cases: the tree contains a method of the module, or an
+    abstract method that the module overrides."""
     model = make_project(tmp_path)
     rc = model.modules["RC"]
     method = replace(rc.methods[0], satisfies=[], overrides="Mode::read")

@@ -1,5 +1,5 @@
 """The bench measures the firmware image. If a module becomes slower, the row of this module shows
-more instructions. The bench measures a board through the serial line."""
+more instructions. The bench can also measure a board, through the serial line."""
 
 import json
 import shlex

@@ -74,7 +74,7 @@ def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: C
 
 
 def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
-    """Compares the branches that gcov counted with the branches in the records of the tests.
+    """Compares the numbers of executed branches from gcov with those from the records of the tests.
 
     Headers are left out. Their functions are in several object files, and gcov counts the branches
     of each object file separately.

@@ -1,5 +1,5 @@
-"""The page runs the robot in a browser in three ways: up to a given time of a scenario, driven by
-hand, and step by step."""
+"""The page runs the robot in a browser. It plays a scenario up to a given time. A person can drive
+the robot by hand, or execute single cycles and calls."""
 
 from __future__ import annotations
 

@@ -68,8 +68,8 @@ WHEELS = "0123"
 # cycle, USUALLY in at least 94 of 100 cycles. Differences have three causes. A wheel may reverse
 # one cycle earlier in one run, and no report shows this. A wheel at rest keeps the voltage that
 # belongs to the last measured velocity. If only one run measures a low velocity such as 2.3 rpm,
-# the currents at rest differ by 0.13 A. In the cycle in which a wheel turns back on an edge, only
-# one run may reject this edge. Then the measured velocities differ by up to 25 rpm.
+# the currents at rest differ by 0.13 A. A wheel can turn back on an edge, so that one run rejects
+# this edge and the other run accepts it. Then the measured velocities differ by up to 25 rpm.
 ONCE = 10
 USUALLY = 1.3
 # A wheel with one Hall sensor measures no usable velocity. Its values are random.

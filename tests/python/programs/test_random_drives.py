@@ -1,9 +1,9 @@
-"""Random drives of robots whose parts vary. The firmware does not stop a robot without a fault. It
-stops a robot with one of the tested faults within 0.3 m.
+"""Random drives of robots whose parts vary. In the drives of the tests, the firmware does not stop
+a robot without a fault, and stops a robot with a fault within 0.3 m.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 the number of drives that did not end with a stop, the number of drives that stopped after more than
-0.3 m, the longest distance until a stop, and the greatest velocity. A series is a number of drives
+0.3 m, the longest distance until a stop, and the greatest velocity. A series is a set of drives
 with the same fault. Its name is the fault as in a scenario, such as "leads 0". The series "none"
 has drives without a fault. The exceptions in design/safety_case.toml are the results of these
 series.
@@ -89,7 +89,7 @@ def without_fault(seed: int) -> Outcome:
 
 
 def with_fault(fault: str, seed: int, velocity: int, degrees: int, slope: int) -> Outcome:
-    """Drives a varied robot at a constant velocity while a part breaks."""
+    """Drives a varied robot with a constant order. A part fails during the drive."""
     order = f"order velocity {wheels(velocity, degrees)} steering {degrees}00"
     lines = [f"seed {seed}", "plant varied", f"at 20 slope {slope}", "at 50 arm"]
     lines += [f"from 1550 to {DRIVE_END} every 100 {order}", f"at {FAULT_AT} mark"]

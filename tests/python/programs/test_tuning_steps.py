@@ -60,7 +60,7 @@ def test_a_step_of_1_volt_shows_the_time_constant(reports: Rows) -> None:
     velocities = [int(row["velocity0"]) for row in with_tension(reports, 4000)]
     left = [velocities[-1] - one for one in velocities[2:7]]
     ratios = [after / before for before, after in itertools.pairwise(left)]
-    # In each cycle, the distance to the final velocity falls to 0.637 of its value.
+    # The difference from the final velocity is 0.637 times the difference in the previous cycle.
     # docs/wheel_control.rst derives this number.
     assert statistics.mean(ratios) == pytest.approx(0.637, abs=0.03)
 

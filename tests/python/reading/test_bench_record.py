@@ -21,8 +21,8 @@ ROOT = Path(__file__).parents[3]
 
 
 def raw(**changes: object) -> dict[str, object]:
-    """Returns a run of 1000 cycles at 120 MHz. The last cycle is twice as long as each other
-    cycle."""
+    """Returns a run of 1000 cycles at 120 MHz. The last cycle is twice as long as each of the
+    previous cycles."""
     twice = [1] * (CYCLES - 1) + [2]
     one = {
         "clock_hz": 120_000_000,

@@ -16,8 +16,8 @@ BROWSER = find_browser() or ""
 needs_browser = pytest.mark.skipif(not BROWSER, reason="there is no browser on this computer")
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 AXE = Path(__file__).with_name("axe.min.js")
-# A page that opens other pages in a frame. It opens them one after the other, and posts the
-# results. ``until`` waits until a condition is true.
+# A page that opens the tested pages in a frame, one after the other, and posts the results.
+# ``until`` waits until a condition is true.
 HARNESS = """<!doctype html><title>probe</title><body><script>
 const pages = %PAGES%, seen = {};
 const frame = document.createElement("iframe");

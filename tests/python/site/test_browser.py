@@ -1,4 +1,5 @@
-"""In a browser, the pages have no error. The search and the theme work."""
+"""In a browser, the pages of a small project have no error. Their search, theme, cards and diagrams
+work."""
 
 from __future__ import annotations
 
@@ -198,7 +199,8 @@ def test_a_label_of_a_diagram_has_the_width_that_was_measured(site: Path) -> Non
     seen, _ = look(site, ["patterns/reading-modes"], probe)
     labels = seen["patterns/reading-modes"]
     assert {"MainController", "read()"} <= {label for label, *_ in labels}
-    # Java rounds the width of each letter. The difference is up to a tenth of the width of a label.
+    # Java, which measured the labels, rounds the width of each letter. The width in the browser can
+    # differ from the sum of these widths by up to a tenth.
     assert [one for one in labels if abs(one[1] - one[2]) > 2 + 0.1 * one[2]] == []
 
 

@@ -23,7 +23,8 @@ IMPORTED = re.compile(r"^UID: (\S+)\nSTATEMENT: >>>\n(.*?)\n<<<$", re.MULTILINE 
 
 @pytest.fixture
 def strictdoc() -> Path:
-    """Returns the program StrictDoc, which is installed in a separate Python environment."""
+    """Returns the path of the program StrictDoc. If needed, installs StrictDoc in a separate Python
+    environment."""
     stamp = STRICTDOC / "installed.lock"
     if not stamp.exists() or stamp.read_bytes() != LOCK.read_bytes():
         venv.create(STRICTDOC, clear=True, with_pip=True)

@@ -131,7 +131,8 @@ pytestmark = pytest.mark.skipif(
 
 
 def in_node(program: str, *words: object, given: object = None) -> Any:
-    """Returns the output of a program for Node, which gets the words and the input."""
+    """Runs a program in Node with the words as arguments and ``given`` as input. Returns the
+    output."""
     command = ["node", "-e", program, *map(str, words)]
     text = json.dumps(given)
     run = subprocess.run(
@@ -160,7 +161,7 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
         if one["id"] == "operation-states"
     ]
     assert {"Working", "Waiting", "WaitingN", "Reconnecting"} <= set(states)
-    # A module is highlighted only in the cycles in which the number of its calls rises.
+    # A module is highlighted in exactly the cycles in which the number of its calls rises.
     for before, shown in pairwise(cycles):
         risen = {name for name in STATES if shown["counts"][name] > before["counts"][name]}
         assert set(shown["active"]) == risen
@@ -176,7 +177,7 @@ def test_each_node_of_a_tree_has_the_time_and_the_arguments_of_its_last_call() -
     found = next(message for message in sent if message["kind"] == "found")
     nodes = {node["name"]: node for node in found["nodes"]}
     read, change = nodes["MainController::read"], nodes["MainController::changeOpState"]
-    # The clock pulse calls MainController::read. The next clock pulse is 100 ms later.
+    # Both calls belong to one cycle. The next cycle begins 100 ms later.
     assert 0 < change["at"] - read["at"] < 100
     assert change["at"] <= found["at"] + 100
     (argument,) = change["values"]

@@ -23,7 +23,8 @@ SAMPLE = [
 
 
 def linkable(model: dict[str, Any]) -> set[str]:
-    """Returns the names that must be links: modules, requirements, and methods with their class."""
+    """Returns the names that must be links: modules, requirements, and public methods in the form
+    Class::method."""
     modules = model["modules"]
     methods = {
         method["id"]

@@ -1,5 +1,5 @@
-"""The search of the built site finds each page. For most searches, the first hit is the expected
-page."""
+"""The search of the built site finds each page except the sheets of the dossier. For most of the
+tested searches, the first hit is the expected page."""
 
 from __future__ import annotations
 

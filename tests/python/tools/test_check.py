@@ -114,7 +114,7 @@ def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:
 
 @pytest.fixture
 def pages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., str]:
-    """Returns a function that builds the documents with the option ``keep``. This function returns
+    """Returns a function. This function builds the documents with the option ``keep``, and returns
     the printed lines."""
     for target, result in {
         "portal.site_build.build_site": SimpleNamespace(pages=1, warnings=[]),

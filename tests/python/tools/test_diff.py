@@ -67,7 +67,7 @@ def test_the_sources_of_two_commits_are_compared(
 def test_changed_files_that_are_not_followed_are_listed(
     root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The changed files are a Python test, the tool that this test imports, a page and a
+    """The changed files are two Python tests, a tool that one of these tests imports, a page and a
     scenario."""
     write_files(root, OTHERS)
     commit(root, "third")

@@ -1,4 +1,4 @@
-"""A step of ./wr lint is not repeated on the same files."""
+"""A step of ./wr lint that passed is not repeated on unchanged files."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The comparison of a run of the WebAssembly module with a run of the native virtual board finds
-each difference."""
+"""A run of the WebAssembly module is compared with a run of the native virtual board. The
+comparison finds each difference."""
 
 from typing import Any
 

@@ -64,7 +64,7 @@ FILES = ["src/Limiter.cpp", "src/Limiter.hpp"]
 
 
 def points_of(tree: Path, *wanted: str) -> dict[str, list[Point]]:
-    """Returns the points of some methods."""
+    """Returns the points with mutants in the methods ``wanted``: file -> points."""
     return {
         file: [point for point in points if point.mutants[0].method in wanted]
         for file, points in find_points(tree, FILES[0], FILES).items()

@@ -54,8 +54,8 @@ def test_a_change_of_a_page_does_not_repeat_the_tests_of_the_readers() -> None:
 
 
 def test_helpers_of_another_folder_are_inputs() -> None:
-    """The tests of the checks import small_case.py from the tests of the model. Therefore this file
-    is an input of these tests."""
+    """The tests of the checks import small_case.py from the tests of the model. Therefore
+    small_case.py is an input of the tests of the checks."""
     assert "tests/python/model/small_case.py" in inputs_of(ROOT, "checks")
 
 

@@ -22,7 +22,7 @@ FAULTS = read_faults(ROOT)
 def test_every_check_has_a_seeded_fault() -> None:
     missing = set(KNOWN) - {fault.check for fault in FAULTS}
     assert not missing, (
-        f"write a fault in tests/drift for these checks: {', '.join(sorted(missing))}"
+        f"these checks have no fault in tests/drift: {', '.join(sorted(missing))}; write faults"
     )
 
 

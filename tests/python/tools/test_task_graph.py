@@ -55,8 +55,8 @@ class Project:
         return run
 
     def run(self, *names: str, **replaced: Task) -> list[str]:
-        """Returns the tasks that ran. The task ``build`` is left out, because it always runs. Only
-        Ninja finds the files to build again."""
+        """Returns the tasks that ran, without the task ``build``. This task always runs, because
+        only Ninja finds the files to build again."""
         found = Outcome("", values={"file_dep": self.sources})
         tasks = {
             "build": Task("build", self.action("build", found), always=True),
