@@ -100,7 +100,7 @@ def _handlers(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _reached(functions: Iterable[str], facts: Facts) -> Ways[str]:
-    """Returns all functions that the given functions may call, each with its first caller."""
+    """Returns all functions that the given functions may call, directly or indirectly."""
     return facts.robot.reached(functions, {}, facts.declared.ends)
 
 
@@ -120,7 +120,7 @@ def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
             contexts = sorted({context for names in methods.values() for context in names})
             if len(contexts) > 1:
                 text = f"more than one context {verb} the pipe {pipe.name}: {', '.join(contexts)}"
-                fix = "add a pipe for each writer and reader"
+                fix = "use a separate pipe for each of these contexts"
                 yield Finding(pipe.place, "exec-shared", text, fix)
     names = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():

@@ -124,8 +124,8 @@ def _preprocessor(root: Path) -> Iterator[Finding]:
 
 
 def _locks(root: Path) -> Iterator[Finding]:
-    """Finds packages that setup/*.in demands, and whose lock file has another version or no
-    version."""
+    """Finds packages that a file setup/*.in demands, and that its lock file does not contain in a
+    permitted version."""
     for file in sorted((root / "setup").glob("*.in")):
         locked: dict[str, str] = dict(LOCKED.findall(text_of(file.with_suffix(".lock"))))
         for place, line in lines_below(root, [str(file.relative_to(root))], ()):

@@ -89,7 +89,7 @@ def _totals(root: Path) -> dict[str, int]:
 
 
 def _stated(lines: list[str]) -> list[str]:
-    """Returns the words for numbers in the last sentence of the last paragraph."""
+    """Returns the words for numbers in the last sentence of these lines."""
     paragraph = reversed(list(takewhile(str.strip, reversed(lines))))
     sentence = SENTENCE.split(" ".join(map(str.strip, paragraph)))[-1]
     return [word.lower() for word in WORD.findall(sentence)]

@@ -102,8 +102,8 @@ def _specification(
 
 
 def _is_stated(stated: Quantity, constants: list[Quantity]) -> bool:
-    """Returns whether a constant has the quantity of a text. For a count, a constant without a unit
-    is sufficient if no constant has the unit of the count."""
+    """Returns whether a constant has the number and the unit of a text. For a count, a constant
+    with this number and without a unit is sufficient if no constant has the unit of the count."""
     if stated.kind in COUNTS and not any(one.kind == stated.kind for one in constants):
         return any(is_same(stated, one) for one in constants)
     return stated in constants
@@ -183,8 +183,8 @@ def _linked(
 
 
 def wrong_bounds(model: Model) -> Iterator[Finding]:
-    """Finds bounds of an @evidence that the requirement does not state. A bound of 0 is not a
-    number of the text: it means that there is no finding."""
+    """Finds bounds of an @evidence that the requirement does not state. The text need not state a
+    bound of 0, which means that there must be no finding."""
     for requirement in model.requirements.values():
         for evidence in requirement.evidence:
             bound = Fraction(str(evidence.bound))
@@ -194,8 +194,9 @@ def wrong_bounds(model: Model) -> Iterator[Finding]:
 
 
 def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds limits in design/closed_loop.toml that their requirement does not state. If the metric
-    is an error, the requirement can state its limit as a percentage of the key ``target``."""
+    """Finds limits of metrics in design/closed_loop.toml that the requirement of the metric does
+    not state. If the metric is an error, the requirement can state the limit as a percentage of
+    the value of the key ``target``."""
     if not (facts.root / DECLARED).is_file():
         return
     places = {scenario.name: scenario.place for scenario in model.closed_loop}
@@ -213,4 +214,4 @@ def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
                 continue
             place = facts.line_in(places[scenario["name"]], f'"{figure["title"]}"')
             text = f"{requirement.id} does not state {figure['limit']} {figure['unit']}"
-            yield Finding(place, "req-number", text, "correct the limit, or name its requirement")
+            yield Finding(place, "req-number", text, "correct the limit or its requirement")

@@ -30,7 +30,8 @@ COMMENT = re.compile(r"^\s*\./wr [^#]*# (.*)")
 VALUE = re.compile(r"(?<![\w-])(--[a-z][a-z0-9-]*)[ =]([a-z][\w:-]*)")  # an option and its value
 # The place and the text of a line.
 Line = tuple[Place, str]
-# An exit code that is written as a number. The build of the pages inserts the number of a name.
+# An exit code that is written as a number. A text must contain the name of the exit code instead.
+# For the name, the build of the pages inserts the number.
 EXIT_CODE = re.compile(r"\b[Ee]xit code (?:is )?(?:then )?(\d+)\b")
 EXIT_CODES = ".. list-table:: Exit codes"
 ROW = re.compile(r"\s+\* - (\d+)$")  # a row of a table that begins with a number
@@ -100,7 +101,7 @@ def _wrong_in(section: list[Line], options: _Options) -> Iterator[Finding]:
 
 
 def wrong_values(root: Path) -> Iterator[Finding]:
-    """Finds values of options that the option does not accept."""
+    """Finds values in texts that their option does not accept."""
     values = accepted_values(root)
     for place, line in lines_below(root, PAGES, SUFFIXES) if values else ():
         for option, value in VALUE.findall(line) if "--" in line else ():

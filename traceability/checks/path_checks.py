@@ -15,7 +15,7 @@ NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 # Folders that do not contain sources.
 NO_SOURCES = (".git", ".venv", "build")
-# In these files, a text without a suffix such as docs/client is the name of a page of the portal.
+# In these files, a text without a suffix, such as docs/client, is the name of a page of the portal.
 WITH_SUFFIX = (".py", ".html")
 # Lines of code that name a file relative to another folder.
 RELATIVE = re.compile(r"\s*(?:#\s*include|include\()")

@@ -175,7 +175,8 @@ def held(role: str) -> Callable[[Shape], Broken]:
 
 
 def unnamed(roles: tuple[str, ...], *concrete: str) -> Callable[[Shape], Broken]:
-    """Finds modules with one of the roles that name a module with one of the concrete roles."""
+    """Finds modules that have one of the roles ``roles`` and whose code names a module with one of
+    the roles ``concrete``."""
 
     def clause(shape: Shape) -> Broken:
         hidden = [module for role in concrete for module in shape.playing(role)]
@@ -362,7 +363,7 @@ def decorator_forwards(shape: Shape) -> Broken:
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Returns for each method the virtual methods of the same class that it calls."""
+    """For each method, returns the called virtual methods of the same class."""
     virtual = {method.id for method in shape.methods(module) if method.virtual}
     return {
         body.id: primitives
@@ -382,7 +383,7 @@ def template_nonvirtual(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
         plain = template_methods(shape, module)
         if not plain:
-            text = f"{module} has no non-virtual method that calls its primitives"
+            text = f"{module} has no template method: a method that calls primitives, not virtual"
             yield shape.place(module), text
         for method in shape.methods(module):
             if method.virtual and method.id in primitives_called(shape, module):

@@ -106,7 +106,7 @@ _FIXED = [
         "doc-number",
         "Numbers of ports agree with their code",
         "Each number with a unit in the README of a port is the value of a constant with this kind "
-        "of unit in the folder of the port, or of a constant of SystemConstants.",
+        "of unit. The constant is in the folder of the port, or in SystemConstants.",
         "The check cannot judge whether the number belongs to the sentence. It does not find a "
         "number whose unit is on the next line, or is not a unit of the requirements.",
         "correct the number, or write the unit of the constant in square brackets next to it.",
@@ -123,8 +123,9 @@ _FIXED = [
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
-        "in the paper. The texts are comments of the code, literals and each Class::method in "
-        "pages, and texts of design/. Each test that a page or a text of design/ names exists. If "
+        "in the paper. The texts are the comments of the code and the texts of design/. In pages, "
+        "only literals and each Class::method count. Each test that a page or a text of design/ "
+        "names exists. If "
         "a page states that a class derives from another class, this is true. Each constant and "
         "formula that a text of design/ inserts has a value. Each attribute of a report that a "
         "page names is an attribute of the client's classes, and the table of these attributes in "
@@ -145,7 +146,7 @@ _FIXED = [
         "and no other keys. No required text is empty. No name has two entries. Each review has a "
         "date.",
         "The check cannot judge whether an entry is true. The other checks compare the entries "
-        "with the code. Most of them do not run while a file cannot be read.",
+        "with the code. Most of these checks do not run while a file cannot be read.",
         "correct the line, or the name of the key.",
     ),
     Check(
@@ -427,7 +428,7 @@ _FIXED = [
         "src/k64/registers.hpp has a belief.",
         "The check does not detect that design/board_beliefs.toml lacks a value of a register. It "
         "cannot judge whether the source confirms the belief.",
-        "correct the entry or add it, with its source.",
+        "correct the entry, or add an entry with its source.",
     ),
     Check(
         "uses-cycle",
@@ -474,10 +475,10 @@ _FIXED = [
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the vector table belongs to one context of design/execution.toml, "
-        "and a call enables its interrupt line. Each handler, thread body and shared member that "
-        "design/execution.toml names exists. The program after a reset calls the idle program. The "
-        "interrupt lines of a context have the declared priority of the context. Each pipe of the "
-        "robot has a name.",
+        "and a call enables the interrupt line of this handler. Each handler, thread body and "
+        "shared member that design/execution.toml names exists. The program after a reset calls "
+        "the idle program. The interrupt lines of a context have the declared priority of the "
+        "context. Each pipe of the robot has a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
@@ -528,17 +529,17 @@ _FIXED = [
         "Shared data of contexts is protected",
         "A member that one context changes and another context uses is a Pipe, or "
         "design/execution.toml declares its protection. A member that is declared as atomic is "
-        "atomic. Each function that uses a member that is declared as masked blocks the "
-        "interrupts. If only the writes are declared as masked, this applies only to functions "
-        "that change the member. The idle program counts as a context. Only one context writes "
-        "each pipe, and only one context reads it.",
+        "atomic. If a member is declared as masked, each function that uses the member blocks the "
+        "interrupts. If only its writes are declared as masked, each function that changes the "
+        "member blocks the interrupts. The idle program counts as a context. Only one context "
+        "writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
-        "the threads of two wheels. It does not read the calls with which the program after a "
-        "reset starts the timers and sensors when the interrupts are already enabled. It does not "
-        "read members of data types. Instead, it reads the members in which modules store values "
-        "of these data types.",
+        "the threads of two wheels. After a reset, the program starts the timers and the sensors "
+        "when the interrupts are already enabled. The check does not read the calls that start "
+        "them. It does not read members of data types. Instead, it reads the members in which "
+        "modules store values of these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -581,12 +582,12 @@ _FIXED = [
         "Each loop that a handler of the firmware image reaches has a bound. Each memory copy of "
         "unknown size that a handler reaches has a bound too. The bound is the constant in the "
         "head of the loop, or a declared number above the loop or the copy. For a loop over a "
-        "std::array, the declared bound is not lower than the number of elements. If the loop "
-        "reads only the first elements, this applies only to a bound in digits. The target of each "
-        "indirect call is known. No lock of the interrupts contains a loop or a call.",
-        "The check cannot judge whether another declared bound is right. It does not read loops "
-        "that run only before the first interrupt. It reads only the firmware image of "
-        "weeding_robot.",
+        "std::array, the declared bound is not lower than the number of elements. A bound that is "
+        "a formula or a name can be lower if the loop reads only the first elements. The target of "
+        "each indirect call is known. No lock of the interrupts contains a loop or a call.",
+        "For any other loop, the check cannot judge whether the declared bound is right. It does "
+        "not read loops that run only before the first interrupt. It reads only the firmware image "
+        "of weeding_robot.",
         "write the bound above the loop.",
     ),
     Check(
@@ -597,8 +598,8 @@ _FIXED = [
         "cycle ends with the report. In the published random drives, the measured time ends when "
         "the main thread ends. Random drives with noise at the inputs have a larger bound, which "
         "includes the interrupts that the noise causes. The recorded time of each path is at most "
-        "the computed bound of this path. In no recording does an interrupt occur more often than "
-        "design/times.toml states.",
+        "the computed bound of this path. In each recording, each interrupt occurs at most as "
+        "often as design/times.toml states.",
         "The check does not detect that an interrupt can occur more often than in a recording. The "
         "bounds apply only to weeding_robot.",
         "find the bound that is too small and correct it: the declared bound of a loop, or a "
@@ -673,8 +674,9 @@ _FIXED = [
     Check(
         "proof-property",
         "Properties formalise requirements that exist",
-        "Each property of design/proofs/properties.toml names a requirement that exists, and its "
-        "formula uses only names that the observer in design/proofs/robot.pml sets.",
+        "Each property of design/proofs/properties.toml names a requirement that exists. The "
+        "formula of the property uses only names that the observer in design/proofs/robot.pml "
+        "sets.",
         "The check cannot judge whether the formula, its sentence and its requirement mean the "
         "same.",
         "correct the property.",
@@ -808,13 +810,13 @@ _FIXED = [
         "Requirements have level, product and method",
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
         "names of products that exist. The @product of a requirement FR-n names each product that "
-        "contains all modules that satisfy the requirement. It names no product that contains none "
-        "of these modules. Every requirement "
+        "contains all modules that satisfy the requirement. Each named product contains at least "
+        "one of these modules. Every requirement "
         "has one @method of verification: test, analysis, measurement or inspection. If the method "
         "is test, the @verifies of a test names the requirement. If the method is measurement or "
         "analysis, the requirement has @evidence.",
-        "The check cannot judge whether the method suits the requirement. It does not find parts "
-        "that are not verified although the requirement has no @partly.",
+        "The check cannot judge whether the method suits the requirement. It does not detect that "
+        "@partly is missing although a part of the requirement is not verified.",
         "write the attribute, or correct its value.",
     ),
     Check(
@@ -822,9 +824,9 @@ _FIXED = [
         "Numbers of specifications agree with the code",
         "The check reads each number with a unit in the comment of a module or of its methods, and "
         "each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states the "
-        "same number. The constant belongs to the module, to a module that it uses, or to "
-        "SystemConstants. The module satisfies the requirement. The number is in the text or in "
-        "the rationale of the requirement.",
+        "same number. The constant belongs to the module, to a module that this module uses, or to "
+        "SystemConstants. The requirement is a requirement that the module satisfies, and its text "
+        "or its rationale contains the number.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
         "sentence that begins with 'Assumption:'. It leaves out 100 % and numbers of at most one "
         "smallest unit, such as 0.01 degree.",
@@ -851,8 +853,8 @@ _FIXED = [
         "test-number",
         "Numbers in the brief of a test are in its code",
         "Each number with a physical unit in the brief of a C++ test is a number in the test, in "
-        "the other code of its file, in its fixtures or in a scenario that it plays. It can also "
-        "be the value of a constant that one of them names.",
+        "the other code of its file, in its fixtures or in a scenario that the test plays. The "
+        "number can also be the value of a constant that one of these places names.",
         "The check cannot judge whether the number belongs to the sentence. It does not compare "
         "counts, such as cycles or edges.",
         "correct the brief or the test.",
@@ -900,8 +902,8 @@ _FIXED = [
     Check(
         "req-caller",
         "Each public method has a caller",
-        "Code of the firmware calls every public method of a design module, or the method that it "
-        "overrides. Methods without a caller are justified in design/justified.toml.",
+        "Code of the firmware calls every public method of a design module, or the method that "
+        "this method overrides. Methods without a caller are justified in design/justified.toml.",
         "The check does not detect whether the calling code is ever executed. It also accepts a "
         "call in dead code. It ignores constructors and operators.",
         "call the method, remove the method, or justify it in design/justified.toml.",
@@ -911,8 +913,9 @@ _FIXED = [
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
         "tools recognise the macro of every test. No test is disabled, and no test of a "
-        "requirement skips itself. A loop runs at least once if its limits are numbers, or "
-        "constants that its file defines. No loop counts away from its limit.",
+        "requirement skips itself. If the limits of a loop in a test are numbers, or constants "
+        "that the file of the test defines, the loop runs at least once. No loop counts away from "
+        "its limit.",
         "The check does not detect whether the test fails when the code violates the requirement. "
         "Mutation tests show this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
@@ -923,15 +926,17 @@ _FIXED = [
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
-        "check also verifies that a mutant made each of these changes, and that no test found it.",
+        "check also verifies that a mutant made each of these changes, and that no test found this "
+        "mutant.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
     Check(
         "req-evidence",
         "Each metric of a requirement meets its bound",
-        "Each @evidence of a requirement names a metric that was measured in this run and meets "
-        "its bound. A bound has the form at most, at least or exactly.",
+        "Each @evidence of a requirement names a metric and a bound. The metric was measured in "
+        "this run, and its value meets the bound. A bound has the form at most, at least or "
+        "exactly.",
         "The check cannot judge whether the metric shows the property that the requirement "
         "demands.",
         "run ./wr test --all to measure the metric; if the value is beyond its bound, correct the "
@@ -1000,7 +1005,7 @@ _FIXED = [
         "hazard-covered",
         "Each hazard is covered",
         "Every hazard has a safety goal or an assumption of use. The risk graph has a level for "
-        "its severity, exposure and avoidance.",
+        "the severity, exposure and avoidance of every hazard.",
         "The check cannot judge whether the estimates are right, or whether the goal is "
         "sufficient.",
         "name a goal or an assumption, or complete the estimates.",
@@ -1018,13 +1023,14 @@ _FIXED = [
         "Times of safety goals match their formulas",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
         "10 %. If a goal declares a velocity, its formula contains this velocity. The velocity "
-        "differs by at most 1 % from the greatest ordered velocity, which is calculated from "
-        "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
-        "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
-        "parts of its reaction, the reaction time is the value of this formula of constants, "
-        "rounded up by at most 10 %. The fault-tolerant time and the reaction time end when the "
-        "safe state is reached, or when the halt begins that leads to it. If a goal has no known "
-        "exceptions, its scenarios accept no reaction that is later than the fault-tolerant time.",
+        "differs by at most 1 % from the greatest ordered velocity. That velocity is calculated "
+        "from SystemConstants::velocityLimit, and from the gear and the wheels of the simulated "
+        "robot. The reaction time of the firmware is at most the fault-tolerant time. If a goal "
+        "declares its reaction time as a formula of constants (the key parts), the reaction time "
+        "is the value of this formula, rounded up by at most 10 %. The fault-tolerant time and the "
+        "reaction time end when the safe state is reached, or when the halt to this state begins. "
+        "If a goal has no known exceptions, its scenarios accept no reaction that is later than "
+        "the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It does not find a formula with the velocity of the robot if the goal declares "
         "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
@@ -1175,9 +1181,10 @@ _FIXED = [
         "doc-frame",
         "Numbers of the protocol agree with the code",
         "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
-        "firmware, or names a constant of the firmware, both have the same number. If a frame has "
-        "the name of an enumerator of FrameType, the type of the frame is the number of this "
-        "enumerator. The client has a text for each cause of a protective stop.",
+        "firmware, or names a constant of the firmware, the value has the same number as this "
+        "enumerator or constant. If a frame has the name of an enumerator of FrameType, the type "
+        "of the frame is the number of this enumerator. The client has a text for each cause of a "
+        "protective stop.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",
@@ -1203,9 +1210,9 @@ _FIXED = [
         "A time can also be the difference of two times. A percentage can also be the difference "
         "of two values. Any other number can also be in the middle of an expected range. A test of "
         "the firmware names each file of sim/scenario/examples.",
-        "The check does not decide whether this test plays the file. It does not find a value that "
-        "another line of the scenario also has. It does not read a number that follows the word "
-        "about.",
+        "The check does not decide whether this test plays the file. It does not find a wrong "
+        "number that is equal to a value in another line of the scenario. It does not read a "
+        "number that follows the word about.",
         "correct the comment or the scenario, or name the requirement that states the number.",
     ),
     Check(
@@ -1215,13 +1222,13 @@ _FIXED = [
         "texts of design/ and other texts. If a path in such a text begins with a folder of the "
         "project, the path exists. Each command of ./wr that a page names exists with its "
         "options. An option without a command is an option of a command or a program that the "
-        "page names. If an option has a list of values, a value behind the option is in this "
+        "page names. If an option has a list of values, a value after the option is in this "
         "list. Each product, program, firmware image, folder of the build, pin and key that a "
         "page or a text of design/ names exists too. The file src/k64/pins.hpp contains each of "
-        "these pins, also those that it names as unused. The README of a port can also name the "
-        "pins of this port. If one of these texts names a signal or a connector directly next to "
-        "a pin, src/k64/pins.hpp lists them for this pin. Pages and help texts insert the exit "
-        "codes.",
+        "these pins, in its table or in a comment about unused pins. The README of a port can also "
+        "name the pins of this port. If one of these texts names a signal or a connector directly "
+        "next to a pin, src/k64/pins.hpp lists the same signal or connector for this pin. Pages "
+        "and help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "
@@ -1232,8 +1239,8 @@ _FIXED = [
     Check(
         "link-site",
         "Links of the site",
-        "Every link of the site has a target page and anchor. This includes the links in diagrams. "
-        "Every address that design/questions.toml lists in `clicks` has a page.",
+        "The page and the anchor to which a link of the site leads exist. This also applies to the "
+        "links in diagrams. Every address that design/questions.toml lists in `clicks` has a page.",
         "The check does not follow links to other sites.",
         "correct the source of the page.",
     ),

@@ -214,8 +214,9 @@ def _operation(
 
 
 def _out_of_order(rows: list[Transition], changes: list[Change]) -> Iterator[Finding]:
-    """Finds transitions whose guards the code evaluates in another order than the declaration lists
-    them. If two guards are true at the same time, this order decides which transition occurs."""
+    """Finds pairs of transitions if the order of their guards in the code differs from their order
+    in the declaration. If both guards are true at the same time, the order in the code decides
+    which transition occurs."""
     places: dict[str, list[int]] = {}
     for number, change in enumerate(changes):
         places.setdefault(change.target, []).append(number)

@@ -89,7 +89,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 def of_task(root: Path, file: Path) -> dict[str, Any]:
     """Returns the metrics in the file of a task. Returns no metric if the inputs of the task have
-    changed since."""
+    changed since the task wrote the file."""
     task, keys = OF_TASKS[file]
     record = read_fresh(root, file, task)
     return {metric: record.get(key) for metric, key in keys.items()} if record else {}
