@@ -96,7 +96,7 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
         "a parameter. Each tag is defined in this project. Each link has a target. If the sentence "
         "before a list on a page states the number of the items, the list has this number of "
-        "items. If a text states the number of all hazards, safety goals, assumptions of use, "
+        "items. If a text states the total number of hazards, safety goals, assumptions of use, "
         "products, modules, design patterns, applications, state machines, or scenarios of the "
         "paper, this number is right.",
         _TEXT_BLIND,
@@ -108,14 +108,15 @@ _FIXED = [
         "Each number with a unit in the README of a port is the value of a constant with this kind "
         "of unit. The constant is in the folder of the port, or in SystemConstants.",
         "The check cannot judge whether the number belongs to the sentence. It does not find a "
-        "number whose unit is on the next line, or is not a unit of the requirements.",
+        "number whose unit is on the next line, or whose unit is not in the list of "
+        "requirement_numbers.py.",
         "correct the number, or write the unit of the constant in square brackets next to it.",
     ),
     Check(
         "doc-lock",
         "The lock files contain the demanded packages",
-        "For each package that setup/python.in or setup/strictdoc.in demands, the lock file "
-        "contains a permitted version.",
+        "For each package that setup/python.in or setup/strictdoc.in demands, the lock file next "
+        "to this file contains a permitted version.",
         "The check does not examine whether the lock file contains packages that nobody demands.",
         "make the lock file again, as the comment at the head of the file describes.",
     ),
@@ -125,18 +126,17 @@ _FIXED = [
         "Each class, method, function, constant or value that a text names exists in the code or "
         "in the paper. The texts are the comments of the code and the texts of design/. In pages, "
         "only literals and each Class::method count. Each test that a page or a text of design/ "
-        "names exists. If "
-        "a page states that a class derives from another class, this is true. Each constant and "
-        "formula that a text of design/ inserts has a value. Each attribute of a report that a "
-        "page names is an attribute of the client's classes, and the table of these attributes in "
-        "docs/client.rst is complete. mypy finds no wrong name, parameter or type in the Python "
-        "examples on the pages. A function that a comment of a module names without a class, such "
-        "as start(), is in the files of the module, or is a method of a module that it uses. "
-        "`paper-stale` checks the names in design/concordance.toml. `pattern-change` checks the "
-        "names in design/changes.toml.",
-        "The check does not find names that are also English words, such as the class Wheel. It "
-        "does not find a name whose meaning has changed. In a Python example, it does not find "
-        "wrong names of packages other than the client.",
+        "names exists. If a page states that a class derives from another class, this is true. "
+        "Each constant and formula that a text of design/ inserts has a value. Each attribute of a "
+        "report that a page names is an attribute of the client's classes, and the table of these "
+        "attributes in docs/client.rst is complete. mypy finds no wrong name, parameter or type in "
+        "the Python examples on the pages. A function that a comment of a module names without a "
+        "class, such as start(), is in the files of this module, or is a method of a module that "
+        "this module uses. `paper-stale` checks the names in design/concordance.toml. "
+        "`pattern-change` checks the names in design/changes.toml.",
+        "The check does not find a wrong name that is also an English word. It does not find a "
+        "name whose meaning has changed. In a Python example, it does not check names that come "
+        "from packages other than the client.",
         "write the name that the code has now.",
     ),
     Check(
@@ -173,7 +173,7 @@ _FIXED = [
         "The comment above every design module has @brief and one @function. No two modules have "
         "the same @function.",
         _TEXT_BLIND,
-        "above the class, write a purpose that no other module has.",
+        "write @brief above the class, and a @function that no other module has.",
     ),
     Check(
         "module-secret",
@@ -215,13 +215,13 @@ _FIXED = [
         "the number in the paper. Modules of extensions are not counted.",
         "The check cannot judge whether the list is correct.",
         "remove the module, mark a value type with @datatype, or add the module to "
-        "design/modules.toml and raise total there.",
+        "design/modules.toml and increase total there.",
     ),
     Check(
         "module-used",
         "Each design module is part of a product",
         "Every design module is used: a composition names the module, or a used module names it. "
-        "Every object of a design module that is a member of a class is used or passed on. "
+        "If a member of a class is an object of a design module, the member is used or passed on. "
         "Every module that design/products.toml lists exists, and this file lists every concrete "
         "class of the extensions.",
         "The check does not detect whether the product ever executes the code of the module. It "
@@ -244,9 +244,10 @@ _FIXED = [
         "The check compares the name of each initialised member or variable in src, extensions and "
         "ports with its value. In an aggregate with the members step and direction, the value of "
         "step is no object with the name direction. If the name and the value have a common word, "
-        "they do not contain different words of a pair, such as leftEnd and steering_right_end. "
-        "The pairs are left and right, front and rear, inner and outer, forward and backward, "
-        "upper and lower, first and second, A and B, step and direction, velocity and direction.",
+        "they do not contain different words of a pair. For example, the value of leftEnd is not "
+        "steering_right_end. The pairs are left and right, front and rear, inner and outer, "
+        "forward and backward, upper and lower, first and second, A and B, step and direction, "
+        "velocity and direction.",
         "The check does not find swapped arguments of a function, or parts whose names have no "
         "such words.",
         "correct the value, or rename the part.",
@@ -291,10 +292,10 @@ _FIXED = [
     Check(
         "pattern-change",
         "Each likely change names only parts that exist",
-        "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the "
-        "pattern: the subclasses that a change adds or alters, and their base classes. An entry "
-        "for an application names this application, modules with a role in the application, and "
-        "modules of extensions as examples. All these parts exist. Each name in backticks in a "
+        "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the pattern: "
+        "those of the subclasses that a change adds or alters, and those of their base classes. An "
+        "entry for an application names this application, modules with a role in the application, "
+        "and modules of extensions as examples. All these parts exist. Each name in backticks in a "
         "step exists.",
         "The check cannot judge whether the steps are sufficient.",
         "correct the name.",
@@ -314,9 +315,9 @@ _FIXED = [
     Check(
         "pattern-role-unknown",
         "Each @role is declared",
-        "Every @role names an application that is declared, and a role of its pattern. No tag is "
-        "written twice. The tag is above a module to which design/applications.toml assigns this "
-        "role, or above a module of an extension.",
+        "Every @role names a declared application, and a role of the application's pattern. No tag "
+        "is written twice. The tag is above a module to which design/applications.toml assigns "
+        "this role, or above a module of an extension.",
         "The check does not find a class that plays a role in a pattern but has no @role. The "
         "clauses of the pattern find some of these classes.",
         "correct the application or the role in the tag, or change design/applications.toml.",
@@ -398,9 +399,9 @@ _FIXED = [
         "A block of registers has owners",
         "design/register_owners.toml lists the owners of each namespace of src/k64/registers.hpp. "
         "Only the owners use the namespace, and each owner uses it. No address is in two "
-        "namespaces. Only src/k64/registers.hpp defines registers, and no linker script defines a "
-        "symbol at the address of a register. Only src/k64/Register.hpp converts a number to an "
-        "address, or names a volatile object. No module passes a register to another module. No "
+        "namespaces. Only src/k64/registers.hpp defines registers, and no linker script contains "
+        "an address in the range of the registers. Only src/k64/Register.hpp converts a number to "
+        "an address, or names a volatile object. No module passes a register to another module. No "
         "offset leads from one block of registers to another block. Assembler instructions are "
         "only in the drivers. Of these instructions, only the instructions of the start-up code "
         "access memory.",
@@ -496,7 +497,7 @@ _FIXED = [
     Check(
         "exec-float",
         "No floating point in an interrupt",
-        "A function that the handler of an interrupt reaches has no floating-point number.",
+        "A function that the handler of an interrupt reaches uses no floating-point numbers.",
         "The check does not read functions of the toolchain. It does not follow calls through "
         "pointers to functions. It reads only the product weeding_robot.",
         "compute with integers.",
@@ -515,7 +516,7 @@ _FIXED = [
     Check(
         "exec-heap",
         "No heap in the source",
-        "No file of src and extensions has new, delete, malloc or free. No such file includes a "
+        "No file of src or extensions uses new, delete, malloc or free. No such file includes a "
         "header of the standard library whose types allocate memory, or names such a type, for "
         "example std::function.",
         "The check does not find library code that allocates memory internally. The symbols of "
@@ -544,7 +545,7 @@ _FIXED = [
     ),
     Check(
         "stack-call",
-        "Each indirect call of the firmware image is known",
+        "The targets of each indirect call are declared or found in the code",
         "The compiler lists the indirect calls of the firmware image. The possible targets of each "
         "of these calls are known in one of two ways. A builder passed the object whose virtual "
         "method is called, or design/stack.toml declares the targets. The compiler reported the "
@@ -585,9 +586,9 @@ _FIXED = [
         "std::array, the declared bound is not lower than the number of elements. A bound that is "
         "a formula or a name can be lower if the loop reads only the first elements. The target of "
         "each indirect call is known. No lock of the interrupts contains a loop or a call.",
-        "For any other loop, the check cannot judge whether the declared bound is right. It does "
-        "not read loops that run only before the first interrupt. It reads only the firmware image "
-        "of weeding_robot.",
+        "If a loop does not read a std::array, the check cannot judge whether the declared bound "
+        "is right. It does not read loops that run only before the first interrupt. It reads only "
+        "the firmware image of weeding_robot.",
         "write the bound above the loop.",
     ),
     Check(
@@ -614,10 +615,9 @@ _FIXED = [
         "requirement if its @satisfies names the requirement or if the tree of the requirement "
         "contains the method. Two methods serve the requirement of a transition: a method of the "
         "old or of the new state, and an operation of the event or a method of the action. Each "
-        "event occurs in a transition. If a state "
-        "has several transitions at the same event, guards distinguish these transitions. If a "
-        "transition contains a number with a unit, such as 2 s, a requirement of the transition "
-        "states the same number.",
+        "event occurs in a transition. If a state has several transitions at the same event, "
+        "guards distinguish these transitions. If a transition contains a number with a unit, such "
+        "as 2 s, a requirement of the transition states the same number.",
         "The check cannot judge the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
@@ -724,8 +724,9 @@ _FIXED = [
         "secret-open",
         "No access except through the interface",
         "No module has public variables. Each friend of a module is nested in this module. No "
-        "operation returns a reference or a pointer with which a caller can change a number of the "
-        "module. No source file declares a name that another source file defines.",
+        "operation returns a reference or a pointer with which a caller can change a member whose "
+        "type contains no class of the project, such as a number. No source file declares a name "
+        "that another source file defines.",
         "The check does not find an operation that returns a reference to a whole object inside "
         "the module, such as an object that a builder contains.",
         "make the data private and add an operation to the module.",
@@ -800,8 +801,8 @@ _FIXED = [
     Check(
         "req-text",
         "Requirements are complete",
-        "Every requirement has a unique id, a sentence with a shall, @rationale, @source and "
-        "@priority. The priority is high, medium or low.",
+        "Every requirement has a unique id, a sentence with the word shall, @rationale, @source "
+        "and @priority. The priority is high, medium or low.",
         "The check cannot judge whether the sentence is clear and can be verified.",
         "write the missing part of the requirement.",
     ),
@@ -811,10 +812,9 @@ _FIXED = [
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
         "names of products that exist. The @product of a requirement FR-n names each product that "
         "contains all modules that satisfy the requirement. Each named product contains at least "
-        "one of these modules. Every requirement "
-        "has one @method of verification: test, analysis, measurement or inspection. If the method "
-        "is test, the @verifies of a test names the requirement. If the method is measurement or "
-        "analysis, the requirement has @evidence.",
+        "one of these modules. Every requirement has one @method of verification: test, analysis, "
+        "measurement or inspection. If the method is test, the @verifies of a test names the "
+        "requirement. If the method is measurement or analysis, the requirement has @evidence.",
         "The check cannot judge whether the method suits the requirement. It does not detect that "
         "@partly is missing although a part of the requirement is not verified.",
         "write the attribute, or correct its value.",
@@ -982,7 +982,7 @@ _FIXED = [
         "Each source line of a method of the design is executed by a passing test of a "
         "requirement, and the method serves this requirement. A method serves a requirement in "
         "three cases: the tree of the requirement contains the method, the @satisfies of the "
-        "method names the requirement, or no tree contains the method and a caller of the method "
+        "method names the requirement, or no tree contains the method but a caller of the method "
         "serves the requirement. If a method serves no requirement, a passing test of any "
         "requirement is enough. Other lines are justified in design/justified.toml.",
         "The check does not read the code that only the K64 uses. The page of the virtual K64 "
@@ -1153,10 +1153,11 @@ _FIXED = [
     Check(
         "paper-stale",
         "The concordance names only parts that exist",
-        "The entries of design/concordance.toml and the backticks in their texts name only "
-        "existing modules, methods, applications, state machines, requirements, checks and pages. "
-        "A count of modules or of applications equals the number of entries in design/modules.toml "
-        "or design/applications.toml. The value of a constant equals the value in the code.",
+        "The entries of design/concordance.toml, and the words in backticks in their texts, name "
+        "only existing modules, methods, applications, state machines, requirements, checks and "
+        "pages. A count of modules or of applications equals the number of entries in "
+        "design/modules.toml or design/applications.toml. The value of a constant equals the value "
+        "in the code.",
         "The check cannot judge whether the named part is really the counterpart of the element "
         "in the paper. Only a reader can judge this.",
         "name the part that replaced the missing part.",
