@@ -1,5 +1,5 @@
-"""arch-*: each module that the architecture names exists, the elements agree with the connections,
-and the code contains each connection that the architecture declares."""
+"""arch-*: each module that the architecture names exists, each connection begins and ends at
+elements of the right kind, and the code contains each connection that the architecture declares."""
 
 from __future__ import annotations
 

@@ -191,7 +191,8 @@ def _declared(place: Place, text: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds methods with @isr{no} that the handler of an interrupt reaches by calls."""
+    """Finds methods with @isr{no} that the handler of an interrupt calls, directly or
+    indirectly."""
     forbidden = {method.id: method for method in model.methods if method.interrupt == "no"}
     for context, reached in _of_interrupts(model, facts):
         for name in sorted(reached.keys() & forbidden.keys()):
@@ -228,8 +229,8 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _loops(facts: Facts) -> Iterator[Finding]:
-    """Finds loops that do not count their iterations and have no entry in design/justified.toml.
-    Also finds entries of design/justified.toml whose function has no such loop."""
+    """Finds loops that do not count their iterations, if design/justified.toml has no entry for
+    their function. Also finds entries of design/justified.toml whose function has no such loop."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}

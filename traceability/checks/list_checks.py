@@ -96,7 +96,8 @@ def _stated(lines: list[str]) -> list[str]:
 
 
 def _items(lines: list[str]) -> int:
-    """Returns the number of items of the list that begins with these lines, or 0."""
+    """Returns the number of items of the list with which these lines begin. Returns 0 if they do
+    not begin with a list."""
     written = [line for line in lines if line.strip()]
     first = ITEM.match(written[0]) if written else None
     if first is None:

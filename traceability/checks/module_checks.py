@@ -257,8 +257,8 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
 
 
 def _units(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds descriptions of a parameter, a result or a data member that state another unit than the
-    type."""
+    """Finds descriptions of a parameter, a result or a data member whose unit differs from the unit
+    of the type."""
     # each element: place, name, type, description
     texts: list[tuple[Place, str, str, str]] = []
     for module in model.modules.values():

@@ -209,7 +209,7 @@ def _fields(root: Path) -> set[str]:
 
 
 def _functions(model: Model, words: Words, comments: list[tuple[Place, str]]) -> Iterator[Finding]:
-    """Finds names of functions that do not exist, in comments. A function that a comment of a
+    """Finds, in comments, names of functions that do not exist. A function that a comment of a
     module names belongs to the files of this module, or is a method of a module that this module
     uses."""
     syntax = words.facts.syntax

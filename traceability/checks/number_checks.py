@@ -1,8 +1,9 @@
-"""req-number: each number with a unit in the text of a requirement is linked to a constant in the
-code, and has the value of this constant. Each limit of a metric is a number of its requirement.
-module-number: each number with a unit in the specification of a module is the value of a constant,
-or a number of a requirement. doc-number: each number with a unit in the README of a port is the
-value of a constant of the port."""
+"""req-number: each number in the text of a requirement is linked to a constant in the code and has
+the value of this constant, or design/requirement_numbers.toml states why there is no constant. Each
+limit of a metric is a number of its requirement. module-number: each number with a unit in the
+specification of a module is the value of a constant, or a number of a requirement. doc-number: each
+number with a unit in the README of a port is the value of a constant of the port or of
+SystemConstants."""
 
 from __future__ import annotations
 
@@ -53,8 +54,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _ports(facts: Facts) -> Iterator[Finding]:
-    """Finds numbers in the README of a port that neither a constant of the port nor a constant of
-    SystemConstants has."""
+    """Finds numbers in the README of a port that are the value of neither a constant of the port
+    nor a constant of SystemConstants."""
     shared = [
         quantity_of(constant)
         for constant in facts.syntax.values
@@ -76,9 +77,9 @@ def _ports(facts: Facts) -> Iterator[Finding]:
 def _specification(
     module: Module, model: Model, by_file: dict[str, list[ConstantFact]]
 ) -> Iterator[Finding]:
-    """Finds numbers in the specification of a module that neither a constant nor a requirement of
-    the module states. The constants are those of the module, of the modules that it uses, and of
-    SystemConstants."""
+    """Finds numbers in the specification of a module that are neither the value of a constant nor a
+    number in a requirement of the module. The constants are those of the module, of the modules
+    that it uses, and of SystemConstants."""
     near = [
         model.modules[name] for name in (module.name, SHARED, *module.uses) if name in model.modules
     ]

@@ -1,5 +1,5 @@
-"""link-doc: the commands, the options and their values that texts name exist, and the exit codes
-are inserted."""
+"""link-doc: the commands, options and values of options in texts exist, and the build of the pages
+inserts the exit codes."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def _wrong_in_programs(root: Path, options: _Options) -> Iterator[Finding]:
 
 
 def _alone(line: str) -> Iterator[str]:
-    """Yields the options that are not behind a command."""
+    """Yields the options that do not follow a command."""
     for text in [*LITERAL.findall(line), *COMMENT.findall(line)]:
         yield from OPTION.findall(text)
 

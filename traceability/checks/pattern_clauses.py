@@ -193,8 +193,8 @@ def named(shape: Shape, module: str, hidden: list[str]) -> Broken:
 
 
 def state_unmarked(shape: Shape) -> Broken:
-    """Finds a Context that uses an enumerator which only one of the states uses. With this
-    enumerator, the Context could distinguish the states."""
+    """Finds each Context that uses the enumerator of a state. Of all states, only this state uses
+    the enumerator. The Context could therefore detect the state by this enumerator."""
     states = shape.playing("Concrete State")
     marks = [mark for state in states for mark in shape.marks(state)]
     own = {mark: state for state in states for mark in shape.marks(state) if marks.count(mark) == 1}
@@ -512,8 +512,8 @@ def builder_constructs(shape: Shape) -> Broken:
 
 
 def passes_steps_on(shape: Shape, builder: str) -> bool:
-    """Returns whether a Concrete Builder only calls the build steps of the abstract Builder. Other
-    builders then implement these steps and construct the objects."""
+    """Returns whether a Concrete Builder calls a build step of the abstract Builder. The builder
+    then need not construct the objects itself, because other builders implement the build step."""
     abstract = shape.playing("Builder")
     return builder not in abstract and any(
         owner_of(target) in abstract for target, _ in shape.calls(builder)

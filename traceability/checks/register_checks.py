@@ -191,7 +191,7 @@ def _borrowed(facts: Facts) -> Iterator[Finding]:
 
 
 def _given(facts: Facts) -> Iterator[Finding]:
-    """Finds functions and public members by means of which other modules can access a register of a
+    """Finds functions and public members through which other modules can access a register of a
     module."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}

@@ -1,4 +1,4 @@
-"""req-* and suspect-*: for each requirement, code satisfies it and passed tests verify it.
+"""req-* and suspect-*: code satisfies each requirement, and passed tests or metrics verify it.
 
 Also checks that the texts on which a requirement depends are unchanged since the baseline, and that
 each recorded review is valid.

@@ -162,10 +162,9 @@ def _requirements(model: Model) -> Iterator[Finding]:
 
 
 def _scenarios(model: Model) -> Iterator[Finding]:
-    """Finds fault scenarios that name no goal, a goal that does not exist, or no goal of a hazard
-    that lists them. Also finds fault scenarios that no hazard lists, that no test plays, or whose
-    tests did not pass.
-    """
+    """Finds fault scenarios that name no goal, or a goal that does not exist. Finds hazards and
+    fault scenarios without a common goal, if the hazard lists the scenario. Also finds fault
+    scenarios that no hazard lists, that no test plays, or whose tests did not pass."""
     hazards = model.safety.hazards.values()
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"

@@ -1,6 +1,6 @@
 """doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. Each
-number with a unit in a comment of a scenario is also in a line of the scenario. A test names each
-example scenario."""
+number with a unit in a comment of a scenario is also in a line of the scenario, or in a requirement
+that the comment names. A test names each example scenario."""
 
 from __future__ import annotations
 

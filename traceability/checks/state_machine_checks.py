@@ -426,8 +426,8 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Findin
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
-    """Returns each number with a unit in a text (for example "2 s"), if none of these requirements
-    states the number."""
+    """Returns each number with a unit in a text (for example "2 s"), if none of the given
+    requirements states the number."""
     numbers = {
         re.sub(r"\s+", " ", number) for r in requirements for number in _WITH_UNIT.findall(r.text)
     }

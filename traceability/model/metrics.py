@@ -272,7 +272,7 @@ def _is_executed(requirement: schema.Requirement) -> bool:
 
 
 def safety(case: schema.SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
-    """Counts the safety goals and the fault scenarios, in all and those that this run verified.
+    """Counts all safety goals and fault scenarios, and those that this run verified.
     Also returns the number of existing lines that were edited for safety functions."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())

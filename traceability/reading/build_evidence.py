@@ -83,7 +83,7 @@ def git(root: Path, *words: str) -> str:
 
 
 def _completed(*command: str) -> subprocess.CompletedProcess[str] | None:
-    """Runs a program. Returns its output and its exit code, or None if it is not installed."""
+    """Runs a program. Returns its output and exit code. Returns None if it is not installed."""
     with suppress(OSError):
         return subprocess.run(command, capture_output=True, text=True, check=False)
     return None
