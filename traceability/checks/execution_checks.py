@@ -143,7 +143,7 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
         for name in {names[line] for line in context.lines if line in names}:
             given = facts.syntax.constants[name]
             if given != context.intended:
-                text = f"{context.id} has the priority {given} here, and {context.intended} in "
+                text = f"{context.id} has the priority {given} here, but {context.intended} in "
                 # If the constant is right for another context, the finding points to the call that
                 # enables the interrupt line. Otherwise, it points to the definition of the
                 # constant.

@@ -23,7 +23,7 @@ PAGES = ("README.md", "CONTRIBUTING.md", "docs", "changes", "ports", "design", "
 SUFFIXES = (".md", ".rst", ".toml", ".html", ".py")
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z0-9-]*")
-# A literal that begins with an option, and a comment behind a command.
+# LITERAL: a literal that begins with an option. COMMENT: a comment after a command.
 LITERAL = re.compile(r"(?<!`)(?:`{1,2}|<code>)(--[a-z][a-z0-9-]*[^`<]*)")
 OTHER_PROGRAM = re.compile(r"``\w[^`]*``")  # a literal with a command of another program
 COMMENT = re.compile(r"^\s*\./wr [^#]*# (.*)")
