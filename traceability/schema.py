@@ -854,7 +854,7 @@ class BuildEvidence:
     lint: LintRun | None = None  # None if ./wr lint did not run on the present files
     # folder of Python tests -> counts; None if these tests did not run on the present files
     tool_tests: Mapping[str, Counts | None] = field(default_factory=dict)
-    failed: Sequence[str] = ()  # Python tests that failed, also when they ran once more
+    failed: Sequence[str] = ()  # Python tests whose last run failed
     repeated: Sequence[str] = ()  # Python tests that failed at first, and then ran once more
     # file of Python tests -> number of its functions with tests that only ./wr test --long runs
     long_tests: Mapping[str, int] = field(default_factory=dict)

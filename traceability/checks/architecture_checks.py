@@ -1,5 +1,5 @@
-"""arch-*: each module that the architecture names exists, the elements agree with the connections,
-and the code contains each connection that the architecture declares."""
+"""arch-*: each module that the architecture names exists, each connection begins and ends at
+elements of the right kind, and the code contains each connection that the architecture declares."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds modules that are in no connection and no group, or in several elements. Also finds
-    connections with a wrong end, and processes without a physical connection."""
+    connections with a wrong end, and processes at which no physical connection begins."""
     connected = {name for each in model.connections for name in (each.source, each.target)}
     connected.update(name for group in model.groups for name in group.modules)
     acting = [element for element in model.architecture if element.kind in ACTING]
@@ -78,8 +78,8 @@ def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _ends(model: Model, kind: str, end: str, owner: str, facts: Facts) -> Iterator[Finding]:
-    """Finds connections of the kind ``kind`` that have a wrong module at the end ``end``. This
-    module must be a module of an element of the kind ``owner``."""
+    """Finds connections of the kind ``kind`` with a wrong module at the end ``end``: a module that
+    belongs to no element of the kind ``owner``."""
     elements = [element for element in model.architecture if element.kind == owner]
     modules = {name for element in elements for name in element.modules}
     ends = {getattr(each, end): each for each in model.connections if each.kind == kind}

@@ -29,7 +29,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _findings(entry: Place, problems: Iterable[tuple[str, str]], facts: Facts) -> Iterator[Finding]:
-    """Yields a finding for each problem of an entry: the word with the problem, and the text."""
+    """Yields a finding for each problem of an entry. A problem consists of a word of the entry, to
+    which the finding points, and the text of the finding."""
     for word, text in problems:
         yield Finding(facts.line_in(entry, word), "pattern-change", text)
 
@@ -43,7 +44,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[str, str]
     demanded = (
         (added, SUBCLASS_ROLES, "role of a subclass"),
         (recipe.alters, (*SUBCLASS_ROLES, "Singleton"), "role of a subclass"),
-        ([recipe.derives], ABSTRACTIONS, "abstraction"),
+        ([recipe.derives], ABSTRACTIONS, "role of a base class"),
     )
     for listed, fitting, sort in demanded:
         for role in filter(None, listed):

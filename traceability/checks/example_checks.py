@@ -40,7 +40,7 @@ def wrong_examples(root: Path) -> Iterator[Finding]:
 
 
 def _examples(root: Path) -> Iterator[tuple[str, str]]:
-    """Yields each example: its page, and its code. Blank lines precede the code, so that each line
+    """Yields the page and the code of each example. Blank lines precede the code, so that each line
     has the same number as on the page."""
     for file, text in texts_below(root, PAGES, (".md", ".rst")):
         for match in BLOCK.finditer(text):

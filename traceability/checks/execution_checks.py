@@ -100,7 +100,7 @@ def _handlers(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _reached(functions: Iterable[str], facts: Facts) -> Ways[str]:
-    """Returns all functions that the given functions may call, each with its first caller."""
+    """Returns all functions that the given functions may call, directly or indirectly."""
     return facts.robot.reached(functions, {}, facts.declared.ends)
 
 
@@ -120,7 +120,7 @@ def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
             contexts = sorted({context for names in methods.values() for context in names})
             if len(contexts) > 1:
                 text = f"more than one context {verb} the pipe {pipe.name}: {', '.join(contexts)}"
-                fix = "add a pipe for each writer and reader"
+                fix = "use a separate pipe for each of these contexts"
                 yield Finding(pipe.place, "exec-shared", text, fix)
     names = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():
@@ -143,7 +143,7 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
         for name in {names[line] for line in context.lines if line in names}:
             given = facts.syntax.constants[name]
             if given != context.intended:
-                text = f"{context.id} has the priority {given} here, and {context.intended} in "
+                text = f"{context.id} has the priority {given} here, but {context.intended} in "
                 # If the constant is right for another context, the finding points to the call that
                 # enables the interrupt line. Otherwise, it points to the definition of the
                 # constant.
@@ -191,7 +191,8 @@ def _declared(place: Place, text: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds methods with @isr{no} that the handler of an interrupt reaches by calls."""
+    """Finds methods with @isr{no} that the handler of an interrupt calls, directly or
+    indirectly."""
     forbidden = {method.id: method for method in model.methods if method.interrupt == "no"}
     for context, reached in _of_interrupts(model, facts):
         for name in sorted(reached.keys() & forbidden.keys()):
@@ -228,8 +229,8 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _loops(facts: Facts) -> Iterator[Finding]:
-    """Finds loops that do not count their iterations and have no entry in design/justified.toml.
-    Also finds entries of design/justified.toml whose function has no such loop."""
+    """Finds loops that do not count their iterations, if design/justified.toml has no entry for
+    their function. Also finds entries of design/justified.toml whose function has no such loop."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}

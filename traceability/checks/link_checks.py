@@ -213,8 +213,8 @@ def _written(
 
 
 def missing_parts(root: Path) -> Iterator[Finding]:
-    """Finds names of products, programs, folders of the build, keys and pins that do not exist, in
-    the hand-written pages and the texts of design/."""
+    """Searches the hand-written pages and the texts of design/ for names of products, programs,
+    folders of the build, keys and pins that do not exist."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     parts = (

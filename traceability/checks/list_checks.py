@@ -89,14 +89,15 @@ def _totals(root: Path) -> dict[str, int]:
 
 
 def _stated(lines: list[str]) -> list[str]:
-    """Returns the words for numbers in the last sentence of the last paragraph."""
+    """Returns the words for numbers in the last sentence of these lines."""
     paragraph = reversed(list(takewhile(str.strip, reversed(lines))))
     sentence = SENTENCE.split(" ".join(map(str.strip, paragraph)))[-1]
     return [word.lower() for word in WORD.findall(sentence)]
 
 
 def _items(lines: list[str]) -> int:
-    """Returns the number of items of the list that begins with these lines, or 0."""
+    """Returns the number of items of the list with which these lines begin. Returns 0 if they do
+    not begin with a list."""
     written = [line for line in lines if line.strip()]
     first = ITEM.match(written[0]) if written else None
     if first is None:

@@ -156,7 +156,7 @@ def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds methods of data types that contain a condition or a loop."""
     for body in facts.syntax.bodies:
         if (module := model.modules.get(body.owner)) and module.datatype and body.branches:
-            text = f"{body.id} has a condition or a loop, and {body.owner} is a data type"
+            text = f"{body.id} has a condition or a loop, but {body.owner} is a data type"
             yield Finding(body.place, "module-data", text)
 
 
@@ -252,13 +252,13 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
         described = facts.comment(fact).words("tparam")
         for name in fact.parameters if described else ():
             if name not in described:
-                text = f"{fact.name}, {name} is public, but has no @tparam"
+                text = f"the template parameter {name} of {fact.name} has no @tparam"
                 yield Finding(fact.place, "module-spec", text)
 
 
 def _units(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds descriptions of a parameter, a result or a data member that state another unit than the
-    type."""
+    """Finds descriptions of a parameter, a result or a data member whose unit differs from the unit
+    of the type."""
     # each element: place, name, type, description
     texts: list[tuple[Place, str, str, str]] = []
     for module in model.modules.values():
@@ -312,15 +312,15 @@ def _specification(method: Method) -> Iterator[Finding]:
     needs_brief = method.kind != "constructor" or method.brief
     if needs_brief and len(method.brief.split()) < FEWEST_OF_BRIEF:
         missing.append("@brief")
-    missing += [f"name of the parameter {param.type}" for param in method.params if not param.name]
+    missing += [f"name for a {param.type} parameter" for param in method.params if not param.name]
     missing += [f"@param {param.name}" for param in method.params if param.name and not param.text]
     missing += [
-        f"unit or meaning of the number {param.name}"
+        f"text with the unit or meaning of the number {param.name}"
         for param in method.params
         if param.text and NUMBER.search(param.type) and not MEANING.search(param.text)
     ]
     missing += [
-        f"unit of {param.name}"
+        f"text with the unit of {param.name}"
         for param in method.params
         if param.text and QUANTITY.match(param.type) and not UNIT.search(param.text)
     ]
@@ -328,7 +328,7 @@ def _specification(method: Method) -> Iterator[Finding]:
         if not method.returns:
             missing.append("@return")
         elif NUMBER.search(_result_of(method)) and not MEANING.search(method.returns):
-            missing.append("unit or meaning of the result")
+            missing.append("text with the unit or meaning of the result")
     if method.kind != "constructor" and not INTERRUPT.match(method.interrupt):
         missing.append("@isr{yes} or @isr{no}")
     for what in missing:

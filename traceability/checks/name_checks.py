@@ -1,8 +1,8 @@
 """doc-name: each name of the code in a text exists in the code or in the paper.
 
 A text is a comment of the code, a page, or a text of design/. In a page, a name is a literal, or a
-name such as Class::method. Each test that a page or a text of design/ names exists, too. The
-attributes of a report in the pages are those of the client.
+name such as Class::method. Each test that a page or a text of design/ names exists. The attributes
+of a report that the pages name are the attributes in the code of the client.
 """
 
 from __future__ import annotations
@@ -209,8 +209,9 @@ def _fields(root: Path) -> set[str]:
 
 
 def _functions(model: Model, words: Words, comments: list[tuple[Place, str]]) -> Iterator[Finding]:
-    """Finds functions in comments that do not exist. A function in the comments of a module belongs
-    to the files of this module, or is a method of a module that this module uses."""
+    """Finds, in comments, names of functions that do not exist. A function that a comment of a
+    module names belongs to the files of this module, or is a method of a module that this module
+    uses."""
     syntax = words.facts.syntax
     functions: list[BodyFact | MethodFact] = [*syntax.bodies]
     functions += [method for each in syntax.classes for method in each.methods]

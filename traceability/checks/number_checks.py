@@ -1,8 +1,9 @@
-"""req-number: each number with a unit in the text of a requirement is linked to a constant in the
-code, and has the value of this constant. Each limit of a metric is a number of its requirement.
-module-number: each number with a unit in the specification of a module is the value of a constant,
-or a number of a requirement. doc-number: each number with a unit in the README of a port is the
-value of a constant of the port."""
+"""req-number: each number in the text of a requirement is linked to a constant in the code and has
+the value of this constant, or design/requirement_numbers.toml states why there is no constant. Each
+limit of a metric is a number of its requirement. module-number: each number with a unit in the
+specification of a module is the value of a constant, or a number of a requirement. doc-number: each
+number with a unit in the README of a port is the value of a constant of the port or of
+SystemConstants."""
 
 from __future__ import annotations
 
@@ -53,8 +54,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _ports(facts: Facts) -> Iterator[Finding]:
-    """Finds numbers in the README of a port that neither a constant of the port nor a constant of
-    SystemConstants has."""
+    """Finds numbers in the README of a port that are the value of neither a constant of the port
+    nor a constant of SystemConstants."""
     shared = [
         quantity_of(constant)
         for constant in facts.syntax.values
@@ -76,9 +77,9 @@ def _ports(facts: Facts) -> Iterator[Finding]:
 def _specification(
     module: Module, model: Model, by_file: dict[str, list[ConstantFact]]
 ) -> Iterator[Finding]:
-    """Finds numbers in the specification of a module that neither a constant nor a requirement of
-    the module states. The constants are those of the module, of the modules that it uses, and of
-    SystemConstants."""
+    """Finds numbers in the specification of a module that are neither the value of a constant nor a
+    number in a requirement of the module. The constants are those of the module, of the modules
+    that it uses, and of SystemConstants."""
     near = [
         model.modules[name] for name in (module.name, SHARED, *module.uses) if name in model.modules
     ]
@@ -102,8 +103,8 @@ def _specification(
 
 
 def _is_stated(stated: Quantity, constants: list[Quantity]) -> bool:
-    """Returns whether a constant has the quantity of a text. For a count, a constant without a unit
-    is sufficient if no constant has the unit of the count."""
+    """Returns whether a constant has the number and the unit of a text. For a count, a constant
+    with this number and without a unit is sufficient if no constant has the unit of the count."""
     if stated.kind in COUNTS and not any(one.kind == stated.kind for one in constants):
         return any(is_same(stated, one) for one in constants)
     return stated in constants
@@ -183,8 +184,8 @@ def _linked(
 
 
 def wrong_bounds(model: Model) -> Iterator[Finding]:
-    """Finds bounds of an @evidence that the requirement does not state. A bound of 0 is not a
-    number of the text: it means that there is no finding."""
+    """Finds bounds of an @evidence that the requirement does not state. The text need not state a
+    bound of 0, which means that there must be no finding."""
     for requirement in model.requirements.values():
         for evidence in requirement.evidence:
             bound = Fraction(str(evidence.bound))
@@ -194,8 +195,9 @@ def wrong_bounds(model: Model) -> Iterator[Finding]:
 
 
 def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds limits in design/closed_loop.toml that their requirement does not state. If the metric
-    is an error, the requirement can state its limit as a percentage of the key ``target``."""
+    """Finds limits of metrics in design/closed_loop.toml that the requirement of the metric does
+    not state. If the metric is an error, the requirement can state the limit as a percentage of
+    the value of the key ``target``."""
     if not (facts.root / DECLARED).is_file():
         return
     places = {scenario.name: scenario.place for scenario in model.closed_loop}
@@ -213,4 +215,4 @@ def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
                 continue
             place = facts.line_in(places[scenario["name"]], f'"{figure["title"]}"')
             text = f"{requirement.id} does not state {figure['limit']} {figure['unit']}"
-            yield Finding(place, "req-number", text, "correct the limit, or name its requirement")
+            yield Finding(place, "req-number", text, "correct the limit or its requirement")

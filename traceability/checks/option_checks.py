@@ -1,5 +1,5 @@
-"""link-doc: the commands, the options and their values that texts name exist, and the exit codes
-are inserted."""
+"""link-doc: the commands, options and values of options in texts exist, and the build of the pages
+inserts the exit codes."""
 
 from __future__ import annotations
 
@@ -23,14 +23,15 @@ PAGES = ("README.md", "CONTRIBUTING.md", "docs", "changes", "ports", "design", "
 SUFFIXES = (".md", ".rst", ".toml", ".html", ".py")
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z0-9-]*")
-# A literal that begins with an option, and a comment behind a command.
+# LITERAL: a literal that begins with an option. COMMENT: a comment after a command.
 LITERAL = re.compile(r"(?<!`)(?:`{1,2}|<code>)(--[a-z][a-z0-9-]*[^`<]*)")
 OTHER_PROGRAM = re.compile(r"``\w[^`]*``")  # a literal with a command of another program
 COMMENT = re.compile(r"^\s*\./wr [^#]*# (.*)")
 VALUE = re.compile(r"(?<![\w-])(--[a-z][a-z0-9-]*)[ =]([a-z][\w:-]*)")  # an option and its value
 # The place and the text of a line.
 Line = tuple[Place, str]
-# An exit code that is written as a number. The build of the pages inserts the number of a name.
+# An exit code that is written as a number. A text must contain the name of the exit code instead.
+# For the name, the build of the pages inserts the number.
 EXIT_CODE = re.compile(r"\b[Ee]xit code (?:is )?(?:then )?(\d+)\b")
 EXIT_CODES = ".. list-table:: Exit codes"
 ROW = re.compile(r"\s+\* - (\d+)$")  # a row of a table that begins with a number
@@ -100,7 +101,7 @@ def _wrong_in(section: list[Line], options: _Options) -> Iterator[Finding]:
 
 
 def wrong_values(root: Path) -> Iterator[Finding]:
-    """Finds values of options that the option does not accept."""
+    """Finds values in texts that their option does not accept."""
     values = accepted_values(root)
     for place, line in lines_below(root, PAGES, SUFFIXES) if values else ():
         for option, value in VALUE.findall(line) if "--" in line else ():
@@ -123,7 +124,7 @@ def _wrong_in_programs(root: Path, options: _Options) -> Iterator[Finding]:
 
 
 def _alone(line: str) -> Iterator[str]:
-    """Yields the options that are not behind a command."""
+    """Yields the options that do not follow a command."""
     for text in [*LITERAL.findall(line), *COMMENT.findall(line)]:
         yield from OPTION.findall(text)
 

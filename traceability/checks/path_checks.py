@@ -15,7 +15,7 @@ NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 # Folders that do not contain sources.
 NO_SOURCES = (".git", ".venv", "build")
-# In these files, a text without a suffix such as docs/client is the name of a page of the portal.
+# In these files, a text without a suffix, such as docs/client, is the name of a page of the portal.
 WITH_SUFFIX = (".py", ".html")
 # Lines of code that name a file relative to another folder.
 RELATIVE = re.compile(r"\s*(?:#\s*include|include\()")
@@ -23,8 +23,9 @@ PLACEHOLDER = "FILE"
 
 
 def missing_paths(root: Path) -> Iterator[Finding]:
-    """Finds names of files and folders that do not exist: in all texts, the paths that begin with a
-    folder of the project; in pages and texts of design/, also other paths in backticks."""
+    """Finds names of files and folders that do not exist. In all texts, the paths that begin with a
+    folder of the project are checked. In pages and texts of design/, other paths in backticks are
+    checked too."""
     pattern = _below(root)
     for place, line in text_lines(root):
         if "/" not in line or RELATIVE.match(line):

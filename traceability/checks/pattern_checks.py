@@ -44,7 +44,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
     """Checks for every pattern application whether the code fulfils each clause of the pattern.
-    Returns the clauses by the id of the application, and a finding for each violation."""
+    Returns the clauses of each application, by its id, and a finding for each violation."""
     parts = {name: _clauses(pattern, model, facts) for name, pattern in model.patterns.items()}
     clauses = {name: clauses for name, (clauses, _) in parts.items()}
     return clauses, [finding for _, findings in parts.values() for finding in findings]

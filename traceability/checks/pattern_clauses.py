@@ -175,7 +175,8 @@ def held(role: str) -> Callable[[Shape], Broken]:
 
 
 def unnamed(roles: tuple[str, ...], *concrete: str) -> Callable[[Shape], Broken]:
-    """Finds modules with one of the roles that name a module with one of the concrete roles."""
+    """Finds modules that have one of the roles ``roles`` and whose code names a module with one of
+    the roles ``concrete``."""
 
     def clause(shape: Shape) -> Broken:
         hidden = [module for role in concrete for module in shape.playing(role)]
@@ -192,8 +193,8 @@ def named(shape: Shape, module: str, hidden: list[str]) -> Broken:
 
 
 def state_unmarked(shape: Shape) -> Broken:
-    """Finds a Context that uses an enumerator which only one of the states uses. With this
-    enumerator, the Context could distinguish the states."""
+    """Finds each Context that uses the enumerator of a state. Of all states, only this state uses
+    the enumerator. The Context could therefore detect the state by this enumerator."""
     states = shape.playing("Concrete State")
     marks = [mark for state in states for mark in shape.marks(state)]
     own = {mark: state for state in states for mark in shape.marks(state) if marks.count(mark) == 1}
@@ -362,7 +363,7 @@ def decorator_forwards(shape: Shape) -> Broken:
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Returns for each method the virtual methods of the same class that it calls."""
+    """For each method, returns the called virtual methods of the same class."""
     virtual = {method.id for method in shape.methods(module) if method.virtual}
     return {
         body.id: primitives
@@ -382,7 +383,7 @@ def template_nonvirtual(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
         plain = template_methods(shape, module)
         if not plain:
-            text = f"{module} has no non-virtual method that calls its primitives"
+            text = f"{module} has no template method: a method that calls primitives, not virtual"
             yield shape.place(module), text
         for method in shape.methods(module):
             if method.virtual and method.id in primitives_called(shape, module):
@@ -511,8 +512,8 @@ def builder_constructs(shape: Shape) -> Broken:
 
 
 def passes_steps_on(shape: Shape, builder: str) -> bool:
-    """Returns whether a Concrete Builder only calls the build steps of the abstract Builder. Other
-    builders then implement these steps and construct the objects."""
+    """Returns whether a Concrete Builder calls a build step of the abstract Builder. The builder
+    then need not construct the objects itself, because other builders implement the build step."""
     abstract = shape.playing("Builder")
     return builder not in abstract and any(
         owner_of(target) in abstract for target, _ in shape.calls(builder)

@@ -21,7 +21,7 @@ PIN = re.compile(r"\bPT[A-E]\d+\b")
 LABEL = re.compile(r"([A-Za-z][A-Za-z ]*)[:,]? $")  # words before a pin
 AFTER = re.compile(r"\s\(([^)]*)\)|, (J\d+-\d+)")  # words or a connector after a pin
 CONNECTOR = re.compile(r"J\d+-\d+")
-NEXT = re.compile(r"(?: \([^)]*\))?(?:,| and| to)* ")  # text between two pins with one label
+NEXT = re.compile(r"(?: \([^)]*\))?(?:,| and| to)* ")  # text between two pins that share a label
 # Words that are not part of the name of a signal.
 OTHERS = {
     *("a", "and", "at", "from", "in", "of", "the", "to", "when", "while", "with"),

@@ -88,8 +88,8 @@ def _unnamed_causes(table: dict[str, Any], root: Path) -> Iterator[tuple[str, st
 
 
 def _examples(facts: Facts) -> Iterator[Finding]:
-    """Finds examples with a wrong check sum or wrong bytes on the serial line. Both are computed
-    from the body of the frame."""
+    """Finds examples with a wrong check sum or wrong bytes on the serial line. The check computes
+    the right values from the body of the frame. Also finds texts that do not match the body."""
     layouts = {}
     with suppress(LayoutError):  # The build reports a wrong table.
         frames = read_frames(text_of(facts.root / FRAMES)).frames.values()

@@ -153,7 +153,7 @@ def _outside(facts: Facts) -> Iterator[Finding]:
             blocks.setdefault(block, []).append(address)
     for fact in facts.syntax.offsets:
         if fact.offset >= PERIPHERALS:
-            text = f"the number {fact.offset:#x} in this offset is an address of registers"
+            text = f"the offset {fact.offset:#x} is itself an address in the range of the registers"
             yield _finding(fact.place, text, CALL_OWNER)
             continue
         own = {block for block, registers in blocks.items() if fact.base in registers}
@@ -191,7 +191,7 @@ def _borrowed(facts: Facts) -> Iterator[Finding]:
 
 
 def _given(facts: Facts) -> Iterator[Finding]:
-    """Finds functions and public members by means of which other modules can access a register of a
+    """Finds functions and public members through which other modules can access a register of a
     module."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
@@ -224,9 +224,9 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Returns whether other modules can call a function that returns a register. If `word` is
-    "param", the function does not return the register but receives it as a parameter. Then returns
-    false."""
+    """Returns whether other modules can call a function that returns a register. Returns false if
+    `word` is "param": such a function does not return the register, but receives it as a
+    parameter."""
     if word == "param" or body.local:
         return False
     methods = facts.classes[body.owner].methods if body.owner in facts.classes else []
@@ -234,8 +234,8 @@ def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
 
 
 def _linked(facts: Facts) -> Iterator[Finding]:
-    """Finds symbols of linker scripts whose address is the address of a register."""
-    text = "the linker defines a symbol at an address of registers"
+    """Finds addresses in linker scripts that are in the range of the registers."""
+    text = "the linker script contains an address in the range of the registers"
     for place, line in lines_below(facts.root, DESIGN, (".ld",)):
         if any(int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line)):
             yield _finding(place, text, f"use {REGISTERS}")

@@ -96,7 +96,7 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
         "a parameter. Each tag is defined in this project. Each link has a target. If the sentence "
         "before a list on a page states the number of the items, the list has this number of "
-        "items. If a text states the number of all hazards, safety goals, assumptions of use, "
+        "items. If a text states the total number of hazards, safety goals, assumptions of use, "
         "products, modules, design patterns, applications, state machines, or scenarios of the "
         "paper, this number is right.",
         _TEXT_BLIND,
@@ -106,16 +106,17 @@ _FIXED = [
         "doc-number",
         "Numbers of ports agree with their code",
         "Each number with a unit in the README of a port is the value of a constant with this kind "
-        "of unit in the folder of the port, or of a constant of SystemConstants.",
+        "of unit. The constant is in the folder of the port, or in SystemConstants.",
         "The check cannot judge whether the number belongs to the sentence. It does not find a "
-        "number whose unit is on the next line, or is not a unit of the requirements.",
+        "number whose unit is on the next line, or whose unit is not in the list of "
+        "requirement_numbers.py.",
         "correct the number, or write the unit of the constant in square brackets next to it.",
     ),
     Check(
         "doc-lock",
         "The lock files contain the demanded packages",
-        "For each package that setup/python.in or setup/strictdoc.in demands, the lock file "
-        "contains a permitted version.",
+        "For each package that setup/python.in or setup/strictdoc.in demands, the lock file next "
+        "to this file contains a permitted version.",
         "The check does not examine whether the lock file contains packages that nobody demands.",
         "make the lock file again, as the comment at the head of the file describes.",
     ),
@@ -123,19 +124,19 @@ _FIXED = [
         "doc-name",
         "Names in texts exist in the code",
         "Each class, method, function, constant or value that a text names exists in the code or "
-        "in the paper. The texts are comments of the code, literals and each Class::method in "
-        "pages, and texts of design/. Each test that a page or a text of design/ names exists. If "
-        "a page states that a class derives from another class, this is true. Each constant and "
-        "formula that a text of design/ inserts has a value. Each attribute of a report that a "
-        "page names is an attribute of the client's classes, and the table of these attributes in "
-        "docs/client.rst is complete. mypy finds no wrong name, parameter or type in the Python "
-        "examples on the pages. A function that a comment of a module names without a class, such "
-        "as start(), is in the files of the module, or is a method of a module that it uses. "
-        "`paper-stale` checks the names in design/concordance.toml. `pattern-change` checks the "
-        "names in design/changes.toml.",
-        "The check does not find names that are also English words, such as the class Wheel. It "
-        "does not find a name whose meaning has changed. In a Python example, it does not find "
-        "wrong names of packages other than the client.",
+        "in the paper. The texts are the comments of the code and the texts of design/. In pages, "
+        "only literals and each Class::method count. Each test that a page or a text of design/ "
+        "names exists. If a page states that a class derives from another class, this is true. "
+        "Each constant and formula that a text of design/ inserts has a value. Each attribute of a "
+        "report that a page names is an attribute of the client's classes, and the table of these "
+        "attributes in docs/client.rst is complete. mypy finds no wrong name, parameter or type in "
+        "the Python examples on the pages. A function that a comment of a module names without a "
+        "class, such as start(), is in the files of this module, or is a method of a module that "
+        "this module uses. `paper-stale` checks the names in design/concordance.toml. "
+        "`pattern-change` checks the names in design/changes.toml.",
+        "The check does not find a wrong name that is also an English word. It does not find a "
+        "name whose meaning has changed. In a Python example, it does not check names that come "
+        "from packages other than the client.",
         "write the name that the code has now.",
     ),
     Check(
@@ -145,7 +146,7 @@ _FIXED = [
         "and no other keys. No required text is empty. No name has two entries. Each review has a "
         "date.",
         "The check cannot judge whether an entry is true. The other checks compare the entries "
-        "with the code. Most of them do not run while a file cannot be read.",
+        "with the code. Most of these checks do not run while a file cannot be read.",
         "correct the line, or the name of the key.",
     ),
     Check(
@@ -172,7 +173,7 @@ _FIXED = [
         "The comment above every design module has @brief and one @function. No two modules have "
         "the same @function.",
         _TEXT_BLIND,
-        "above the class, write a purpose that no other module has.",
+        "write @brief above the class, and a @function that no other module has.",
     ),
     Check(
         "module-secret",
@@ -214,13 +215,13 @@ _FIXED = [
         "the number in the paper. Modules of extensions are not counted.",
         "The check cannot judge whether the list is correct.",
         "remove the module, mark a value type with @datatype, or add the module to "
-        "design/modules.toml and raise total there.",
+        "design/modules.toml and increase total there.",
     ),
     Check(
         "module-used",
         "Each design module is part of a product",
         "Every design module is used: a composition names the module, or a used module names it. "
-        "Every object of a design module that is a member of a class is used or passed on. "
+        "If a member of a class is an object of a design module, the member is used or passed on. "
         "Every module that design/products.toml lists exists, and this file lists every concrete "
         "class of the extensions.",
         "The check does not detect whether the product ever executes the code of the module. It "
@@ -243,9 +244,10 @@ _FIXED = [
         "The check compares the name of each initialised member or variable in src, extensions and "
         "ports with its value. In an aggregate with the members step and direction, the value of "
         "step is no object with the name direction. If the name and the value have a common word, "
-        "they do not contain different words of a pair, such as leftEnd and steering_right_end. "
-        "The pairs are left and right, front and rear, inner and outer, forward and backward, "
-        "upper and lower, first and second, A and B, step and direction, velocity and direction.",
+        "they do not contain different words of a pair. For example, the value of leftEnd is not "
+        "steering_right_end. The pairs are left and right, front and rear, inner and outer, "
+        "forward and backward, upper and lower, first and second, A and B, step and direction, "
+        "velocity and direction.",
         "The check does not find swapped arguments of a function, or parts whose names have no "
         "such words.",
         "correct the value, or rename the part.",
@@ -290,10 +292,10 @@ _FIXED = [
     Check(
         "pattern-change",
         "Each likely change names only parts that exist",
-        "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the "
-        "pattern: the subclasses that a change adds or alters, and their base classes. An entry "
-        "for an application names this application, modules with a role in the application, and "
-        "modules of extensions as examples. All these parts exist. Each name in backticks in a "
+        "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the pattern: "
+        "those of the subclasses that a change adds or alters, and those of their base classes. An "
+        "entry for an application names this application, modules with a role in the application, "
+        "and modules of extensions as examples. All these parts exist. Each name in backticks in a "
         "step exists.",
         "The check cannot judge whether the steps are sufficient.",
         "correct the name.",
@@ -313,9 +315,9 @@ _FIXED = [
     Check(
         "pattern-role-unknown",
         "Each @role is declared",
-        "Every @role names an application that is declared, and a role of its pattern. No tag is "
-        "written twice. The tag is above a module to which design/applications.toml assigns this "
-        "role, or above a module of an extension.",
+        "Every @role names a declared application, and a role of the application's pattern. No tag "
+        "is written twice. The tag is above a module to which design/applications.toml assigns "
+        "this role, or above a module of an extension.",
         "The check does not find a class that plays a role in a pattern but has no @role. The "
         "clauses of the pattern find some of these classes.",
         "correct the application or the role in the tag, or change design/applications.toml.",
@@ -397,9 +399,9 @@ _FIXED = [
         "A block of registers has owners",
         "design/register_owners.toml lists the owners of each namespace of src/k64/registers.hpp. "
         "Only the owners use the namespace, and each owner uses it. No address is in two "
-        "namespaces. Only src/k64/registers.hpp defines registers, and no linker script defines a "
-        "symbol at the address of a register. Only src/k64/Register.hpp converts a number to an "
-        "address, or names a volatile object. No module passes a register to another module. No "
+        "namespaces. Only src/k64/registers.hpp defines registers, and no linker script contains "
+        "an address in the range of the registers. Only src/k64/Register.hpp converts a number to "
+        "an address, or names a volatile object. No module passes a register to another module. No "
         "offset leads from one block of registers to another block. Assembler instructions are "
         "only in the drivers. Of these instructions, only the instructions of the start-up code "
         "access memory.",
@@ -427,7 +429,7 @@ _FIXED = [
         "src/k64/registers.hpp has a belief.",
         "The check does not detect that design/board_beliefs.toml lacks a value of a register. It "
         "cannot judge whether the source confirms the belief.",
-        "correct the entry or add it, with its source.",
+        "correct the entry, or add an entry with its source.",
     ),
     Check(
         "uses-cycle",
@@ -474,10 +476,10 @@ _FIXED = [
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the vector table belongs to one context of design/execution.toml, "
-        "and a call enables its interrupt line. Each handler, thread body and shared member that "
-        "design/execution.toml names exists. The program after a reset calls the idle program. The "
-        "interrupt lines of a context have the declared priority of the context. Each pipe of the "
-        "robot has a name.",
+        "and a call enables the interrupt line of this handler. Each handler, thread body and "
+        "shared member that design/execution.toml names exists. The program after a reset calls "
+        "the idle program. The interrupt lines of a context have the declared priority of the "
+        "context. Each pipe of the robot has a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
@@ -495,7 +497,7 @@ _FIXED = [
     Check(
         "exec-float",
         "No floating point in an interrupt",
-        "A function that the handler of an interrupt reaches has no floating-point number.",
+        "A function that the handler of an interrupt reaches uses no floating-point numbers.",
         "The check does not read functions of the toolchain. It does not follow calls through "
         "pointers to functions. It reads only the product weeding_robot.",
         "compute with integers.",
@@ -514,7 +516,7 @@ _FIXED = [
     Check(
         "exec-heap",
         "No heap in the source",
-        "No file of src and extensions has new, delete, malloc or free. No such file includes a "
+        "No file of src or extensions uses new, delete, malloc or free. No such file includes a "
         "header of the standard library whose types allocate memory, or names such a type, for "
         "example std::function.",
         "The check does not find library code that allocates memory internally. The symbols of "
@@ -528,22 +530,22 @@ _FIXED = [
         "Shared data of contexts is protected",
         "A member that one context changes and another context uses is a Pipe, or "
         "design/execution.toml declares its protection. A member that is declared as atomic is "
-        "atomic. Each function that uses a member that is declared as masked blocks the "
-        "interrupts. If only the writes are declared as masked, this applies only to functions "
-        "that change the member. The idle program counts as a context. Only one context writes "
-        "each pipe, and only one context reads it.",
+        "atomic. If a member is declared as masked, each function that uses the member blocks the "
+        "interrupts. If only its writes are declared as masked, each function that changes the "
+        "member blocks the interrupts. The idle program counts as a context. Only one context "
+        "writes each pipe, and only one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
-        "the threads of two wheels. It does not read the calls with which the program after a "
-        "reset starts the timers and sensors when the interrupts are already enabled. It does not "
-        "read members of data types. Instead, it reads the members in which modules store values "
-        "of these data types.",
+        "the threads of two wheels. After a reset, the program starts the timers and the sensors "
+        "when the interrupts are already enabled. The check does not read the calls that start "
+        "them. It does not read members of data types. Instead, it reads the members in which "
+        "modules store values of these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
         "stack-call",
-        "Each indirect call of the firmware image is known",
+        "The targets of each indirect call are declared or found in the code",
         "The compiler lists the indirect calls of the firmware image. The possible targets of each "
         "of these calls are known in one of two ways. A builder passed the object whose virtual "
         "method is called, or design/stack.toml declares the targets. The compiler reported the "
@@ -581,12 +583,12 @@ _FIXED = [
         "Each loop that a handler of the firmware image reaches has a bound. Each memory copy of "
         "unknown size that a handler reaches has a bound too. The bound is the constant in the "
         "head of the loop, or a declared number above the loop or the copy. For a loop over a "
-        "std::array, the declared bound is not lower than the number of elements. If the loop "
-        "reads only the first elements, this applies only to a bound in digits. The target of each "
-        "indirect call is known. No lock of the interrupts contains a loop or a call.",
-        "The check cannot judge whether another declared bound is right. It does not read loops "
-        "that run only before the first interrupt. It reads only the firmware image of "
-        "weeding_robot.",
+        "std::array, the declared bound is not lower than the number of elements. A bound that is "
+        "a formula or a name can be lower if the loop reads only the first elements. The target of "
+        "each indirect call is known. No lock of the interrupts contains a loop or a call.",
+        "If a loop does not read a std::array, the check cannot judge whether the declared bound "
+        "is right. It does not read loops that run only before the first interrupt. It reads only "
+        "the firmware image of weeding_robot.",
         "write the bound above the loop.",
     ),
     Check(
@@ -597,8 +599,8 @@ _FIXED = [
         "cycle ends with the report. In the published random drives, the measured time ends when "
         "the main thread ends. Random drives with noise at the inputs have a larger bound, which "
         "includes the interrupts that the noise causes. The recorded time of each path is at most "
-        "the computed bound of this path. In no recording does an interrupt occur more often than "
-        "design/times.toml states.",
+        "the computed bound of this path. In each recording, each interrupt occurs at most as "
+        "often as design/times.toml states.",
         "The check does not detect that an interrupt can occur more often than in a recording. The "
         "bounds apply only to weeding_robot.",
         "find the bound that is too small and correct it: the declared bound of a loop, or a "
@@ -613,10 +615,9 @@ _FIXED = [
         "requirement if its @satisfies names the requirement or if the tree of the requirement "
         "contains the method. Two methods serve the requirement of a transition: a method of the "
         "old or of the new state, and an operation of the event or a method of the action. Each "
-        "event occurs in a transition. If a state "
-        "has several transitions at the same event, guards distinguish these transitions. If a "
-        "transition contains a number with a unit, such as 2 s, a requirement of the transition "
-        "states the same number.",
+        "event occurs in a transition. If a state has several transitions at the same event, "
+        "guards distinguish these transitions. If a transition contains a number with a unit, such "
+        "as 2 s, a requirement of the transition states the same number.",
         "The check cannot judge the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
@@ -673,8 +674,9 @@ _FIXED = [
     Check(
         "proof-property",
         "Properties formalise requirements that exist",
-        "Each property of design/proofs/properties.toml names a requirement that exists, and its "
-        "formula uses only names that the observer in design/proofs/robot.pml sets.",
+        "Each property of design/proofs/properties.toml names a requirement that exists. The "
+        "formula of the property uses only names that the observer in design/proofs/robot.pml "
+        "sets.",
         "The check cannot judge whether the formula, its sentence and its requirement mean the "
         "same.",
         "correct the property.",
@@ -722,8 +724,9 @@ _FIXED = [
         "secret-open",
         "No access except through the interface",
         "No module has public variables. Each friend of a module is nested in this module. No "
-        "operation returns a reference or a pointer with which a caller can change a number of the "
-        "module. No source file declares a name that another source file defines.",
+        "operation returns a reference or a pointer with which a caller can change a member whose "
+        "type contains no class of the project, such as a number. No source file declares a name "
+        "that another source file defines.",
         "The check does not find an operation that returns a reference to a whole object inside "
         "the module, such as an object that a builder contains.",
         "make the data private and add an operation to the module.",
@@ -798,8 +801,8 @@ _FIXED = [
     Check(
         "req-text",
         "Requirements are complete",
-        "Every requirement has a unique id, a sentence with a shall, @rationale, @source and "
-        "@priority. The priority is high, medium or low.",
+        "Every requirement has a unique id, a sentence with the word shall, @rationale, @source "
+        "and @priority. The priority is high, medium or low.",
         "The check cannot judge whether the sentence is clear and can be verified.",
         "write the missing part of the requirement.",
     ),
@@ -808,13 +811,12 @@ _FIXED = [
         "Requirements have level, product and method",
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
         "names of products that exist. The @product of a requirement FR-n names each product that "
-        "contains all modules that satisfy the requirement. It names no product that contains none "
-        "of these modules. Every requirement "
-        "has one @method of verification: test, analysis, measurement or inspection. If the method "
-        "is test, the @verifies of a test names the requirement. If the method is measurement or "
-        "analysis, the requirement has @evidence.",
-        "The check cannot judge whether the method suits the requirement. It does not find parts "
-        "that are not verified although the requirement has no @partly.",
+        "contains all modules that satisfy the requirement. Each named product contains at least "
+        "one of these modules. Every requirement has one @method of verification: test, analysis, "
+        "measurement or inspection. If the method is test, the @verifies of a test names the "
+        "requirement. If the method is measurement or analysis, the requirement has @evidence.",
+        "The check cannot judge whether the method suits the requirement. It does not detect that "
+        "@partly is missing although a part of the requirement is not verified.",
         "write the attribute, or correct its value.",
     ),
     Check(
@@ -822,9 +824,9 @@ _FIXED = [
         "Numbers of specifications agree with the code",
         "The check reads each number with a unit in the comment of a module or of its methods, and "
         "each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states the "
-        "same number. The constant belongs to the module, to a module that it uses, or to "
-        "SystemConstants. The module satisfies the requirement. The number is in the text or in "
-        "the rationale of the requirement.",
+        "same number. The constant belongs to the module, to a module that this module uses, or to "
+        "SystemConstants. The requirement is a requirement that the module satisfies, and its text "
+        "or its rationale contains the number.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
         "sentence that begins with 'Assumption:'. It leaves out 100 % and numbers of at most one "
         "smallest unit, such as 0.01 degree.",
@@ -851,8 +853,8 @@ _FIXED = [
         "test-number",
         "Numbers in the brief of a test are in its code",
         "Each number with a physical unit in the brief of a C++ test is a number in the test, in "
-        "the other code of its file, in its fixtures or in a scenario that it plays. It can also "
-        "be the value of a constant that one of them names.",
+        "the other code of its file, in its fixtures or in a scenario that the test plays. The "
+        "number can also be the value of a constant that one of these places names.",
         "The check cannot judge whether the number belongs to the sentence. It does not compare "
         "counts, such as cycles or edges.",
         "correct the brief or the test.",
@@ -900,8 +902,8 @@ _FIXED = [
     Check(
         "req-caller",
         "Each public method has a caller",
-        "Code of the firmware calls every public method of a design module, or the method that it "
-        "overrides. Methods without a caller are justified in design/justified.toml.",
+        "Code of the firmware calls every public method of a design module, or the method that "
+        "this method overrides. Methods without a caller are justified in design/justified.toml.",
         "The check does not detect whether the calling code is ever executed. It also accepts a "
         "call in dead code. It ignores constructors and operators.",
         "call the method, remove the method, or justify it in design/justified.toml.",
@@ -911,8 +913,9 @@ _FIXED = [
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
         "tools recognise the macro of every test. No test is disabled, and no test of a "
-        "requirement skips itself. A loop runs at least once if its limits are numbers, or "
-        "constants that its file defines. No loop counts away from its limit.",
+        "requirement skips itself. If the limits of a loop in a test are numbers, or constants "
+        "that the file of the test defines, the loop runs at least once. No loop counts away from "
+        "its limit.",
         "The check does not detect whether the test fails when the code violates the requirement. "
         "Mutation tests show this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
@@ -923,15 +926,17 @@ _FIXED = [
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
-        "check also verifies that a mutant made each of these changes, and that no test found it.",
+        "check also verifies that a mutant made each of these changes, and that no test found this "
+        "mutant.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
     Check(
         "req-evidence",
         "Each metric of a requirement meets its bound",
-        "Each @evidence of a requirement names a metric that was measured in this run and meets "
-        "its bound. A bound has the form at most, at least or exactly.",
+        "Each @evidence of a requirement names a metric and a bound. The metric was measured in "
+        "this run, and its value meets the bound. A bound has the form at most, at least or "
+        "exactly.",
         "The check cannot judge whether the metric shows the property that the requirement "
         "demands.",
         "run ./wr test --all to measure the metric; if the value is beyond its bound, correct the "
@@ -977,7 +982,7 @@ _FIXED = [
         "Each source line of a method of the design is executed by a passing test of a "
         "requirement, and the method serves this requirement. A method serves a requirement in "
         "three cases: the tree of the requirement contains the method, the @satisfies of the "
-        "method names the requirement, or no tree contains the method and a caller of the method "
+        "method names the requirement, or no tree contains the method but a caller of the method "
         "serves the requirement. If a method serves no requirement, a passing test of any "
         "requirement is enough. Other lines are justified in design/justified.toml.",
         "The check does not read the code that only the K64 uses. The page of the virtual K64 "
@@ -1000,7 +1005,7 @@ _FIXED = [
         "hazard-covered",
         "Each hazard is covered",
         "Every hazard has a safety goal or an assumption of use. The risk graph has a level for "
-        "its severity, exposure and avoidance.",
+        "the severity, exposure and avoidance of every hazard.",
         "The check cannot judge whether the estimates are right, or whether the goal is "
         "sufficient.",
         "name a goal or an assumption, or complete the estimates.",
@@ -1018,13 +1023,14 @@ _FIXED = [
         "Times of safety goals match their formulas",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
         "10 %. If a goal declares a velocity, its formula contains this velocity. The velocity "
-        "differs by at most 1 % from the greatest ordered velocity, which is calculated from "
-        "SystemConstants::velocityLimit and the gear and the wheels of the simulated robot. The "
-        "reaction time of the firmware is at most the fault-tolerant time. If a goal declares the "
-        "parts of its reaction, the reaction time is the value of this formula of constants, "
-        "rounded up by at most 10 %. The fault-tolerant time and the reaction time end when the "
-        "safe state is reached, or when the halt begins that leads to it. If a goal has no known "
-        "exceptions, its scenarios accept no reaction that is later than the fault-tolerant time.",
+        "differs by at most 1 % from the greatest ordered velocity. That velocity is calculated "
+        "from SystemConstants::velocityLimit, and from the gear and the wheels of the simulated "
+        "robot. The reaction time of the firmware is at most the fault-tolerant time. If a goal "
+        "declares its reaction time as a formula of constants (the key parts), the reaction time "
+        "is the value of this formula, rounded up by at most 10 %. The fault-tolerant time and the "
+        "reaction time end when the safe state is reached, or when the halt to this state begins. "
+        "If a goal has no known exceptions, its scenarios accept no reaction that is later than "
+        "the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It does not find a formula with the velocity of the robot if the goal declares "
         "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
@@ -1147,10 +1153,11 @@ _FIXED = [
     Check(
         "paper-stale",
         "The concordance names only parts that exist",
-        "The entries of design/concordance.toml and the backticks in their texts name only "
-        "existing modules, methods, applications, state machines, requirements, checks and pages. "
-        "A count of modules or of applications equals the number of entries in design/modules.toml "
-        "or design/applications.toml. The value of a constant equals the value in the code.",
+        "The entries of design/concordance.toml, and the words in backticks in their texts, name "
+        "only existing modules, methods, applications, state machines, requirements, checks and "
+        "pages. A count of modules or of applications equals the number of entries in "
+        "design/modules.toml or design/applications.toml. The value of a constant equals the value "
+        "in the code.",
         "The check cannot judge whether the named part is really the counterpart of the element "
         "in the paper. Only a reader can judge this.",
         "name the part that replaced the missing part.",
@@ -1175,9 +1182,10 @@ _FIXED = [
         "doc-frame",
         "Numbers of the protocol agree with the code",
         "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
-        "firmware, or names a constant of the firmware, both have the same number. If a frame has "
-        "the name of an enumerator of FrameType, the type of the frame is the number of this "
-        "enumerator. The client has a text for each cause of a protective stop.",
+        "firmware, or names a constant of the firmware, the value has the same number as this "
+        "enumerator or constant. If a frame has the name of an enumerator of FrameType, the type "
+        "of the frame is the number of this enumerator. The client has a text for each cause of a "
+        "protective stop.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",
@@ -1203,9 +1211,9 @@ _FIXED = [
         "A time can also be the difference of two times. A percentage can also be the difference "
         "of two values. Any other number can also be in the middle of an expected range. A test of "
         "the firmware names each file of sim/scenario/examples.",
-        "The check does not decide whether this test plays the file. It does not find a value that "
-        "another line of the scenario also has. It does not read a number that follows the word "
-        "about.",
+        "The check does not decide whether this test plays the file. It does not find a wrong "
+        "number that is equal to a value in another line of the scenario. It does not read a "
+        "number that follows the word about.",
         "correct the comment or the scenario, or name the requirement that states the number.",
     ),
     Check(
@@ -1215,13 +1223,13 @@ _FIXED = [
         "texts of design/ and other texts. If a path in such a text begins with a folder of the "
         "project, the path exists. Each command of ./wr that a page names exists with its "
         "options. An option without a command is an option of a command or a program that the "
-        "page names. If an option has a list of values, a value behind the option is in this "
+        "page names. If an option has a list of values, a value after the option is in this "
         "list. Each product, program, firmware image, folder of the build, pin and key that a "
         "page or a text of design/ names exists too. The file src/k64/pins.hpp contains each of "
-        "these pins, also those that it names as unused. The README of a port can also name the "
-        "pins of this port. If one of these texts names a signal or a connector directly next to "
-        "a pin, src/k64/pins.hpp lists them for this pin. Pages and help texts insert the exit "
-        "codes.",
+        "these pins, in its table or in a comment about unused pins. The README of a port can also "
+        "name the pins of this port. If one of these texts names a signal or a connector directly "
+        "next to a pin, src/k64/pins.hpp lists the same signal or connector for this pin. Pages "
+        "and help texts insert the exit codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "
@@ -1232,8 +1240,8 @@ _FIXED = [
     Check(
         "link-site",
         "Links of the site",
-        "Every link of the site has a target page and anchor. This includes the links in diagrams. "
-        "Every address that design/questions.toml lists in `clicks` has a page.",
+        "The page and the anchor to which a link of the site leads exist. This also applies to the "
+        "links in diagrams. Every address that design/questions.toml lists in `clicks` has a page.",
         "The check does not follow links to other sites.",
         "correct the source of the page.",
     ),

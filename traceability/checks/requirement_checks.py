@@ -1,4 +1,4 @@
-"""req-* and suspect-*: for each requirement, code satisfies it and passed tests verify it.
+"""req-* and suspect-*: code satisfies each requirement, and passed tests or metrics verify it.
 
 Also checks that the texts on which a requirement depends are unchanged since the baseline, and that
 each recorded review is valid.
@@ -142,7 +142,7 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
                 text = f"{requirement.id} has the source {named}, which does not exist"
                 fix = "correct the name"
             elif source.kind == "goal" and source.name not in requirement.goals:
-                text = f"{requirement.id} has the source {source.name} and no @goal {source.name}"
+                text = f"{requirement.id} has the source {source.name}, but no @goal {source.name}"
                 fix = f"write the tag @goal {source.name}, or remove the source"
             else:
                 continue
@@ -197,7 +197,7 @@ def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     for entry in entries:
         for name in entry.names:
             if name not in spare:
-                text = f"{name} needs no justification: it has a caller, or is no public method"
+                text = f"{name} needs no justification: it has a caller, or is not a public method"
                 yield Finding(entry.place, "req-justified", text)
 
 
@@ -446,8 +446,9 @@ def _reviews(model: Model) -> Iterator[Finding]:
 
 
 def _macros(facts: Facts) -> Iterator[Finding]:
-    """Finds test macros that gtest_cases.py cannot read. The tests that they define would be
-    missing in the model. Also finds loops that never run."""
+    """Finds test macros that gtest_cases.py cannot read. The tests that these macros define would
+    be missing in the model. Also finds loops, in the tests, that never run or count away from
+    their limit."""
     for file, code in texts_below(facts.root, ["tests"], (".cpp", ".hpp")):
         for line, head in empty_loops(code):
             text = f"the loop '{head}' never runs, or counts away from its limit"

@@ -90,8 +90,8 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _times(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds safety goals with a wrong time. The time must agree with the value of the goal's
-    formula, and must not be shorter than the reaction time of the firmware. The reaction time must
-    agree with the constants of its parts."""
+    formula, and must not be shorter than the reaction time of the firmware. If the key ``parts`` of
+    the goal contains a formula, the reaction time must agree with the value of this formula."""
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
@@ -102,11 +102,11 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(_at(facts, goal), "hazard-time", text)
         parts = value_of(goal.parts, model.constants) if goal.parts else 1000 * goal.reaction
         if parts is None:
-            text = f"the parts of the reaction of {goal.id} have no value: {goal.parts}"
+            text = f"the formula 'parts' of {goal.id} has no value: {goal.parts}"
             yield Finding(_at(facts, goal), "hazard-time", text)
         elif not 0.999 * parts <= 1000 * goal.reaction <= 1.1 * parts:
             reaction, needed = f"{goal.reaction:g} s", f"{parts:.4g} ms"
-            text = f"the reaction time of {goal.id} is {reaction}, but its parts need {needed}"
+            text = f"the reaction time of {goal.id} is {reaction}, but its formula gives {needed}"
             yield Finding(_at(facts, goal), "hazard-time", text, "correct the reaction time")
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
@@ -162,10 +162,9 @@ def _requirements(model: Model) -> Iterator[Finding]:
 
 
 def _scenarios(model: Model) -> Iterator[Finding]:
-    """Finds fault scenarios that name no goal, a goal that does not exist, or no goal of a hazard
-    that lists them. Also finds fault scenarios that no hazard lists, that no test plays, or whose
-    tests did not pass.
-    """
+    """Finds fault scenarios that name no goal, or a goal that does not exist. Finds hazards and
+    fault scenarios without a common goal, if the hazard lists the scenario. Also finds fault
+    scenarios that no hazard lists, that no test plays, or whose tests did not pass."""
     hazards = model.safety.hazards.values()
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"

@@ -1,6 +1,6 @@
 """doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. Each
-number with a unit in a comment of a scenario is also in a line of the scenario. A test names each
-example scenario."""
+number with a unit in a comment of a scenario is also in a line of the scenario, or in a requirement
+that the comment names. A test names each example scenario."""
 
 from __future__ import annotations
 
@@ -92,8 +92,8 @@ def unplayed_examples(root: Path) -> Iterator[Finding]:
 
 
 def wrong_words(root: Path) -> Iterator[Finding]:
-    """Finds words of the page that scenarios do not have, and words of scenarios that the page does
-    not name. Numbers of wheels at the ends of words are ignored."""
+    """Finds words on the page that a scenario cannot contain, and words of scenarios that the page
+    does not name. Numbers of wheels at the ends of words are ignored."""
     read = [(place, READ.findall(line)) for place, line in lines_below(root, READERS, ())]
     known = {_stem(word) for _, words in read for word in words}
     known |= {
@@ -122,8 +122,8 @@ def _stem(word: str) -> str:
 
 
 def _wrong_faults(root: Path) -> Iterator[Finding]:
-    """Finds faults in the table of the page that do not exist, or that have another number of
-    arguments."""
+    """Finds names of faults in the table of the page, if a scenario cannot contain such a fault
+    with this number of arguments."""
     faults = {
         name: [wheel, value].count("true")
         for _, line in lines_below(root, READERS, ())

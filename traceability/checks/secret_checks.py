@@ -46,7 +46,8 @@ def _open(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds public operations that return a non-const reference or pointer to a member of the
-    module. By means of this reference or pointer, a caller could change the member."""
+    module. With this reference or pointer, a caller could change the member. A member whose type
+    contains a class of the project is left out."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)

@@ -214,8 +214,9 @@ def _operation(
 
 
 def _out_of_order(rows: list[Transition], changes: list[Change]) -> Iterator[Finding]:
-    """Finds transitions whose guards the code evaluates in another order than the declaration lists
-    them. If two guards are true at the same time, this order decides which transition occurs."""
+    """Finds pairs of transitions if the order of their guards in the code differs from their order
+    in the declaration. If both guards are true at the same time, the order in the code decides
+    which transition occurs."""
     places: dict[str, list[int]] = {}
     for number, change in enumerate(changes):
         places.setdefault(change.target, []).append(number)
@@ -425,8 +426,8 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Findin
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
-    """Returns each number with a unit in a text (for example "2 s"), if none of these requirements
-    states the number."""
+    """Returns each number with a unit in a text (for example "2 s"), if none of the given
+    requirements states the number."""
     numbers = {
         re.sub(r"\s+", " ", number) for r in requirements for number in _WITH_UNIT.findall(r.text)
     }

@@ -19,7 +19,8 @@ from traceability.schema import Finding
 LITERAL = re.compile(r"(?<![\w.])(?:0x[\dA-Fa-f']+|\d[\d']*(?:\.\d+)?(?:e-?\d+)?)")
 NANOSECONDS = re.compile(r"\bnanoseconds\(([\d']+)\)")
 WORD = re.compile(r"\w+")
-# Kinds of quantities that are compared. Counts are left out: the steps of a test are such counts.
+# Kinds of quantities that are compared. Counts, for example the number of steps of a test, are left
+# out.
 KINDS = ("time", "voltage", "current", "velocity", "angle", "share", "frequency", "bit rate")
 WHOLE = 10_000  # the share 1, in the unit of Quantity
 

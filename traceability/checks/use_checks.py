@@ -151,7 +151,7 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
         if top != other:
             graph = _graph(uses, depth=1)
             if top in descendants(other, graph):
-                yield _finding(use, f"{top} and {other} use each other")
+                yield _finding(use, f"{top} and {other} use each other, directly or indirectly")
             continue
         graph = _graph(uses, depth=9)
         loop = descendants(use.target, graph)

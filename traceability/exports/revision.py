@@ -148,7 +148,7 @@ def _of_requirements(first: Revision, second: Revision) -> Iterator[Difference]:
 
 def changed_words(old: str, new: str) -> str:
     """Returns the difference between two texts: removed words as [-removed-] and added words as
-    {+added+}, with the unchanged words around them. Many unchanged words are shortened."""
+    {+added+}, with the unchanged words around them. A long row of unchanged words is shortened."""
     before, after = old.split(), new.split()
     parts: list[str] = []
     matcher = difflib.SequenceMatcher(None, before, after, autojunk=False)

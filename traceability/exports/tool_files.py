@@ -39,9 +39,9 @@ FILES = (
     ),
     ToolFile(
         requirement_files.CSV,
-        "The requirements with their attributes and verdicts, as a table. The columns verified_by "
-        "and satisfied_by contain their tests and methods, separated by spaces. The results of the "
-        "tests and their targets are in verification.json.",
+        "The requirements with their attributes and verdicts, as a table. The column verified_by "
+        "contains the tests of a requirement, and the column satisfied_by its methods, separated "
+        "by spaces. The results and targets of the tests are in verification.json.",
         lambda _root, model, report: requirement_files.csv_text(model, report),
     ),
     ToolFile(

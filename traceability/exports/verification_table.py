@@ -24,7 +24,7 @@ SCHEMA = "verification.schema.json"
 @dataclass(frozen=True)
 class ReviewResult:
     """The review of a requirement by a person. ``holds`` is true if the review is valid and no
-    reviewed text has changed since."""
+    reviewed text has changed since the review."""
 
     reviewer: str
     date: str

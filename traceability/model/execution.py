@@ -42,7 +42,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.robot.reached(context.handlers, narrowed, facts.declared.ends)
         methods[context.id] = reached
-        if context.kind == START:  # Only its part after the start of the interrupts counts.
+        if context.kind == START:  # Only the part after the start of the interrupts counts.
             idle = [context.idle] if context.idle else []
             methods[context.id] = facts.robot.reached(idle, {}, facts.declared.ends)
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}

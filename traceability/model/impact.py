@@ -3,8 +3,8 @@ change, and the requirements, patterns, tests and safety goals to review again.
 
 A change of a module or value type may affect the modules and value types that name it, call it or
 derive from it. In the same way, each affected module may affect further modules. A module that
-names only an abstract base class of a changed module does not count as affected. If it can call a
-method of the changed module through this class, ``callers`` lists it."""
+names only an abstract base class of a changed module does not count as affected. If such a module
+can call a method of the changed module through the base class, ``callers`` lists the module."""
 
 from __future__ import annotations
 

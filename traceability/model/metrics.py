@@ -89,7 +89,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 def of_task(root: Path, file: Path) -> dict[str, Any]:
     """Returns the metrics in the file of a task. Returns no metric if the inputs of the task have
-    changed since."""
+    changed since the task wrote the file."""
     task, keys = OF_TASKS[file]
     record = read_fresh(root, file, task)
     return {metric: record.get(key) for metric, key in keys.items()} if record else {}
@@ -272,7 +272,7 @@ def _is_executed(requirement: schema.Requirement) -> bool:
 
 
 def safety(case: schema.SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
-    """Counts the safety goals and the fault scenarios, in all and those that this run verified.
+    """Counts all safety goals and fault scenarios, and those that this run verified.
     Also returns the number of existing lines that were edited for safety functions."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())

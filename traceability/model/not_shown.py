@@ -107,8 +107,8 @@ def by_method(model: Model, report: Report) -> str:
 def _sources(model: Model) -> Iterator[NotShown]:
     if model.safety.goals:
         yield NotShown(
-            "Not all evidence is from all products. The section “Tested products” names the "
-            "products with which the fault scenarios were played, and the product of each "
+            "Some evidence is from some of the products only. The section “Tested products” names "
+            "the products with which the fault scenarios were played, and the product of each "
             "calculation and measurement.",
             "safety",
         )
@@ -192,8 +192,8 @@ def _requirements(model: Model, report: Report) -> Iterator[NotShown]:
     hazards = model.safety.hazards.values()
     if unplayed := [hazard.id for hazard in hazards if not hazard.scenarios]:
         yield NotShown(
-            f"No fault scenario plays {len(unplayed)} of {_count(len(hazards), 'hazard')}: "
-            f"{', '.join(unplayed)}.",
+            f"Number of hazards without a fault scenario: {len(unplayed)} of {len(hazards)} "
+            f"({', '.join(unplayed)}).",
             "safety",
         )
     if short := sum(len(nodes_of(requirement.tree)) == 1 for requirement in requirements):
@@ -223,7 +223,7 @@ def _missing_runs(model: Model) -> Iterator[NotShown]:
     tests did not all pass. ``_sources`` lists missing test results of a target."""
     coverage = model.measured.get("coverage.line")
     results = (
-        (coverage, "The coverage of all tests was not measured", "requirements"),
+        (coverage, "The combined coverage of the tests was not measured", "requirements"),
         (model.board_lines, "The executed lines of the drivers were not measured", "virtual_k64"),
         (model.driver_faults, "The faults seeded in the drivers were not run", "virtual_k64"),
         (model.bench, "The times of the control cycle were not measured", "bench"),
@@ -236,21 +236,21 @@ def _missing_runs(model: Model) -> Iterator[NotShown]:
     loops = model.closed_loop
     if unplayed := sum(not {HOST, VIRTUAL_K64} <= loop.runs.keys() for loop in loops):
         yield NotShown(
-            "Number of scenarios for the control performance that were not run on both targets "
-            f"with these sources: {unplayed} of {len(loops)}.",
+            "Number of scenarios for the control performance that have no run with these sources "
+            f"on at least one target: {unplayed} of {len(loops)}.",
             "closed_loop",
         )
     made = [change.made for change in model.changes.values() if change.made]
     if unproven := len(made) - sum(map(proven, made)):
         yield NotShown(
-            "Number of examples of likely changes that did not pass all tests with these sources, "
-            f"or were not tested: {unproven} of {len(made)}.",
+            "Number of examples of likely changes with a failed test, or without test results for "
+            f"these sources: {unproven} of {len(made)}.",
             "changes",
         )
     if ports := [name for name, port in model.ports.items() if not port.passed]:
         yield NotShown(
-            "These ports to other devices did not pass all tests with these sources, or were not "
-            f"tested: {', '.join(ports)}.",
+            "These ports to other devices have a failed test, or no test results with these "
+            f"sources: {', '.join(ports)}.",
             "changes",
         )
 

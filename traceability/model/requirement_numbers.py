@@ -48,7 +48,7 @@ UNITS = {
     "bit/s": ("bit rate", Fraction(1)),
     "kbit/s": ("bit rate", Fraction(1000)),
 }
-# Units of limits that no constant of the firmware has.
+# Units that occur only in limits. No constant of the firmware has such a unit.
 _OF_LIMITS = {
     "mm": ("length", Fraction(1)),
     "m": ("length", Fraction(1000)),

@@ -293,9 +293,9 @@ def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noi
 def too_many(
     bound: TimeBound, handlers: Sequence[str], recording: Recording
 ) -> tuple[int, float] | None:
-    """Finds the first requests of an interrupt in a recording that are more than its bound permits.
-    Returns the number of these requests, and the time [ms] from the first to the last of them.
-    Returns None if there are no such requests."""
+    """Searches a recording for a time in which an interrupt has more requests than its bound
+    permits. Returns the number of requests in the first such time, and the time [ms] from its
+    first to its last request. Returns None if there is no such time."""
     if bound.entries is None:
         return None
     waits = {bound.context: min((bound.response_ms or 0.0) * CLOCK, float(MOST_ROUNDS * CLOCK))}

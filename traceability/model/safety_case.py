@@ -21,7 +21,7 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
     """Returns the safety case with the requirements of each goal, the tests that execute the
     scenarios, and the cost of the safety functions.
 
-    If the file of a parameterised test names the folder of the scenarios, the test may execute each
+    If the file of a parameterised test names the folder of the scenarios, the test may execute any
     scenario. The recordings of the test show which scenarios the test executed. Such a test without
     recordings counts as a test of all scenarios."""
     case = facts.declared.safety

@@ -245,7 +245,7 @@ class Prover:
         self, function: Function, place: Place, way: Sequence[tuple[str, int]] = ()
     ) -> list[str]:
         """Returns the functions that an indirect call may execute. ``way`` begins with the place of
-        the call. The next places are the inlined calls that contain it."""
+        this call. The next places are those of the inlined calls that contain this call."""
         pattern = self.declared.calls.get(short_name(function.name))
         if pattern is not None:
             return [symbol for symbol in self.graph if fnmatch.fnmatch(symbol, pattern)]

@@ -139,7 +139,7 @@ class _Changes:
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[Change]:
         """Yields the changes of state that a method makes itself or through other methods of the
-        state. Their source and their operation are empty."""
+        state. In these changes, the source and the operation are empty."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [
@@ -299,8 +299,8 @@ class _Run:
             self.changed = tuple(method for method in between if method in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """Records that an operation of the present state begins. All states that do not have this
-        operation are then excluded."""
+        """Records that an operation of the present state begins. Excludes all states that do not
+        have this operation."""
         states = self.watcher.runners[method]
         if not self.present & states:
             self._forget()

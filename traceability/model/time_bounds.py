@@ -243,8 +243,8 @@ class Times:
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
         """Returns true if a function contains the inlined code of another function at a call.
-        ``way`` begins with the place of this call. The next places are the inlined calls that
-        contain it."""
+        ``way`` begins with the place of this call. The next places are those of the inlined calls
+        that contain this call."""
         other = self.codes.get(self._home(target))
         if other is None or other is code:
             return False

@@ -48,8 +48,7 @@ class FieldFact:
 
 @dataclass
 class SilentFact:
-    """A declaration that needs a comment, because other files can use the declaration, but that has
-    no comment."""
+    """A declaration without a comment. It needs a comment, because other files can use it."""
 
     name: str
     # For a variable, this place includes its last source line, because a comment may be at the end

@@ -200,8 +200,8 @@ class Reader:
         del self.asked[around:]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records which constant or data member was declared last. A call outside functions belongs
-        to this constant or data member, because the call is in its initialiser."""
+        """Records the constant or data member that was declared last. A call outside functions
+        belongs to this constant or data member, because the call is in its initialiser."""
         if body is not None:
             return
         if cursor.kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):

@@ -157,8 +157,8 @@ def read_comparison(root: Path) -> dict[str, Any] | None:
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
-    """Returns by how many per cent the value of a metric is higher in the pattern design than in
-    the baseline design. Returns None if the value in the baseline design is 0."""
+    """Returns the increase of a metric from the baseline design to the pattern design, in per cent
+    of the value in the baseline design. Returns None if this value is 0."""
     usual, patterns = figures[USUAL][key], figures[PATTERNS][key]
     return 100 * (patterns / usual - 1) if usual else None
 

@@ -83,7 +83,7 @@ def git(root: Path, *words: str) -> str:
 
 
 def _completed(*command: str) -> subprocess.CompletedProcess[str] | None:
-    """Returns a program that has ended. Returns None if the program is not installed."""
+    """Runs a program. Returns its output and exit code. Returns None if it is not installed."""
     with suppress(OSError):
         return subprocess.run(command, capture_output=True, text=True, check=False)
     return None
@@ -106,9 +106,9 @@ def _versions() -> list[tuple[str, str]]:
 
 
 def program_version(name: str, option: str) -> str:
-    """Returns the version of a program. This is the first number with a point in the output of the
-    program with this option. If the output contains no such number, returns "unknown". If the
-    program is not installed, returns "not installed"."""
+    """Returns the version of a program. This is the first number with a point that the program
+    prints when it runs with the option ``option``. If the output contains no such number, returns
+    "unknown". If the program is not installed, returns "not installed"."""
     run = _completed(name, option)
     if run is None:
         return "not installed"

@@ -143,7 +143,7 @@ def _references(file: str, node: ast.expr, imported: dict[str, str]) -> Iterator
 
 
 def _declared(functions: dict[Name, _Function], names: set[Name]) -> set[str]:
-    """Returns the options that the functions declare, or that the functions they call declare."""
+    """Returns the options that the given functions and the functions called by them declare."""
     none = _Function()
     reached = reached_from(names, lambda name: functions.get(name, none).calls)
     return {option for name in reached for option in functions.get(name, none).options}

@@ -126,7 +126,7 @@ class FlowReader:
         self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
 
     def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:
-        """Records the flow from each argument of a call to the parameter. Returns the sources of
+        """Records the flow from each argument of a call to its parameter. Returns the sources of
         each argument."""
         named = [self.sources(value) for value in call.get_arguments()]
         for number, sources in enumerate(named):

@@ -1,5 +1,5 @@
 """Reads the GoogleTest cases in a source file: suite, name, line and body of each test. Also finds
-loops of tests that never run."""
+loops, in the tests, that never run."""
 
 from __future__ import annotations
 
@@ -56,7 +56,8 @@ def read_tests(text: str) -> Iterator[Case]:
 
 def empty_loops(text: str) -> Iterator[tuple[int, str]]:
     """Yields the line number and the head of each loop that never runs, or that counts away from
-    its limit. The compared limits are numbers, and constants that the file defines before."""
+    its limit. A loop is examined only if its limits are numbers, or constants that the file
+    defines with a number."""
     for match in LOOP.finditer(text):
         _, first, relation, last, step, leap = match.groups()
         away = ((step or leap)[0] == "+") == relation.startswith(">")

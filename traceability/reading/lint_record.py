@@ -1,5 +1,5 @@
 """The records of ./wr lint: the result of each step, the number of findings of the prose linter,
-and the hashes of the files that they read."""
+and the hashes of the files that the steps and the linter read."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SETTINGS = (
     *("site/search_words.txt", "site/synonyms.txt", "site/conf.py"),
 )
 TIDIED = ("src", "extensions", "ports", "sim")  # folders that clang-tidy reads
-# Their files that clang-tidy does not read. It does not find the library of WebAssembly.
+# Files in these folders that clang-tidy does not read: it does not find the library of WebAssembly.
 NOT_TIDIED = re.compile(r"sim/web/module/|ports/\w+/tests/")
 EXEMPTION = re.compile(r"NOLINT(?:NEXTLINE|BEGIN)?\((?P<rules>[^)]+)\): (?P<why>.+)")
 NOT_RUN, PASSED, FAILED = "not run", "passed", "failed"
@@ -36,8 +36,8 @@ def files_hash(root: Path) -> str:
 
 def write_lint(root: Path, steps: Mapping[str, str], commit: str, files: str) -> None:
     """Writes the result of each step. ``files`` is the hash of the files before the first step. If
-    the files have changed since, no result is valid and the record is removed. A step that did not
-    run keeps its earlier result for the same files."""
+    the files have changed since then, no result is valid and the record is removed. A step that did
+    not run keeps its earlier result for the same files."""
     if files != files_hash(root):
         (root / RECORD).unlink(missing_ok=True)
         return

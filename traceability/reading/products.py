@@ -85,8 +85,8 @@ def image_of(product: str, suffix: str) -> Path:
 
 def recorded_image_of(product: str, suffix: str) -> Path:
     """Returns the path of the firmware image for recordings. It is built from the same sources as
-    the released firmware image. The compiler inlines fewer functions. An inlined call cannot be
-    recorded."""
+    the released firmware image, but the compiler inlines fewer functions, because an inlined call
+    cannot be recorded."""
     return Path("build/k64_calls") / f"{product}{suffix}"
 
 

@@ -48,7 +48,7 @@ def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
 
 def read_proofs(root: Path) -> dict[str, ProofResult] | None:
     """Returns the results of the proofs. Returns None if the machines, ``robot.pml`` or the
-    properties have changed since."""
+    properties have changed since the proofs ran."""
     if not is_fresh(root, TASK):
         return None
     return read_record(root / PROOFS, dict[str, ProofResult])

@@ -1,5 +1,6 @@
-"""Reads and writes published results: committed records of runs that take too long for each build,
-such as the campaigns: long runs with inserted faults, random inputs or random drives."""
+"""Reads and writes published results: committed records of runs that take too long for each build.
+Examples are the campaigns, which are long runs with inserted faults, random inputs or random
+drives."""
 
 from __future__ import annotations
 

@@ -212,7 +212,7 @@ class Object:
 
 def replaced_files(facts: Facts) -> set[str]:
     """Returns the files of src that the product ``DEFAULT`` does not contain, because a file of its
-    extension has the same function, such as an interrupt handler."""
+    extension defines the same function, such as an interrupt handler."""
     return {
         body.place.file
         for bodies in facts.bodies.values()

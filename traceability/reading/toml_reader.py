@@ -131,7 +131,7 @@ class Entries:
     def named(
         self, path: Path, name: str, record: type[T], own: str, **options: Any
     ) -> dict[str, T]:
-        """Returns the entries like ``records``, by the value of their key ``own``."""
+        """Returns the same objects as ``records``, as a map from the value of the key ``own``."""
         entries = self.records(path, name, record, own, **options)
         return {getattr(entry, own): entry for entry in entries}
 

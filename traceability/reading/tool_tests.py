@@ -15,7 +15,7 @@ from traceability.sources import TESTS_OF_TOOLS
 AFTER_PAGES = "site"  # tests of the built pages; the pages cannot contain their own results
 LONG = "worked_examples"  # folder in which each test is long
 LONG_MARK = "pytest.mark.long"  # mark of the tests that run only with ./wr test --long
-# Attribute of the tests in a result file that failed at first, and then ran once more.
+# In a result file, attribute of each test that failed at first, and then ran once more.
 REPEATED = "repeated"
 
 
@@ -77,8 +77,9 @@ def _long(file: Path) -> Iterator[bool]:
 
 
 def read_tool_tests(root: Path) -> dict[str, Counts | None]:
-    """Returns the counts for each folder of tests. They are None if the tests did not run on the
-    present files. The result leaves out the folders ``AFTER_PAGES`` and ``LONG``."""
+    """Returns the numbers of passed, failed and skipped tests for each folder of tests. The value
+    is None if the tests did not run on the present files. The result leaves out the folders
+    ``AFTER_PAGES`` and ``LONG``."""
     folders = sorted({path.parent.name for path in (root / TESTS_OF_TOOLS).glob("*/test_*.py")})
     return {
         folder: junit_counts(path)

@@ -135,7 +135,7 @@ def test_a_source_refers_to_what_exists(tmp_path: Path, source: str, says: list[
 def test_a_goal_that_is_the_source_is_named_too(tmp_path: Path) -> None:
     model = changed(tmp_path, sources=read_sources("goal: SG-1"), goals=[])
     texts = [one.text for one in _sources(model, facts_of(tmp_path))]
-    assert texts == ["FR-1 has the source SG-1 and no @goal SG-1"]
+    assert texts == ["FR-1 has the source SG-1, but no @goal SG-1"]
 
 
 def facts_of(root: Path) -> Any:

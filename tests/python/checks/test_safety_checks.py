@@ -53,15 +53,15 @@ def check(root: Path, model: Model) -> list[Finding]:
         (("reaction = 0.2", 'reaction = 0.22\nparts = "2 * Times::kCycle"'), ""),
         (
             ("reaction = 0.2", 'reaction = 0.3\nparts = "2 * Times::kCycle"'),
-            "the reaction time of SG-1 is 0.3 s, but its parts need 200 ms",
+            "the reaction time of SG-1 is 0.3 s, but its formula gives 200 ms",
         ),
         (
             ("reaction = 0.2", 'reaction = 0.19\nparts = "2 * Times::kCycle"'),
-            "the reaction time of SG-1 is 0.19 s, but its parts need 200 ms",
+            "the reaction time of SG-1 is 0.19 s, but its formula gives 200 ms",
         ),
         (
             ("reaction = 0.2", 'reaction = 0.2\nparts = "2 * Times::kGone"'),
-            "the parts of the reaction of SG-1 have no value: 2 * Times::kGone",
+            "the formula 'parts' of SG-1 has no value: 2 * Times::kGone",
         ),
         (('id = "HZ-1"', 'id = "H1"'), "H1 is not an id of a hazard"),
         (('["brake"]', '["brake", "fly"]'), "SG-1 names fly, which is not declared"),
