@@ -22,7 +22,7 @@ class EnableBuffer final : public RcBuffer {
  public:
   /// @param instants measures the period and the width of each pulse
   /// @param function computes the deflection of a pulse
-  /// @param width receives the width of each pulse from 900 to 2100 us
+  /// @param width receives the width of each valid pulse, 900 to 2100 us
   /// @param stop receives the width of a pulse that orders a stop, if the previous pulse also
   /// ordered a stop
   EnableBuffer(InstantCollector& instants, const Function& function, Pipe<Microseconds>& width,

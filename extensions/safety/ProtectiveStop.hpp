@@ -36,8 +36,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Forwards set-points, and checks the robot. While a protective stop is latched, halts
-  /// the wheels and holds the steering instead.
+  /// @brief Forwards set-points, and checks the robot. While a protective stop is latched, does not
+  /// forward the set-points, but halts the wheels and holds the steering.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-270

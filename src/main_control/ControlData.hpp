@@ -57,7 +57,7 @@ class ControlData {
   void saveModeId(ModeId source);
 
   /// @brief Records the set-points. Their source is the source that saveModeId() recorded last.
-  /// @param setPoints targets of the control systems
+  /// @param setPoints set-points of the control systems
   /// @satisfies FR-19
   /// @satisfies FR-305
   /// @isr{no}

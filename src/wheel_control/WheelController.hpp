@@ -50,7 +50,7 @@ class WheelController final {
 
   /// @brief Controls the wheel towards its set-point for one cycle. Stops the wheel if its velocity
   /// or its current is missing, if it has no motion feedback, or if its reversal is late.
-  /// @param setPoint target of the wheel
+  /// @param setPoint set-point of the wheel
   /// @param measured measured values of the wheel in this cycle
   /// @satisfies FR-80
   /// @satisfies FR-86

@@ -23,8 +23,8 @@ class ActiveSensor final {
   ActiveSensor(const ActiveSensor&) = delete;
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
-  /// @brief Executes the command once. The command records the present levels of both sensors. Then
-  /// enables the interrupts of both sensors.
+  /// @brief Executes the command once, to record the present levels of both sensors. Then enables
+  /// the interrupts of both sensors.
   /// @isr{no}
   /// @satisfies FR-120
   void start();

@@ -73,16 +73,16 @@ class VelSensor final {
   /// empty if it calculates no velocity.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
-  /// @brief Returns the velocity when edges occurred since the previous measurement.
+  /// @brief Returns the velocity of a wheel that had edges since the previous measurement.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
-  /// @brief Returns the velocity when the wheel was at rest at the previous measurement. The wheel
+  /// @brief Returns the velocity of a wheel that was at rest at the previous measurement. The wheel
   /// rested at an unknown position between two edges. On average, the distance to the first edge
   /// was half of the distance between two edges.
   [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
                                                        Microseconds elapsed) const;
 
-  /// @brief Returns the velocity when no edge occurred since the previous measurement.
+  /// @brief Returns the velocity of a wheel that had no edge since the previous measurement.
   [[nodiscard]] Velocity withoutEdges(Instant now);
 
   /// @brief Computes a limited velocity. The limit is the velocity at which one more edge would
