@@ -26,7 +26,7 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// again.
   /// @param wrapped stage that forwards orders to all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
-  /// @param memory memory of the protective stop, which a reset does not clear
+  /// @param memory memory of the protective stop; a reset does not clear this memory
   ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop, RetainedProtection& memory);
 
   /// @brief Writes the measurements and outputs of the robot, and the state of the protective stop.

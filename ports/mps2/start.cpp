@@ -41,7 +41,7 @@ void unexpected() {
 
 namespace {
 
-// Handler of the NMI: does nothing. The watchdog requests this NMI when half of its timeout has
+// Handler of the NMI: does nothing. The watchdog requests this NMI when half of its time-out has
 // passed.
 void warning() {}
 

@@ -83,8 +83,8 @@ class PcConnection final {
   /// @isr{no}
   void changeState(ConnectionState& next);
 
-  /// @brief Requests a Welcome, which service() sends at its end. The session of the previous
-  /// Welcome becomes invalid. The states call this function.
+  /// @brief Requests a Welcome. The last step of service() sends this Welcome. The session of the
+  /// previous Welcome becomes invalid. The states call this function.
   /// @isr{no}
   /// @satisfies FR-30
   /// @satisfies FR-245
