@@ -40,7 +40,7 @@ class EnableSwitch final : public ModeDecorator {
     const Timebase& timebase;    ///< returns the present time
   };
 
-  /// @brief Shortest pulse of the switch that does not order a stop.
+  /// @brief Shortest width of a pulse that orders no stop.
   static constexpr Microseconds kMinNoStopPulse{1250};
 
   /// @brief Shortest valid pulse of the switch. A pulse out of the valid range orders a stop, but

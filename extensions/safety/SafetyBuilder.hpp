@@ -40,7 +40,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
     std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels
     std::span<ControlSystemBuilder* const> systems;  ///< builders of all control systems
     EdgeInput& emergencyStop;    ///< emergency-stop contact; high while it is open
-    RetainedProtection& memory;  ///< memory of the protective stop; begin() must be called first
+    RetainedProtection& memory;  ///< memory of the protective stop; its begin() was called
   };
 
   /// @param parts builders of the robot, and devices of its safety functions

@@ -95,8 +95,8 @@ class K64Uart final : public SerialPort {
       dropUpTo(place + 1);
       return element;
     }
-    // Returns the position of the next element to read. The position of an element is the number
-    // of elements that were written earlier since start.
+    // Returns the position of the next element to read. The position of an element is the number of
+    // elements that were written before this element, since start.
     [[nodiscard]] std::size_t first() const { return load(read_); }
     // Returns the position after the last element.
     [[nodiscard]] std::size_t end() const { return load(written_); }

@@ -210,11 +210,12 @@ class DirController final {
   TurnFeedback motor_{};
   std::optional<Stamped<DirTarget>> target_{};
   std::optional<Stamped<Angle>> position_{};
-  // position and steps at the start of the window
+  // time, steps and position at the start of the window
   Instant watchedSince_{};
   std::int32_t watchedSteps_ = 0;
   Angle watchedPosition_{};
-  // difference between position and steps since the motor was switched on
+  // difference between position and steps when the motor was switched on, adapted in each
+  // kForgetPeriod
   std::optional<Angle> offset_;
   Instant forgottenAt_{};
 };
