@@ -113,7 +113,7 @@ class K64Board {
 
   /// @brief Ends the firmware when startClock() has failed: sets the outputs to their safe levels,
   /// records the fault, and waits until the watchdog resets the microcontroller. Never returns.
-  /// @param step number of the step that failed, from startClock()
+  /// @param step number of the failed step, as startClock() returned it
   /// @isr{no}
   /// @satisfies FR-73
   [[noreturn]] static void endWithoutClock(std::uint16_t step);

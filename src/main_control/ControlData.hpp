@@ -95,7 +95,7 @@ class ControlData {
   [[nodiscard]] bool stopped() const;
 
   /// @brief Returns the number of the present cycle.
-  /// @return number from 1; 0 before the first cycle.
+  /// @return number of the cycle, counted from 1; 0 before the first cycle.
   /// @isr{no}
   /// @satisfies FR-174
   [[nodiscard]] std::uint32_t cycle() const;

@@ -53,7 +53,7 @@ struct TurnFeedback {
 /// through commands, and names neither the sensor nor the device.
 ///
 /// @secret The greatest permitted age of a target and of a position, and the rule that detects a
-/// contradiction between the measured angle and the motor.
+/// contradiction between the measured angle and the steps of the motor.
 ///
 /// @role{steering-controller-states, Context}
 /// @role{steering-control-algorithm, Context}

@@ -182,8 +182,8 @@ class PcConnection final {
   /// @brief Writes the version and the build id of the firmware to the payload of the Welcome.
   void writeIdentity();
 
-  /// @brief Writes the lowest and the highest accepted protocol version and the hash of the payload
-  /// layouts to the payload of the Welcome.
+  /// @brief Writes three values to the payload of the Welcome: the lowest and the highest accepted
+  /// protocol version, and the hash of the payload layouts.
   /// @satisfies FR-246
   void writeProtocol();
 

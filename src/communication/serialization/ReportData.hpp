@@ -50,7 +50,7 @@ struct ReportData {
   static constexpr std::uint8_t kNoSource = 255;
 
   std::uint32_t cycle = 0;          ///< number of the cycle; the first cycle has the number 1
-  Instant time{};                   ///< time of the clock pulse, sent in ms
+  Instant time{};                   ///< time of the clock pulse; the PC receives this time in ms
   std::uint8_t operationState = 0;  ///< number of the operation state: OperationStateId
   std::uint8_t readingMode = 0;     ///< number of the reading mode: ModeId
   std::uint8_t source = kNoSource;  ///< mode id of the source of the set-points; 255: none

@@ -17,7 +17,7 @@ class ActiveSensor final {
   /// @param a input of the first sensor
   /// @param b input of the second sensor; when the wheel turns forwards, the signal of this sensor
   /// is a quarter of a period behind the signal of the first sensor
-  /// @param command is executed at each edge
+  /// @param command command that is executed at each edge
   ActiveSensor(EdgeInput& a, EdgeInput& b, Command& command);
 
   ActiveSensor(const ActiveSensor&) = delete;

@@ -22,7 +22,7 @@ class ReadCurrent final : public WheelOrder {
   ReadCurrent(CntSensor& sensor, WheelController& controller);
 
   /// @brief Reads the current.
-  /// @param work receives the current, which is empty if it is missing
+  /// @param work record of the cycle: receives the current, which is empty if it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

@@ -22,7 +22,7 @@ class ReadVelocity final : public WheelOrder {
   ReadVelocity(VelSensor& sensor, WheelController& controller);
 
   /// @brief Reads the velocity.
-  /// @param work receives the velocity, which is empty if it is missing
+  /// @param work record of the cycle: receives the velocity, which is empty if it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;
