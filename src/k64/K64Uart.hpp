@@ -41,7 +41,7 @@ class K64Uart final : public SerialPort {
 
   /// @brief Constructs a port that is not switched on yet.
   /// @param port the port; no other object may use it
-  /// @param clock time base, which returns the time at which a zero byte is received
+  /// @param clock timebase, which returns the time at which a zero byte is received
   /// @param zeros selection of the zero bytes that the port stores
   K64Uart(Port port, const Timebase& clock, ZeroBytes zeros = ZeroBytes::Ends);
 
