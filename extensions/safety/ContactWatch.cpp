@@ -27,7 +27,8 @@ void ContactWatch::sample() {
 // A tick can interrupt this function between two statements. If a tick after the first statement
 // records an opening, this call and the next call both report the opening. If the contact closes
 // after the second statement, a tick can record this closing before the third statement. The third
-// statement then deletes this record. Then the openings before and after this closing count as one.
+// statement deletes this record. In this case the openings before and after this closing count as
+// one.
 bool ContactWatch::opened() {
   const bool before = latched_.exchange(false, std::memory_order_relaxed);
   const bool open = contact_.level();

@@ -37,7 +37,7 @@ class FrameDecoder final {
   /// @brief Decodes the bytes that the caller has written to the beginning of the storage. Only
   /// the last of these bytes may be zero.
   /// @param number number of these bytes, at least 1
-  /// @return whether these bytes end a frame, and whether this frame has an error
+  /// @return Nothing if these bytes end no frame; otherwise the result of the checks of this frame
   /// @pre The bytes fit into the storage.
   /// @isr{no}
   /// @satisfies FR-40
