@@ -94,8 +94,8 @@ class SignedPort final : public SerialPort {
   std::optional<std::uint64_t> nonce_;
   FrameEncoder encoder_;
   Coded received_{};
-  // Number of received bytes of the present frame. If the frame is too long, this number is greater
-  // than the size of `received_`.
+  // Number of received bytes of the present frame. If the frame is too long, the count stops at the
+  // size of `received_` plus 1.
   std::size_t count_ = 0;
   std::size_t ready_ = 0;           // number of bytes of the accepted frame
   std::size_t given_ = 0;           // number of bytes of this frame that read() has returned

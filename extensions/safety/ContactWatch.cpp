@@ -25,9 +25,10 @@ void ContactWatch::sample() {
 }
 
 // A tick can interrupt this function between two statements. If a tick after the first statement
-// records an opening, this call and the next call both report the opening. If only a tick after the
-// second statement finds the contact closed, the third statement deletes this information. Then the
-// openings before and after this closing count as one.
+// records an opening, this call and the next call both report the opening. If the contact closes
+// after the second statement, a tick can record this closing before the third statement. The third
+// statement deletes this record. In this case the openings before and after this closing count as
+// one.
 bool ContactWatch::opened() {
   const bool before = latched_.exchange(false, std::memory_order_relaxed);
   const bool open = contact_.level();

@@ -11,8 +11,8 @@ namespace wr {
 /// @brief The buffer of the pulses of the enable switch.
 ///
 /// @function Stores the width and the time of each valid pulse of the third channel of the remote
-/// control. When two successive pulses order a stop, stores the second pulse also in a separate
-/// pipe. Later pulses that order no stop do not change the content of this pipe.
+/// control. When two successive pulses order a stop, also stores the width of the second pulse in a
+/// separate pipe. Later pulses that order no stop do not change the content of this pipe.
 ///
 /// @secret The storage of the position of the enable switch, and the number of pulses that confirm
 /// a stop.
@@ -22,7 +22,7 @@ class EnableBuffer final : public RcBuffer {
  public:
   /// @param instants measures the period and the width of each pulse
   /// @param function computes the deflection of a pulse
-  /// @param width receives the width of each pulse from 900 to 2100 us
+  /// @param width receives the width of each valid pulse, 900 to 2100 us
   /// @param stop receives the width of a pulse that orders a stop, if the previous pulse also
   /// ordered a stop
   EnableBuffer(InstantCollector& instants, const Function& function, Pipe<Microseconds>& width,
@@ -32,7 +32,7 @@ class EnableBuffer final : public RcBuffer {
   [[nodiscard]] std::int32_t fullDeflection() const override;
 
   /// @brief Stores the width of a valid pulse. If this pulse and the previous pulse order a stop,
-  /// also stores this pulse in the pipe of stops.
+  /// also stores the width in the separate pipe.
   /// @param value width of the pulse minus 1500 us [us]
   /// @param at time at which the pulse ended
   /// @satisfies FR-285

@@ -115,8 +115,8 @@ bool EnableSwitch::stopConfirmed() {
 
 // Records the progress of the switch through the positions stop, PC and drive. Only an operator
 // moves the switch through the position PC: when the radio link returns, the output of the receiver
-// changes directly from stop to drive. A gap of the pulses and pulses out of the range end the
-// sequence, because they do not show that the switch is in the position stop.
+// changes directly from stop to drive. The sequence ends when pulses are missing or out of their
+// range, because such pulses do not show the position stop.
 void EnableSwitch::advanceSequence(Instant now) {
   const std::optional<Stamped<Microseconds>> pulse = signals_.enable.read();
   if (now - drivenAt_ > kAcknowledgeTime) {

@@ -17,13 +17,12 @@ namespace wr {
 /// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
 /// position "stop", or when its pulses are missing or out of their range (FR-285). Releases the
 /// stop when the switch is in another position and the velocity stick is not deflected. Two
-/// successive pulses in the position "stop" are sufficient for a stop, even if the switch is in
-/// another position at the next cycle. In the position "PC" the orders of the remote control are
-/// not read. After an operator has moved the switch from stop through PC to drive, the next three
-/// orders without a stop acknowledge latched faults. Orders that are read more than 1 s after this
-/// movement acknowledge nothing. Latches a stop when the remote control has moved the robot for
-/// more than 2 s, and neither the deflections nor the pulse of the switch have changed in this
-/// time.
+/// successive pulses that order a stop are sufficient for a stop, even if the switch is in another
+/// position at the next cycle. In the position "PC" the orders of the remote control are not read.
+/// After an operator has moved the switch from stop through PC to drive, the next three orders
+/// without a stop acknowledge latched faults. Orders that are read more than 1 s after this
+/// movement acknowledge nothing. Also latches a stop when two conditions are met for more than 2 s:
+/// the remote control moves the robot, and neither the sticks nor the switch change their pulses.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.
@@ -37,11 +36,11 @@ class EnableSwitch final : public ModeDecorator {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick
     Pipe<Angle>& direction;      ///< position of the direction stick
     Pipe<Microseconds>& enable;  ///< width of the pulses of the enable switch
-    Pipe<Microseconds>& stop;    ///< width of a pulse that orders a stop after another such pulse
+    Pipe<Microseconds>& stop;    ///< width of the second of two successive pulses that order a stop
     const Timebase& timebase;    ///< returns the present time
   };
 
-  /// @brief Shortest pulse of the switch that does not order a stop.
+  /// @brief Shortest width of a pulse that orders no stop.
   static constexpr Microseconds kMinNoStopPulse{1250};
 
   /// @brief Shortest valid pulse of the switch. A pulse out of the valid range orders a stop, but

@@ -26,7 +26,8 @@ constexpr float kTensionNoise = 0.2F;   // noise for each volt of change of the 
 constexpr float kCurrentNoise = 0.02F;  // noise for each volt across the winding
 
 // The evidence is the logarithm of a ratio of two probabilities: the probability of the
-// measurements if the leads are swapped, divided by their probability if the leads are correct.
+// measurements if the leads are swapped, divided by the probability of the same measurements if the
+// leads are correct.
 constexpr float kSwappedThreshold = 12.0F;
 // Greatest increase of the evidence in a cycle. Because of this limit, a detection needs at least
 // two cycles.

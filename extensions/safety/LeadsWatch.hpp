@@ -46,7 +46,7 @@ class LeadsWatch final {
   /// The values of one cycle that change the evidence and the model.
   struct Cycle {
     Vector inputs{};        // [V] winding voltage and induced voltage of the nominal motor, and 1 V
-    Vector spread{};        // covariance matrix of the parameters, multiplied by the inputs
+    Vector spread{};        // covariance matrix of the deviations, multiplied by the inputs
     float unexplained = 0;  // voltage that the model does not explain [V]
     float weight = 0;       // 1 divided by the variance of the unexplained voltage [1/V^2]
     bool moved = false;     // the Hall edges confirm the direction of the velocity

@@ -19,7 +19,7 @@ class PersistentStop final : public ModeDecorator {
   /// @brief Reads from the memory whether a stop was in force before the reset. A stop that was in
   /// force stays in force.
   /// @param wrapped the mode that this mode wraps
-  /// @param memory memory of the stop, which a reset does not clear
+  /// @param memory memory of the stop; a reset does not clear this memory
   PersistentStop(Mode& wrapped, StopMemory& memory);
 
   /// @brief Calls serve() of the wrapped mode, and stores whether a stop is in force.

@@ -28,8 +28,8 @@ class ProgramCheck final {
     std::span<const Words> copy;      ///< words in RAM, as many as in the original
   };
 
-  /// @param parts sections of the program: at least one, and none of them empty. They must exist as
-  /// long as the check
+  /// @param parts sections of the program: at least one section, and no empty section. This array
+  /// must exist as long as the check
   explicit ProgramCheck(std::span<const Part> parts) : parts_(parts) {}
 
   ProgramCheck(const ProgramCheck&) = delete;

@@ -48,8 +48,8 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  // The acknowledgement releases only the stop that the operator has seen. The operator has not
-  // seen an opening of the contact after the last cycle.
+  // The acknowledgement releases only a stop that a report has already shown. No report has shown
+  // an opening of the contact after the last cycle. Therefore such an opening latches a new stop.
   examineContact();
 }
 

@@ -26,7 +26,7 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// again.
   /// @param wrapped stage that forwards orders to all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
-  /// @param memory memory of the protective stop, which a reset does not clear
+  /// @param memory memory of the protective stop; a reset does not clear this memory
   ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop, RetainedProtection& memory);
 
   /// @brief Writes the measurements and outputs of the robot, and the state of the protective stop.
@@ -36,8 +36,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Forwards set-points, and checks the robot. While a protective stop is latched, halts
-  /// the wheels and holds the steering instead.
+  /// @brief Forwards set-points, and checks the robot. While a protective stop is latched, does not
+  /// forward the set-points, but halts the wheels and holds the steering.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-270

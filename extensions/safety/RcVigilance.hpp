@@ -31,8 +31,8 @@ class RcVigilance final {
   /// @param deflections newest deflections of all channels
   /// @param moving true while the remote control orders a motion
   /// @param now present time
-  /// @return true if the remote control has moved the robot for more than 2 s, and no channel has
-  /// changed by more than 8 us in this time.
+  /// @return true if two conditions were met for more than 2 s: the remote control moved the robot,
+  /// and each channel stayed within 8 us of its value at the last change.
   /// @satisfies FR-289
   /// @isr{no}
   [[nodiscard]] bool expired(const Deflections& deflections, bool moving, Instant now);

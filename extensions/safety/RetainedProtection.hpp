@@ -42,7 +42,7 @@ class RetainedProtection final {
 
   /// @brief Clears the protective stop after power-on. Stores a protective stop after a loss of the
   /// clock, if no protective stop is stored.
-  /// @param start cause of the last reset, and the fault before it
+  /// @param start cause of the last reset, and the fault before this reset
   /// @satisfies FR-291
   /// @isr{no}
   void begin(const StartRecord& start);

@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief The stop order of a source, stored in memory that a reset does not change.
 ///
-/// @function Stores whether a stop is in force, with a check word. Power-on clears the stop. If the
-/// content fails its check after any other reset, the content counts as a stop.
+/// @function Stores, together with a check word, whether a stop is in force. Power-on clears the
+/// stop. If the content fails its check after any other reset, the content counts as a stop.
 ///
 /// @secret The numbers that mean a stop, and the method by which damaged memory is detected.
 class RetainedStop final : public StopMemory {
@@ -37,7 +37,7 @@ class RetainedStop final : public StopMemory {
   /// @isr{no}
   [[nodiscard]] bool stopped() const override;
 
-  /// @brief Stores whether a stop is in force, with a check word.
+  /// @brief Stores, together with a check word, whether a stop is in force.
   /// @param stopped true while a stop is in force
   /// @satisfies FR-290
   /// @isr{no}

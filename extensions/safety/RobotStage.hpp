@@ -10,7 +10,7 @@
 
 namespace wr {
 
-/// @brief The last stage of an order, which forwards the order to all control systems of the robot.
+/// @brief The last stage that each order passes.
 ///
 /// @function Forwards each order to every control system of the robot. Therefore the earlier stages
 /// do not depend on the number of control systems.

@@ -24,8 +24,8 @@ namespace wr {
 /// @brief The builder of one control system: the robot with its safety functions.
 ///
 /// @function Forwards each construction step to the builders of the robot's control systems. Wraps
-/// the safety functions around these control systems. Forwards each tick of the second timer to
-/// these control systems.
+/// the safety functions around these control systems. At each tick of SecondTimer, executes the
+/// tick commands of these control systems.
 ///
 /// @secret The safety functions that wrap the robot, and their sequence.
 ///
@@ -40,7 +40,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
     std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels
     std::span<ControlSystemBuilder* const> systems;  ///< builders of all control systems
     EdgeInput& emergencyStop;    ///< emergency-stop contact; high while it is open
-    RetainedProtection& memory;  ///< memory of the protective stop; begin() must be called first
+    RetainedProtection& memory;  ///< memory of the protective stop; its begin() was called
   };
 
   /// @param parts builders of the robot, and devices of its safety functions

@@ -16,11 +16,11 @@ constexpr std::int32_t kMaxChangePerCycle = 176;  // [0.1 rpm] in a cycle
 
 // Towards 0 a voltage falls by at most 2.4 V per cycle. The class Stop uses the same limit when it
 // stops a wheel.
-constexpr Tension kMaxRisePerCycle(1000);  // [mV] away from 0
-constexpr Tension kMaxFallPerCycle(2400);  // [mV] towards 0
+constexpr Tension kMaxRisePerCycle(1000);  // [mV] greatest change away from 0
+constexpr Tension kMaxFallPerCycle(2400);  // [mV] greatest change towards 0
 
 // When a slope or a curve makes the robot too fast, one factor lowers all set-points.
-constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest permitted set-point
+constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] tolerance above the greatest set-point
 constexpr std::int32_t kFullScale = 1000;
 constexpr std::int32_t kMinScale = 100;       // [0.001] smallest factor
 constexpr std::int32_t kPredictedCycles = 2;  // cycles for which a velocity is predicted
@@ -115,10 +115,10 @@ void SetPointRamp::recover(std::uint32_t cycle) {
 }
 
 // Sets the velocity at which the ramp begins after an order of voltage or current. This happens in
-// each cycle with such an order, and in the next cycle. The ramp begins at the lower of two
-// velocities: the measured velocity, and the velocity that the present voltage causes without load.
-// If the ramp began at a greater velocity, the voltage would jump. If the two velocities have
-// opposite directions, the ramp begins at 0.
+// each cycle with such an order, and in the cycle after the last of these orders. The ramp begins
+// at the lower of two velocities: the measured velocity, and the velocity that the present voltage
+// causes without load. If the ramp began at a greater velocity, the voltage would jump. If the two
+// velocities have opposite directions, the ramp begins at 0.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

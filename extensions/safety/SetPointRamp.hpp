@@ -12,12 +12,12 @@ namespace wr {
 
 /// @brief A stage that limits the acceleration and the speed of the robot.
 ///
-/// @function Changes the set-points step by step towards the ordered set-points. A velocity changes
-/// by at most 0.5 m/s^2. In a cycle, a voltage changes by at most 1.0 V away from 0, and by at most
-/// 2.4 V towards 0. At a greater steering angle the greatest permitted velocity is lower. When an
-/// order exceeds this velocity, one factor lowers the velocities of all wheels. Therefore the ratio
-/// of these velocities stays as ordered. While a wheel is too fast, another factor lowers the
-/// set-points of all wheels.
+/// @function Changes set-points of velocity and voltage step by step towards the ordered values. A
+/// velocity changes by at most 0.5 m/s^2. In a cycle, a voltage changes by at most 1.0 V away from
+/// 0, and by at most 2.4 V towards 0. At a greater steering angle the greatest permitted velocity
+/// is lower. When an order exceeds this velocity, one factor lowers the velocities of all wheels.
+/// Therefore the ratio of these velocities stays as ordered. While a wheel is too fast, another
+/// factor lowers the set-points of all wheels.
 ///
 /// @secret The greatest change of a set-point in a cycle, the greatest velocity in a curve, and the
 /// rule by which a robot that is too fast slows down.

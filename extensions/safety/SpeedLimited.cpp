@@ -10,13 +10,13 @@ namespace {
 
 // Factors for the permitted change of the voltage in a cycle. Their values are the rounded gains of
 // the velocity control.
-constexpr std::int32_t kPerVelocity = 21;      // [mV per rpm] below the speed limit
-constexpr std::int32_t kPerAcceleration = 47;  // [mV per rpm] of change in a cycle
+constexpr std::int32_t kPerVelocity = 21;      // [mV] for each rpm below the speed limit
+constexpr std::int32_t kPerAcceleration = 47;  // [mV] for each rpm of change in a cycle
 constexpr std::int32_t kTenths = 10;
 
 // Returns an assumed voltage for a wheel whose voltage is unknown: a part of the voltage that the
-// velocity induces. The rest is a margin, because the supply may be higher than assumed, or the
-// robot may drive downhill.
+// velocity induces. The rest of the induced voltage is a margin, because the supply may be higher
+// than assumed, or the robot may drive downhill.
 Tension assumed(Velocity velocity) {
   constexpr std::int32_t kInduced = SystemConstants::instance().motorConstant().count() * 3 / 4;
   constexpr std::int32_t kThousand = 1000;

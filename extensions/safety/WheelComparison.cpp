@@ -14,14 +14,14 @@ constexpr std::int32_t kComparedWay = 20;  // [edges] distance of one comparison
 // between forwards and backwards in a curve, this wheel can move less in one comparison.
 constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 
-// While the steering angle does not exceed kStraight, no wheel needs this current for longer than
-// 1 s. At a larger angle the set-points of a source can make the wheels work against each other for
-// some time. Therefore the limit at a larger angle is 5 s.
+// While the steering angle does not exceed kStraight, no wheel needs a current above kHighCurrent
+// for longer than 1 s. At a larger angle the set-points of a source can make the wheels work
+// against each other for some time. Therefore the limit at a larger angle is 5 s.
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-// A cycle with a high current at an angle of at most kStraight counts like this number of such
-// cycles at a larger angle.
+// Each cycle with a high current adds 1 to the count of the wheel. While the steering angle does
+// not exceed kStraight, the cycle adds this number instead.
 constexpr std::uint8_t kStraightCycle = 5;
 
 bool isGreat(std::optional<Current> current) {

@@ -211,8 +211,8 @@ bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
   return counts && rejecting_ >= kRejectedEdges;
 }
 
-// Checks whether the measured current does not change. The current of a working sensor always
-// varies by some milliamperes.
+// Checks whether the measured current stays constant. The measurements of a working sensor always
+// vary by some milliamperes.
 bool WheelSupervision::staysEqual(std::optional<Current> current) {
   const bool driven = magnitude(tension_.value_or(Tension())) > kDriving;
   const bool equal = driven && current && current == current_;

@@ -82,7 +82,7 @@ class WheelSupervision final {
   std::array<std::optional<Velocity>, kReferences> references_{};
   std::size_t oldest_ = 0;  // index of the oldest set-point, which the next set-point replaces
   bool following_ = false;
-  std::uint8_t opposing_ = 0;  // [half cycle] count; the next three counts have this unit
+  std::uint8_t opposing_ = 0;  // [half cycle] unit of this count and of the next three counts
   std::uint8_t tooFast_ = 0;
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;

@@ -10,7 +10,7 @@ namespace wr {
 /// @function Switches a warning on while the state lasts, unless a stop is in force. The report to
 /// the PC contains the number of this state. The working state follows when a message arrives. The
 /// next waiting state follows when a read fails. In this state the control systems follow the
-/// set-points that were read last.
+/// set-points that were read last, unless a stop is in force.
 ///
 /// @secret The output that shows the warning.
 ///
@@ -30,7 +30,8 @@ class WaitingK final : public OperationState {
   WaitingK(OperationState& working, OperationState& next, DigitalOutput& warning);
 
   /// @brief Sets the output of the warning: off while a stop is in force, otherwise on. Then orders
-  /// the control systems to follow the set-points that were read last.
+  /// the control systems to follow the set-points that were read last, or to hold while a stop is
+  /// in force.
   /// @param mCtrl main controller that passes the order to its control systems
   /// @satisfies FR-152
   /// @isr{no}

@@ -13,8 +13,7 @@
 namespace wr {
 
 /// @brief The operation states of a robot that warns. N is SystemConstants::waitingCycles(). The
-/// warning begins after N - 1 successive failed reads. This is one cycle before the last waiting
-/// state.
+/// warning begins after N - 1 successive failed reads, one cycle before the last waiting state.
 /// @datatype
 struct WarningStates {
   /// @brief Connects each state to its successors.

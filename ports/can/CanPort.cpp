@@ -51,7 +51,7 @@ constexpr std::uint32_t kBuffers = 3;
 constexpr std::size_t kMost = 8;  // greatest number of bytes in a frame
 
 // A bit has 20 time quanta: 1 for the synchronisation, PROPSEG + 1 = 8, PSEG1 + 1 = 8, and PSEG2 +
-// 1 = 3. The controller samples a bit after 85 % of its time.
+// 1 = 3. The controller samples a bit after 85 % of the time of the bit.
 constexpr std::uint32_t kQuanta = 20;
 constexpr std::uint32_t kBitRate = 500'000;  // [bit/s]
 constexpr std::uint32_t kDivider = K64Board::kBusClock / (kBitRate * kQuanta);

@@ -8,7 +8,7 @@ namespace wr::mps2 {
 
 /// @brief The watchdog of the board. When its counter expires for the first time, the watchdog
 /// requests an NMI. When the counter expires for the second time, the watchdog resets the board.
-/// Therefore the counter starts with half of the timeout.
+/// Therefore the counter starts with half of the time-out.
 class CmsdkWatchdog final : public Watchdog {
  public:
   constexpr CmsdkWatchdog() = default;

@@ -41,7 +41,8 @@ void unexpected() {
 
 namespace {
 
-// Handles the NMI that the watchdog requests before it resets the board. Does nothing.
+// Handler of the NMI: does nothing. The watchdog requests this NMI when half of its time-out has
+// passed.
 void warning() {}
 
 }  // namespace

@@ -49,7 +49,7 @@ class ControlSystemBuilder {
   /// @isr{no}
   virtual void buildSystem() = 0;
 
-  /// @brief Starts the interrupts and the thread of the control system, if it has any.
+  /// @brief Starts the interrupts and the threads that the control system has.
   /// @pre The control system is built.
   /// @errors If a part is missing, the program ends with the assertion PartMissing.
   /// @isr{no}

@@ -91,7 +91,7 @@ class MainControllerBuilder {
     Watchdog& watchdog;         ///< resets the microcontroller if the control cycles are no longer
                                 ///< completed
     const StartRecord& start;   ///< cause of the start of the firmware
-    std::optional<RemoteControlDevices> remoteControl{};  ///< empty in a product
+    std::optional<RemoteControlDevices> remoteControl{};  ///< no devices in a product
                                                           ///< without remote control
   };
 

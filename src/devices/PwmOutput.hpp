@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief Output with pulse-width modulation: it is on during a part of each period.
 /// @function Sets the mean level of an output to a value between off and on.
-/// @secret The timer that generates the periods, their length, and the moment when a new duty cycle
-/// takes effect.
+/// @secret The length of a period, the timer that generates the periods, and the moment when a new
+/// duty cycle takes effect.
 class PwmOutput {
  public:
   PwmOutput(const PwmOutput&) = delete;

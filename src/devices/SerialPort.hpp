@@ -44,8 +44,8 @@ class SerialPort {
   /// @brief Passes bytes to the port, which sends them in the background. Accepts either all bytes
   /// or no byte. Never waits.
   /// @param bytes bytes to send
-  /// @return true when all bytes were accepted; false when there is not enough space, and no byte
-  /// will be sent
+  /// @return true when all bytes were accepted; false when there is not enough space: then no byte
+  /// is sent
   /// @isr{no}
   /// @satisfies FR-64
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;

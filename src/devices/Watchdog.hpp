@@ -2,7 +2,7 @@
 
 namespace wr {
 
-/// @brief Timer that resets the system unless it is refreshed in time.
+/// @brief Timer that resets the system if the timer is not refreshed in time.
 /// @function Resets the microcontroller if the system stops working, that is, if there is no
 /// refresh within the watchdog time-out.
 /// @secret The counter that measures the time, and the steps of a refresh.

@@ -17,9 +17,8 @@ class HallVelocity final : public Function {
   HallVelocity() = default;
 
   /// @brief Calculates the velocity, rounded to the nearest integer.
-  /// @param arguments Raw [edges], Elapsed [us, greater than 0], Scale [0.1 rpm * us
-  /// / edge] and Divisor [greater than 0], by which the result is divided; Lowest and Highest are
-  /// the limits of the velocity [0.1 rpm]
+  /// @param arguments Raw [edges], Elapsed [us, greater than 0], Scale [0.1 rpm * us / edge] and
+  /// Divisor [greater than 0]; Lowest and Highest are the limits of the velocity [0.1 rpm]
   /// @return velocity [0.1 rpm]; nothing when Raw, Elapsed, Scale or Divisor is missing, or when
   /// the velocity is outside its limits
   /// @isr{yes}

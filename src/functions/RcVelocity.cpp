@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kMiddleHalfWidth = 20;  // half-width of the range with velocity 0 [us]
+constexpr std::int32_t kMiddleHalfWidth = 20;  // half-width [us] of the range with velocity 0
 
 }  // namespace
 

@@ -68,7 +68,7 @@ class K64Adc final : public AnalogInput {
 
     std::uint8_t number_;
     bool calibrated_ = false;
-    K64Adc* first_ = nullptr;  // input that is being converted now, and first input in the queue
+    K64Adc* first_ = nullptr;  // first input in the queue: it is being converted now
     K64Adc* last_ = nullptr;
   };
 

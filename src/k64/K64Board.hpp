@@ -19,7 +19,7 @@ class K64Board {
 
   /// @brief Frequency of the core clock [Hz].
   static constexpr std::uint32_t kCoreClock = 120'000'000;
-  /// @brief Frequency of the bus clock, which is also the clock of the timers [Hz].
+  /// @brief Frequency of the bus clock [Hz]. The timers use this clock, too.
   static constexpr std::uint32_t kBusClock = 60'000'000;
   /// @brief Lowest frequency of core clock and bus clock between the reset and startClock() [Hz].
   /// In this time the clock source is the internal oscillator, which was trimmed in production.
@@ -42,7 +42,7 @@ class K64Board {
   /// @satisfies FR-141
   static void connectLateOutputs();
 
-  /// @brief Connects all pins that are not outputs to their functions. Uses no variable in RAM, and
+  /// @brief Connects each pin that is no output to its function. Uses no variable in RAM, and
   /// therefore works before RAM is initialised.
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
@@ -113,7 +113,7 @@ class K64Board {
 
   /// @brief Ends the firmware when startClock() has failed: sets the outputs to their safe levels,
   /// records the fault, and waits until the watchdog resets the microcontroller. Never returns.
-  /// @param step number of the step that failed, from startClock()
+  /// @param step number of the failed step, as startClock() returned it
   /// @isr{no}
   /// @satisfies FR-73
   [[noreturn]] static void endWithoutClock(std::uint16_t step);

@@ -10,7 +10,7 @@ namespace wr {
 /// @brief Input pin of the K64.
 /// @function Reads the level of one pin. Causes an interrupt at each rising and each falling edge,
 /// up to a limit in each tick.
-/// @secret The methods that detect edges, clear the flag of one edge without the flags of other
+/// @secret The methods that detect edges, clear the flag of one edge but not the flags of other
 /// pins, and block the interrupts of an input with too many edges.
 class K64Port final : public EdgeInput {
  public:

@@ -7,7 +7,7 @@
 
 namespace wr {
 
-/// @brief Time base of the K64. Channel 2 of the periodic interrupt timer measures the time since
+/// @brief Timebase of the K64. Channel 2 of the periodic interrupt timer measures the time since
 /// start. The cycle counter of the core counts the processor cycles.
 /// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
 /// returns the number of processor cycles in which the core did not sleep.
@@ -21,7 +21,7 @@ class K64Timebase final : public Timebase {
   /// signal.
   class EntryTime final : public Timebase {
    public:
-    /// @param clock the time base; it must exist as long as this object
+    /// @param clock the timebase; it must exist as long as this object
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 
     /// @brief Records the present time.
@@ -40,7 +40,7 @@ class K64Timebase final : public Timebase {
     Instant time_;
   };
 
-  /// @brief Constructs a time base that does not run yet.
+  /// @brief Constructs a timebase that does not run yet.
   constexpr K64Timebase() = default;
 
   /// @brief Starts the time at 0, and starts the cycle counter.

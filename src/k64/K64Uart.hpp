@@ -41,7 +41,7 @@ class K64Uart final : public SerialPort {
 
   /// @brief Constructs a port that is not switched on yet.
   /// @param port the port; no other object may use it
-  /// @param clock time base from which the port reads the time when it receives a zero byte
+  /// @param clock timebase, which returns the time at which a zero byte is received
   /// @param zeros selection of the zero bytes that the port stores
   K64Uart(Port port, const Timebase& clock, ZeroBytes zeros = ZeroBytes::Ends);
 
@@ -95,8 +95,8 @@ class K64Uart final : public SerialPort {
       dropUpTo(place + 1);
       return element;
     }
-    // Returns the position of the next element to read. The position of an element is the number
-    // of elements that were written earlier since start.
+    // Returns the position of the next element to read. The position of an element is the number of
+    // elements that were written before this element, since start.
     [[nodiscard]] std::size_t first() const { return load(read_); }
     // Returns the position after the last element.
     [[nodiscard]] std::size_t end() const { return load(written_); }

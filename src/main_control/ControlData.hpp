@@ -57,7 +57,7 @@ class ControlData {
   void saveModeId(ModeId source);
 
   /// @brief Records the set-points. Their source is the source that saveModeId() recorded last.
-  /// @param setPoints targets of the control systems
+  /// @param setPoints set-points of the control systems
   /// @satisfies FR-19
   /// @satisfies FR-305
   /// @isr{no}
@@ -95,7 +95,7 @@ class ControlData {
   [[nodiscard]] bool stopped() const;
 
   /// @brief Returns the number of the present cycle.
-  /// @return number from 1; 0 before the first cycle.
+  /// @return number of the cycle, counted from 1; 0 before the first cycle.
   /// @isr{no}
   /// @satisfies FR-174
   [[nodiscard]] std::uint32_t cycle() const;

@@ -13,7 +13,7 @@ namespace wr {
 class RcPin final {
  public:
   /// @param input the pin
-  /// @param command is executed at each edge
+  /// @param command command that is executed at each edge
   RcPin(EdgeInput& input, Command& command);
 
   RcPin(const RcPin&) = delete;

@@ -32,7 +32,7 @@ class ControlThread {
   /// @brief Requests one activation of the thread. If the previous activation has not ended, an
   /// overrun is counted, and the new activation runs after the previous activation. If another
   /// activation is already waiting, only the overrun is counted.
-  /// @return false when the thread has no command, and nothing happens; otherwise true
+  /// @return false when the thread has no command: then nothing happens; otherwise true
   /// @isr{yes}
   /// @satisfies FR-4
   /// @satisfies FR-172

@@ -53,7 +53,7 @@ struct TurnFeedback {
 /// through commands, and names neither the sensor nor the device.
 ///
 /// @secret The greatest permitted age of a target and of a position, and the rule that detects a
-/// contradiction between the measured angle and the motor.
+/// contradiction between the measured angle and the steps of the motor.
 ///
 /// @role{steering-controller-states, Context}
 /// @role{steering-control-algorithm, Context}
@@ -210,11 +210,12 @@ class DirController final {
   TurnFeedback motor_{};
   std::optional<Stamped<DirTarget>> target_{};
   std::optional<Stamped<Angle>> position_{};
-  // position and steps at the start of the window
+  // time, steps and position at the start of the window
   Instant watchedSince_{};
   std::int32_t watchedSteps_ = 0;
   Angle watchedPosition_{};
-  // difference between position and steps since the motor was switched on
+  // difference between position and steps when the motor was switched on, adapted in each
+  // kForgetPeriod
   std::optional<Angle> offset_;
   Instant forgottenAt_{};
 };

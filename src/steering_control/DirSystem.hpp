@@ -59,7 +59,7 @@ class DirSystem final : public ControlSystem {
   void measure() override;
 
   /// @brief Records the ordered angle.
-  /// @param setPoints target of the system
+  /// @param setPoints set-points that contain the ordered angle
   /// @satisfies FR-115
   void apply(const SetPoints& setPoints) override;
 

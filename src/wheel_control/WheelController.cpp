@@ -13,9 +13,11 @@ namespace {
 constexpr Tension kMinEffortTension(2000);  // above this voltage a wheel is expected to turn
 constexpr std::int32_t kMaxEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
 constexpr Tension kMovingTension(3200);     // this voltage moves the robot on level ground
-constexpr Tension kStartingTension(14000);  // starts a wheel on a slope of 10 %
-constexpr std::int32_t kWeakShare = 16;     // a blocked motor adds 1/16 of its voltage to effort_
-constexpr std::int32_t kStrongShare = 8;    // above kStartingTension, a blocked motor adds 1/8
+constexpr Tension kStartingTension(14000);  // this voltage starts a wheel on a slope of 10 %
+// A blocked motor adds a part of its voltage to effort_: 1/16 up to kStartingTension, and 1/8 above
+// this voltage.
+constexpr std::int32_t kWeakShare = 16;
+constexpr std::int32_t kStrongShare = 8;
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kJitter = 1;  // greatest change of the Hall count if only one sensor works
 constexpr Tension kReversal(500);    // a reversal with a smaller demand is not monitored

@@ -50,7 +50,7 @@ class WheelController final {
 
   /// @brief Controls the wheel towards its set-point for one cycle. Stops the wheel if its velocity
   /// or its current is missing, if it has no motion feedback, or if its reversal is late.
-  /// @param setPoint target of the wheel
+  /// @param setPoint set-point of the wheel
   /// @param measured measured values of the wheel in this cycle
   /// @satisfies FR-80
   /// @satisfies FR-86
@@ -139,7 +139,7 @@ class WheelController final {
   WheelQuantity quantity_ = WheelQuantity::Velocity;  // quantity of the last set-point
   std::optional<Tension> applied_;
   HallCount seen_{};                  // position at the last detected motion of the wheel
-  std::int32_t effort_ = 0;           // [mV cycles] sum of voltage times time without motion
+  std::int32_t effort_ = 0;           // [mV cycles] sum that watchMotion() computes
   std::optional<Instant> driverOff_;  // time at which driverOff() stopped the wheel last
   std::uint8_t waitingCycles_ = 0;    // cycles in a row in which a reversal waits without voltage
   bool blind_ = false;

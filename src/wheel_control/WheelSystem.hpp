@@ -19,8 +19,8 @@ namespace wr {
 ///
 /// @secret The conversion of orders of the main controller to orders of a wheel, and the use of one
 /// thread for each wheel. This thread has a higher priority than the main thread. The main thread
-/// never runs while the thread of a wheel is active. Therefore neither thread reads values that the
-/// other thread has written only in part.
+/// never runs while the thread of a wheel is active. Therefore each of the two threads reads only
+/// values that the other thread has written completely.
 ///
 /// @role{control-system-orders, Concrete Class}
 /// @role{wheel-orders, Context}

@@ -22,7 +22,7 @@
 namespace wr::mps2 {
 namespace {
 
-constexpr int kPatience = 20'000;  // [ms] real time without an answer, after which a test fails
+constexpr int kPatience = 20'000;  // [ms] after this real time without an answer, a test fails
 constexpr char kMessages[] = "messages";
 constexpr char kProgram[] = "qemu-system-arm";
 

@@ -37,7 +37,7 @@ class FrameDecoder final {
   /// @brief Decodes the bytes that the caller has written to the beginning of the storage. Only
   /// the last of these bytes may be zero.
   /// @param number number of these bytes, at least 1
-  /// @return whether these bytes end a frame, and whether this frame has an error
+  /// @return Nothing if these bytes end no frame; otherwise the result of the checks of this frame
   /// @pre The bytes fit into the storage.
   /// @isr{no}
   /// @satisfies FR-40
@@ -73,8 +73,8 @@ class FrameDecoder final {
   /// @satisfies FR-41
   [[nodiscard]] bool crcIsRight() const;
 
-  std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes of an incomplete frame; when the
-                                                 // frame has ended: first code, decoded body
+  std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes of an incomplete frame; after its
+                                                 // end: the first code and the decoded body
   std::size_t count_ = 0;                        // number of bytes of the incomplete frame
   std::size_t length_ = 0;                       // length of the last complete body [bytes]
   bool tooLong_ = false;                         // the incomplete frame is too long, and its first

@@ -39,8 +39,8 @@ class Connected final : public ConnectionState {
   /// @satisfies FR-36
   bool order(PcConnection& connection, const Frame& frame) override;
 
-  /// @brief Ends the connection and drops the newest order if the PC has been silent for the link
-  /// timeout or longer.
+  /// @brief Ends the connection and drops the newest order if the PC has been silent for
+  /// linkTimeout() or longer.
   /// @param connection the connection whose time limits are checked
   /// @isr{no}
   /// @satisfies FR-33

@@ -83,8 +83,8 @@ class PcConnection final {
   /// @isr{no}
   void changeState(ConnectionState& next);
 
-  /// @brief Requests a Welcome, which service() sends at its end. The session of the previous
-  /// Welcome becomes invalid. The states call this function.
+  /// @brief Requests a Welcome. The last step of service() sends this Welcome. The session of the
+  /// previous Welcome becomes invalid. The states call this function.
   /// @isr{no}
   /// @satisfies FR-30
   /// @satisfies FR-245
@@ -182,8 +182,8 @@ class PcConnection final {
   /// @brief Writes the version and the build id of the firmware to the payload of the Welcome.
   void writeIdentity();
 
-  /// @brief Writes the lowest and the highest accepted protocol version and the hash of the payload
-  /// layouts to the payload of the Welcome.
+  /// @brief Writes three values to the payload of the Welcome: the lowest and the highest accepted
+  /// protocol version, and the hash of the payload layouts.
   /// @satisfies FR-246
   void writeProtocol();
 

@@ -36,8 +36,8 @@ class BufferReader final : public Reader {
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;
 
-  /// @brief Reads the quantity of a wheel set-point or the commands. The quantity is always
-  /// velocity. The commands are always 0: neither stop nor acknowledge.
+  /// @brief Reads one of two fields: the commands, or the quantity of a wheel set-point. The
+  /// quantity is always velocity. The commands are always 0: neither stop nor acknowledge.
   /// @param field name of the field
   /// @return value of the field
   /// @isr{no}
@@ -50,8 +50,8 @@ class BufferReader final : public Reader {
   /// @isr{no}
   std::uint16_t readU16(Field field) override;
 
-  /// @brief Reads the steering angle or the velocity of a wheel. The velocity is the same for all
-  /// wheels.
+  /// @brief Reads one of two fields: the steering angle, or the velocity of a wheel. The velocity
+  /// is the same for all wheels.
   /// @param field name of the field
   /// @return value of the field; 0 when the order does not have this field
   /// @isr{no}

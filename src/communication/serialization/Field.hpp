@@ -12,7 +12,7 @@ enum class FieldName : std::uint8_t {
   WheelQuantity,     ///< quantity of a wheel set-point: velocity, voltage or current
   WheelValue,        ///< set-point of a wheel
   SentAt,            ///< time of the sender's clock when the order was sent
-  Commands,          ///< bits that order stop and acknowledge
+  Commands,          ///< bits that order to stop and to acknowledge
   Cycle,             ///< number of the control cycle since start
   Time,              ///< time of the clock pulse
   OperationState,    ///< operation state after the read step of the cycle

@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief One order: the set-points of the robot, and the commands stop and acknowledge.
+/// @brief One order: the set-points of the robot, and the commands to stop and to acknowledge.
 /// @function Stores a complete order, and checks whether all its fields are in range.
 /// @secret The fields of an order, and the range of each field.
 /// @role{serializer, Concrete Element}

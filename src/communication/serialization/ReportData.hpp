@@ -46,11 +46,11 @@ struct CycleCosts {
 /// @brief Values of one control cycle that a report contains.
 /// @datatype
 struct ReportData {
-  /// @brief Value of the member source until the first order is read.
+  /// @brief Value of `source` until the first order is read.
   static constexpr std::uint8_t kNoSource = 255;
 
-  std::uint32_t cycle = 0;          ///< number of the cycle since start, the first is 1
-  Instant time{};                   ///< time of the clock pulse, sent in ms
+  std::uint32_t cycle = 0;          ///< number of the cycle; the first cycle has the number 1
+  Instant time{};                   ///< time of the clock pulse; the PC receives this time in ms
   std::uint8_t operationState = 0;  ///< number of the operation state: OperationStateId
   std::uint8_t readingMode = 0;     ///< number of the reading mode: ModeId
   std::uint8_t source = kNoSource;  ///< mode id of the source of the set-points; 255: none

@@ -18,7 +18,7 @@ constexpr std::uint32_t kArmedFlag = 16;
 
 constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
 
-// Validity bits: a bit is 1 if its value is not missing.
+// Validity bits: a bit is 0 if its value is missing, otherwise 1.
 constexpr std::uint32_t velocityBit(std::size_t wheel) {
   return 1U << (3 * wheel);
 }

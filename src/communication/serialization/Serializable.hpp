@@ -13,7 +13,7 @@ namespace wr {
 /// @role{serializer, Serializable}
 ///
 /// @patternapp{serializer, Serializer, Receiving and sending information}
-/// @why The MCU receives data from the PC and from the RC and sends data to the PC. Each object
+/// @why The MCU receives data from the PC and from the RC, and sends data to the PC. Each object
 /// lists its fields once, and each source or destination defines the form of these fields.
 /// @changes The transport of the data. The format of the data. A new source or a new destination.
 class Serializable {
@@ -21,14 +21,14 @@ class Serializable {
   /// @brief Reads all fields of the object. The source cannot return the same data again.
   /// @param reader the source
   /// @return false when the source does not contain the whole object, when a field is out of its
-  /// range, or when the derived class is only written
+  /// range, or when the derived class does not override this method
   /// @isr{no}
   [[nodiscard]] virtual bool readFrom(Reader& reader);
 
   /// @brief Writes all fields of the object, and checks whether the destination had space for them.
   /// @param writer the destination
-  /// @return false when the destination has no space for the whole object, or when the derived class
-  /// is only read
+  /// @return false when the destination has no space for the whole object, or when the derived
+  /// class does not override this method
   /// @isr{no}
   [[nodiscard]] virtual bool writeTo(Writer& writer) const;
 

@@ -21,7 +21,7 @@ enum class OperationStateId : std::uint8_t {
 ///
 /// @function Reads orders with the same steps in every state. Subclasses define the reaction to a
 /// message and the reaction to a missing message. In each cycle the state also orders the control
-/// systems to follow their set-points, and sends the report.
+/// systems to follow their set-points or to hold, and sends the report.
 ///
 /// @secret The steps in which every operation state reads an order.
 ///
@@ -53,7 +53,8 @@ class OperationState {
   /// @isr{no}
   void read(MainController& mCtrl);
 
-  /// @brief Orders the control systems to follow the set-points that were read last.
+  /// @brief Calls MainController::applyControl(): the control systems follow the set-points that
+  /// were read last, or are held while a stop is in force.
   /// @param mCtrl controller whose control systems get the order
   /// @satisfies FR-14
   /// @isr{no}

@@ -10,7 +10,7 @@ namespace wr {
 ///
 /// @function Counts failed reads. When their number reaches a limit, sets the next state. When a
 /// message arrives, sets the state Working. Meanwhile the control systems follow the set-points
-/// that were read last.
+/// that were read last, unless a stop is in force.
 ///
 /// @secret The rule by which failed reads are counted, and the condition that ends this state.
 ///
@@ -24,7 +24,7 @@ class Waiting final : public OperationState {
   /// @param next state that follows when the number of failed reads reaches its limit; it need not
   /// be constructed before the first read()
   /// @param failedReads limit of the number of successive failed reads [2 to 255]; the failed read
-  /// that set this state counts as the first
+  /// that set this state counts as the first failed read
   Waiting(OperationState& working, OperationState& next, std::uint8_t failedReads);
 
  private:
@@ -44,7 +44,7 @@ class Waiting final : public OperationState {
   OperationState& working_;
   OperationState& next_;
   std::uint8_t limit_;
-  std::uint8_t failedReads_ = 1;  // the failed read that set this state counts as the first
+  std::uint8_t failedReads_ = 1;  // includes the failed read that set this state
 };
 
 }  // namespace wr

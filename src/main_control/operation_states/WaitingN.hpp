@@ -8,7 +8,8 @@ namespace wr {
 ///
 /// @function Waits one more cycle for an order of the present source. When a message arrives, sets
 /// the state Working. If no message arrives in this cycle, starts the search for another source.
-/// Meanwhile the control systems follow the set-points that were read last.
+/// Meanwhile the control systems follow the set-points that were read last, unless a stop is in
+/// force.
 ///
 /// @secret The reaction to a missing message in the last waiting state.
 ///

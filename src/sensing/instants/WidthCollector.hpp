@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief A collector that adds the width of the last pulse to the record.
 /// @function Measures the width of the last pulse.
-/// @secret The condition for a rising and a falling edge to form one pulse.
+/// @secret The condition under which a rising and a falling edge form one pulse.
 /// @role{instant-collectors, Concrete Decorator}
 class WidthCollector final : public CollectorDecorator {
  public:

@@ -54,7 +54,7 @@ class DirSensor final {
   const Timebase& timebase_;
   Pipe<Angle>& pipe_;
   std::int32_t calls_ = 0;  // calls since the measurement began
-  std::int32_t good_ = 0;   // number of valid samples, which sum_ contains
+  std::int32_t good_ = 0;   // number of valid samples in sum_
   std::int32_t sum_ = 0;    // sum of the valid samples
 };
 

@@ -17,14 +17,14 @@ class ActiveSensor final {
   /// @param a input of the first sensor
   /// @param b input of the second sensor; when the wheel turns forwards, the signal of this sensor
   /// is a quarter of a period behind the signal of the first sensor
-  /// @param command is executed at each edge
+  /// @param command command that is executed at each edge
   ActiveSensor(EdgeInput& a, EdgeInput& b, Command& command);
 
   ActiveSensor(const ActiveSensor&) = delete;
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
-  /// @brief Executes the command once. The command records the present levels of both sensors. Then
-  /// enables the interrupts of both sensors.
+  /// @brief Executes the command once, to record the present levels of both sensors. Then enables
+  /// the interrupts of both sensors.
   /// @isr{no}
   /// @satisfies FR-120
   void start();

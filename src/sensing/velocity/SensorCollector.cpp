@@ -6,8 +6,8 @@ namespace wr {
 
 namespace {
 
-// Direction of an edge. The first index is the levels before the edge, the second index is the
-// levels after it. The direction is 0 if no level or both levels changed.
+// Direction of an edge. The first index contains the levels before the edge. The second index
+// contains the levels after the edge. The direction is 0 if no level or both levels changed.
 constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, 1, -1, 0},
     {-1, 0, 0, 1},

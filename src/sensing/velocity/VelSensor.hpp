@@ -32,18 +32,18 @@ class VelSensor final {
 
   /// @brief Reads the record of the edges, measures the velocity and writes the velocity to the
   /// pipe. If edges occurred since the previous measurement, the velocity is a number of edges
-  /// divided by a time. This number is the number of new forward edges minus the number of new
-  /// backward edges. This time is the time from the last edge of the previous measurement to the
+  /// divided by a time. The number is the number of new forward edges minus the number of new
+  /// backward edges. The time begins at the last edge of the previous measurement and ends at the
   /// newest edge. If the wheel was at rest at the previous measurement, the magnitude of the number
-  /// is reduced by half an edge, and the time is the time since the previous measurement. If no new
-  /// edge occurred, the velocity is the previous velocity. The velocity is limited to the velocity
-  /// at which the next edge would occur exactly now. Because of this limit, a falling velocity does
-  /// not jump when an edge occurs at the moment of the measurement. The velocity is 0 when no edge
-  /// occurred for 500 ms.
+  /// is reduced by half an edge, and the time begins at the previous measurement and ends now. If
+  /// no new edge occurred, the velocity is the previous velocity. The velocity is limited to the
+  /// velocity at which the next edge would occur exactly now. Because of this limit, a falling
+  /// velocity does not jump when an edge occurs at the moment of the measurement. The velocity is 0
+  /// when no edge occurred for 500 ms.
   /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases:
   /// (1) The function rejects the velocity. (2) More than 3 edges of the cycle were unclear. (3)
-  /// One of the last two velocities that were written was 30 rpm or more, and unclear edges and
-  /// reversals together were more than 3.
+  /// One of the last two written velocities was 30 rpm or more, and the cycle had more than 3 edges
+  /// that were unclear or reversals.
   /// @return time of the measurement
   /// @isr{no}
   /// @satisfies FR-120
@@ -73,16 +73,16 @@ class VelSensor final {
   /// empty if it calculates no velocity.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
-  /// @brief Returns the velocity when edges occurred since the previous measurement.
+  /// @brief Returns the velocity of a wheel that had edges since the previous measurement.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
-  /// @brief Returns the velocity when the wheel was at rest at the previous measurement. The wheel
+  /// @brief Returns the velocity of a wheel that was at rest at the previous measurement. The wheel
   /// rested at an unknown position between two edges. On average, the distance to the first edge
   /// was half of the distance between two edges.
   [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
                                                        Microseconds elapsed) const;
 
-  /// @brief Returns the velocity when no edge occurred since the previous measurement.
+  /// @brief Returns the velocity of a wheel that had no edge since the previous measurement.
   [[nodiscard]] Velocity withoutEdges(Instant now);
 
   /// @brief Computes a limited velocity. The limit is the velocity at which one more edge would
@@ -101,7 +101,7 @@ class VelSensor final {
   std::uint32_t unclear_ = 0;    // unclear edges at the previous measurement
   std::uint32_t reversals_ = 0;  // reversals at the previous measurement
   Velocity velocity_{};          // newest written velocity
-  Velocity velocityBefore_{};    // the written velocity before velocity_
+  Velocity velocityBefore_{};    // velocity that was written before velocity_
 };
 
 }  // namespace wr

@@ -33,7 +33,7 @@ class WheelAlgorithm {
   WheelAlgorithm& operator=(const WheelAlgorithm&) = delete;
 
   /// @brief Calculates the voltage for the next cycle.
-  /// @param setPoint target, in the unit of the quantity that the algorithm sets
+  /// @param setPoint set-point, in the unit of the quantity that the algorithm sets
   /// @param feedback measured values
   /// @return voltage [mV], positive forwards; it may exceed the range of the wheel
   /// @isr{no}

@@ -21,8 +21,8 @@ class ApplyControl final : public WheelOrder {
   ApplyControl(WheelController& controller, Wheel& wheel);
 
   /// @brief Controls the wheel. After an overcurrent trip, stops the wheel instead.
-  /// @param work contains the set-point and the measured values; receives the applied voltage and
-  /// the faults of the wheel
+  /// @param work record of the cycle: contains the set-point and the measured values, and receives
+  /// the applied voltage and the faults of the wheel
   /// @satisfies FR-80
   /// @satisfies FR-89
   /// @satisfies FR-94

@@ -23,8 +23,8 @@ class HaltWheel final : public WheelOrder {
   /// @brief Stops the wheel. If the release of faults is ordered, ends the latched faults of the
   /// controller. The same order ends an overcurrent trip if the measured velocity of the wheel is
   /// valid and below 40 rpm.
-  /// @param work contains the order to release; receives the applied voltage and the faults of the
-  /// wheel
+  /// @param work record of the cycle: contains the order to release, and receives the applied
+  /// voltage and the faults of the wheel
   /// @satisfies FR-88
   /// @satisfies FR-89
   /// @satisfies FR-91

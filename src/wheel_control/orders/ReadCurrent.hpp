@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to read the current of a wheel.
 ///
-/// @function Triggers the measurement of the current. Writes the value that the controller uses
-/// into the record of the cycle.
+/// @function Triggers the measurement of the current. The record of the cycle receives the value
+/// that the controller uses.
 ///
 /// @secret The module that measures a current, and the rule that the report shows the same value
 /// that the controller uses.
@@ -22,7 +22,7 @@ class ReadCurrent final : public WheelOrder {
   ReadCurrent(CntSensor& sensor, WheelController& controller);
 
   /// @brief Reads the current.
-  /// @param work receives the current, which is empty if it is missing
+  /// @param work record of the cycle: receives the current, which is empty if it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to read the velocity of a wheel.
 ///
-/// @function Triggers the measurement of the velocity. Writes the value that the controller uses
-/// into the record of the cycle.
+/// @function Triggers the measurement of the velocity. The record of the cycle receives the value
+/// that the controller uses.
 ///
 /// @secret The module that measures a velocity, and the rule that the report shows the same value
 /// that the controller uses.
@@ -22,7 +22,7 @@ class ReadVelocity final : public WheelOrder {
   ReadVelocity(VelSensor& sensor, WheelController& controller);
 
   /// @brief Reads the velocity.
-  /// @param work receives the velocity, which is empty if it is missing
+  /// @param work record of the cycle: receives the velocity, which is empty if it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

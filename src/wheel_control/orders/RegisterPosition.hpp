@@ -19,7 +19,7 @@ class RegisterPosition final : public WheelOrder {
   explicit RegisterPosition(VelSensor& sensor);
 
   /// @brief Registers the position.
-  /// @param work receives the position and the number of implausible Hall edges
+  /// @param work record of the cycle: receives the position and the number of implausible Hall edges
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

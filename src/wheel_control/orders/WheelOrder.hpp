@@ -11,7 +11,7 @@ namespace wr {
 /// @brief The record of one wheel for one cycle: order, measured values, applied voltage.
 /// @datatype
 struct WheelWork {
-  WheelSetPoint setPoint{};        ///< target of the wheel
+  WheelSetPoint setPoint{};        ///< set-point of the wheel
   Instant at{};                    ///< time at which the wheel was measured
   WheelMeasurements measured{};    ///< measured values of the wheel
   std::optional<Tension> applied;  ///< voltage of the wheel; nothing after an overcurrent trip
