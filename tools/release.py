@@ -73,7 +73,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--verify",
         action="store_true",
-        help="make the release a second time in a new folder, with the same results of tests, and "
+        help="make the release again in a new folder, with copies of the test results, and "
         "compare the two releases",
     )
     parser.add_argument(

@@ -69,7 +69,8 @@ def impact_of(root: Path, subject: str) -> Impact:
 
 
 def with_python(root: Path, found: Impact) -> Impact:
-    """Adds the Python tests that import the changed Python files, directly or indirectly."""
+    """Adds the Python tests that changed, or that import a changed Python file, directly or
+    indirectly."""
     python = [path for path in found.unfollowed if path.endswith(".py")]
     for test, path in importing_tests(root, python).items():
         near = test == path
