@@ -47,5 +47,5 @@ def _why(address: int, value: int) -> str:
             return "the chip would be secured; only a mass erase could open it again"
         if no_erase:
             return "mass erase would be disabled"
-        return "the setting of the backdoor key or of the manufacturer's access would differ"
+        return "the settings for backdoor keys or for the manufacturer's access would differ"
     return next(why for first, last, why in PURPOSES if first <= address <= last)
