@@ -123,7 +123,7 @@ def need_pages(site: Path) -> None:
     missing = [page for page in PAGES if not (site / f"{page}.html").exists()]
     if missing:
         raise MissingError(
-            f"the page {missing[0]} is missing; make the portal first with ./wr portal"
+            f"the page {missing[0]} is missing; build the portal first with ./wr portal"
         )
 
 

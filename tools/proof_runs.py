@@ -175,7 +175,7 @@ def counterexample(root: Path, proof: ProofProperty) -> list[str]:
         if reached and reached[2] != "0":
             break
     said = call(folder, proof, [SPIN, "-t", "model.pml"])
-    steps = [match[1] or "the following repeats for ever:" for match in EVENT.finditer(said)]
+    steps = [match[1] or "the following steps repeat for ever:" for match in EVENT.finditer(said)]
     return steps or ["the counterexample has no event"]
 
 

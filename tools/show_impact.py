@@ -94,7 +94,7 @@ def lines_of(found: Impact) -> list[str]:
     farthest = max((module.distance for module in found.modules), default=-1)
     for distance in range(farthest + 1):
         names = found.at(distance)
-        titles = ["begins with", "may affect directly", f"may affect over {distance} uses"]
+        titles = ["begins with", "may affect directly", f"may affect through {distance} uses"]
         title = titles[min(distance, 2)]
         lines += ["", f"{title}: {counted(len(names), 'module')}"]
         lines += reasons(names) if distance < 2 else wrapped([name.id for name in names])
