@@ -160,7 +160,7 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
         return Outcome(f"a run differs from the native run: {wrong[0]}", failed=True)
     speed = values.get("real_time_factor")
     summary = (
-        f"{len(scenarios)} scenarios gave the same bytes in {' and '.join(engines) or 'no engine'}"
+        f"{len(scenarios)} scenarios with equal results in {' and '.join(engines) or 'no engine'}"
     )
     return Outcome(f"{summary}, {speed} times as fast as real time" if speed else summary)
 

@@ -112,8 +112,9 @@ def role_family(role: str) -> str:
 
 @dataclass
 class Diagram:
-    """A drawing in the language of PlantUML. ``label`` describes it for a screen reader. The page
-    Exports lists it if it has a title; ``page`` is the address of the page that shows it."""
+    """A drawing in the language of PlantUML. ``label`` describes the drawing for a screen reader.
+    The page Exports lists each drawing that has a title. ``page`` is the address of the page that
+    shows the drawing."""
 
     id: str
     label: str

@@ -285,7 +285,7 @@ def field(field_entry: Field) -> dict[str, Any]:
 
 
 def first_comment(text: str) -> str:
-    """Returns the text of the first comment of a scenario, which can have several lines."""
+    """Returns the text of the first comment of a scenario. The comment can have several lines."""
     comment = re.search(r"(?:^#.*\n?)+", text, re.MULTILINE)
     return " ".join(line[1:].strip() for line in comment[0].splitlines()) if comment else ""
 

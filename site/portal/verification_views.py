@@ -94,7 +94,7 @@ def coverage_of(model: Model, name: str, files: Iterable[str]) -> CoverageRow | 
 def chart(
     sections: dict[str, list[Requirement]],
 ) -> dict[str, tuple[Share | None, Share | None, Share | None]]:
-    """Returns the executed part of three kinds for the requirements of each section: source lines
+    """For the requirements of each section, returns the executed part of three kinds: source lines
     on the host, branches on the host, and source lines on the virtual K64. A method in several
     invocation trees is counted once for each tree."""
 

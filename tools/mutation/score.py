@@ -46,7 +46,7 @@ class Plan:
 
 @dataclass
 class Tried:
-    """A mutant that was tried, with the tests that found it. ``own`` states for each requirement
+    """A mutant that was tried, with the tests that found it. For each requirement, ``own`` states
     whether a test of the requirement found the mutant.
 
     ``own`` contains no value for a requirement if its tests were not decided."""
