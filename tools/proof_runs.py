@@ -146,8 +146,8 @@ def search(root: Path, declared: Declared, proof: ProofProperty) -> str:
 def judged(
     root: Path, declared: Declared, proof: ProofProperty, said: str, seconds: float
 ) -> ProofResult:
-    """Reads the result of a proof from the output of the verifier. If a counterexample can be played
-    as a scenario, also writes this scenario."""
+    """Reads the result of a proof from the output of the verifier. If a counterexample can be
+    played as a scenario, also writes this scenario."""
     states, reached = STATES.search(said), REACHED.search(said)
     if not states or not reached:
         raise FailureError(f"{proof.name}: the verifier printed no result: {said[-300:]}")
