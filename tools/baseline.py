@@ -39,7 +39,7 @@ from traceability.whole_file import write_json
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
-MAIN = "main"  # the part from main.cpp, which is different in each design
+MAIN = "main"  # the part of main.cpp; each design has a different main.cpp
 STACK = "stack"
 OTHER = ""  # the instructions that belong to no part, for example those of the compiler's library
 SHORT, LONG = 2, 4  # bytes of an instruction
@@ -178,7 +178,7 @@ def sources_in(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> li
 
 
 def source_figures(paths: list[Path]) -> dict[str, float]:
-    """Returns the complexity and the number of source lines, which lizard counts."""
+    """Returns the complexity and the number of source lines. Lizard computes both."""
     files = [lizard.analyze_file(str(path)) for path in paths]
     complexity = [
         function.cyclomatic_complexity for file in files for function in file.function_list

@@ -44,12 +44,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "bench",
         description="Builds the firmware image for the K64. Plays the four scenarios of the paper "
-        "with this image on the virtual K64 in the simulated robot. Each scenario has 1000 control "
-        "cycles. Measures the number of instructions, the time from the clock pulse to the report, "
-        "the processor load, the latencies, and the speed of the simulator. Compares the patterns "
-        "with the baseline design, and measures the cost of recording the calls. With --port, "
-        "sends the same orders to a connected board, and reads the counts of processor cycles in "
-        "its reports. "
+        "with this image on the virtual K64 in the simulated robot. Measures 1000 control cycles "
+        "of each scenario: the number of instructions, the time from the clock pulse to the "
+        "report, the processor load, the latencies, and the speed of the simulator. Compares the "
+        "patterns with the baseline design, and measures the cost of recording the calls. With "
+        "--port, sends the same orders to a connected board, and reads the counts of processor "
+        "cycles in its reports. "
         "Lift the robot first, because its motors will turn at up to 300 rpm. The remote control "
         "may be off, because the PC sends all orders.",
     )

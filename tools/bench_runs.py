@@ -41,8 +41,8 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 
 def measure_paper(root: Path, log: TextIO) -> str:
-    """Plays the scenarios with the product without safety functions. A comparison with the
-    times of the robot shows the cost of these functions."""
+    """Plays the scenarios with the firmware image of the product that has no safety functions. A
+    comparison with the times of the robot shows the cost of these functions."""
     record: Record = {}
     for paper in SCENARIOS:
         raw, _ = play(root, log, paper.name, MANUAL, product=PAPER)

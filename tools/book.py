@@ -123,7 +123,7 @@ def need_pages(site: Path) -> None:
     missing = [page for page in PAGES if not (site / f"{page}.html").exists()]
     if missing:
         raise MissingError(
-            f"the page {missing[0]} is missing; make the portal first with ./wr portal"
+            f"the page {missing[0]} is missing; build the portal first with ./wr portal"
         )
 
 
@@ -173,13 +173,14 @@ def chapter(page: str, text: str) -> str:
 
 
 def beside(page: str, address: str) -> str:
-    """Returns the address of a file to which a page refers, relative to the folder of the book."""
+    """Returns the address of a file to which a page refers. The address is relative to the folder
+    of the book."""
     return f"../site/{posixpath.normpath(posixpath.join(posixpath.dirname(page), address))}"
 
 
 def inside(page: str, address: str) -> str:
-    """Returns the target of a link of a page, as an address in the book. Returns an empty text if
-    the book does not contain the target."""
+    """Returns the address for a link of a page. A link to another website keeps its address. The
+    address of any other link is in the book, or empty if the book does not contain the target."""
     if address.startswith(("http:", "https:")):
         return address
     file, _, anchor = address.partition("#")

@@ -21,8 +21,8 @@ SECONDS = 600  # time limit for the result of a page
 
 
 def find_browser() -> str | None:
-    """Returns the browser, if it starts. In some packages, the command of the browser only prints a
-    message."""
+    """Returns the path of the browser, or None if the browser does not start. In some packages, the
+    command of the browser only prints a message."""
     browser = next((path for name in BROWSERS if (path := shutil.which(name))), None)
     if browser is None:
         return None
@@ -37,11 +37,11 @@ def result_of(
     browser: str, folder: Path, page: str, scripts: Mapping[str, Path] | None = None
 ) -> tuple[dict[str, Any], list[str]]:
     """Opens a page in the browser. Returns the result that the page posts to ``result``, and the
-    lines that it wrote to the console before.
+    lines that the page writes to the console.
 
-    ``page`` is the text of the page. The server also has the files of the folder, and the
-    ``scripts`` by their addresses. The browser runs in real time and ends as soon as the page
-    has posted the result."""
+    ``page`` is the text of the page. The page can load the files of the folder and the
+    ``scripts``. The keys of ``scripts`` are the addresses. The browser runs in real time and ends
+    as soon as the page has posted the result."""
     came = threading.Event()
     posted: dict[str, Any] = {}
 
@@ -60,7 +60,7 @@ def result_of(
             came.set()
 
         def log_message(self, *_arguments: Any) -> None:
-            """Prints nothing. The log does not contain the requests."""
+            """Prints nothing for a request."""
 
         def _answer(self, status: int, kind: str, content: bytes) -> None:
             self.send_response(status)

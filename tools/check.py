@@ -32,8 +32,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--publish",
         action="store_true",
-        help="with --drift: also write the result to a file in tests/records, which you then "
-        "commit",
+        help="with --drift: also write the result to a file in tests/records; then commit this "
+        "file",
     )
     parser.set_defaults(run=run)
 
@@ -79,8 +79,8 @@ def report(root: Path, failed: list[str]) -> int:
     from traceability.checks import message, sort
 
     findings = read_findings(root)
-    # The findings of these checks come first, because the faults that these checks find cause
-    # many other findings.
+    # The findings of these checks are printed first, because the faults that these checks find
+    # cause many other findings.
     first = ("syntax-error", "design-entry")
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))

@@ -121,8 +121,8 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
 def run_shards(
     results: Path, program: Path, log: TextIO, variables: Mapping[str, str]
 ) -> tuple[list[dict[str, Any]], float, str]:
-    """Returns the suites with their results, the processor time [s], and the failure of a process
-    if there is one."""
+    """Runs the tests in several processes. Returns the suites with their results, the processor
+    time [s], and the first failure of a process. The failure is empty if no process failed."""
     results.parent.mkdir(parents=True, exist_ok=True)
     shards = range(int(jobs()))
     parts = [results.with_suffix(f".{number}.part") for number in shards]

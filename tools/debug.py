@@ -60,8 +60,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "name",
         nargs="?",
         metavar="TEST",
-        help="a test, e.g. RcBufferTest.FR53_MiddleSetsZero, a test of the tools, e.g. "
-        "tests/python/FILE.py::TEST, or the file of a scenario (default: the robot in real "
+        help="a test of the firmware (RcBufferTest.FR53_MiddleSetsZero), a test of the tools "
+        "(tests/python/FILE.py::TEST), or the file of a scenario (default: the robot in real "
         "time, with its PC link)",
     )
     parser.add_argument(

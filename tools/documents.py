@@ -2,8 +2,8 @@
 the check of the links.
 
 The last two steps take most of the time. ``./wr check`` leaves these two steps out if the changes
-since the last pages cannot cause new findings in them. The pages then stay as they are, until a
-command needs them."""
+since the last pages cannot cause new findings in these steps. The pages then stay as they are,
+until a command needs new pages."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def main(root: Path, texts: str, *, keep: bool) -> int:
 
 
 def make(root: Path, steps: Steps, pages: Pages) -> tuple[list[Finding], bool]:
-    """Returns the findings, and false if a step failed."""
+    """Returns the findings. The second value is false if a step failed, and otherwise true."""
     from portal.site_build import build_site, write_tool_files
     from traceability.checks import run_checks, run_link_checks
     from traceability.exports.metrics_file import site_figures, write_metrics

@@ -15,7 +15,7 @@ PURPOSES = (
     (0x400, 0x407, "a backdoor key would be set"),
     (0x408, 0x40B, "parts of the flash would be protected against writing"),
     (0x40D, 0x40D, "the chip would boot with other options"),
-    (0x40E, 0x40F, "this chip has no such memory to protect"),
+    (0x40E, 0x40F, "the byte protects a memory that this chip does not have"),
 )
 
 
@@ -47,5 +47,5 @@ def _why(address: int, value: int) -> str:
             return "the chip would be secured; only a mass erase could open it again"
         if no_erase:
             return "mass erase would be disabled"
-        return "the keys or the access of the manufacturer would differ"
+        return "the settings for backdoor keys or for the manufacturer's access would differ"
     return next(why for first, last, why in PURPOSES if first <= address <= last)

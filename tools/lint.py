@@ -244,8 +244,8 @@ def tidy_options(root: Path, source: Path) -> list[str]:
 
 
 def units_of(root: Path, paths: list[Path]) -> list[tuple[Path, ...]]:
-    """Groups the source files that are checked as one file. The files of a group have the same
-    settings and options, and define different names outside of classes."""
+    """Groups the source files. clang-tidy checks each group as one file. The files of a group have
+    the same settings and options, and define different names outside of classes."""
     units: dict[tuple[object, ...], list[tuple[list[Path], set[str]]]] = defaultdict(list)
     for path in paths:
         own = set(DEFINED.findall(path.read_text(encoding="utf-8")))

@@ -75,7 +75,8 @@ def examples(root: Path) -> list[Path]:
 
 def play_native(root: Path, scenario: Path) -> dict[str, Any]:
     """Plays a scenario with the native program for the host. Returns the reports with the true
-    values, and the number and the hash of all events, in the form of a run of the module."""
+    values, and the number and the hash of all events. The result has the same form as the result
+    of a run as WebAssembly."""
     with tempfile.TemporaryDirectory() as folder:
         reports = Path(folder) / "reports.csv"
         words: list[str | Path] = [root / "build/host/sim" / BOARD_PROGRAM]
@@ -100,7 +101,8 @@ def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
 
 
 def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str, Any]:
-    """Plays scenarios in a headless browser. ``ready`` is the time until the first cycle [s]."""
+    """Plays scenarios in a headless browser. The result contains the runs, and the time ``ready``
+    until the first cycle [s]."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for source, target in (
@@ -158,7 +160,7 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
         return Outcome(f"a run differs from the native run: {wrong[0]}", failed=True)
     speed = values.get("real_time_factor")
     summary = (
-        f"{len(scenarios)} scenarios gave the same bytes in {' and '.join(engines) or 'no engine'}"
+        f"{len(scenarios)} scenarios with equal results in {' and '.join(engines) or 'no engine'}"
     )
     return Outcome(f"{summary}, {speed} times as fast as real time" if speed else summary)
 

@@ -73,7 +73,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--publish",
         action="store_true",
-        help="also write the score to a file in tests/records, which you then commit",
+        help="also write the score to a file in tests/records; then commit this file",
     )
     parser.set_defaults(run=mutate)
 

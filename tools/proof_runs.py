@@ -29,8 +29,8 @@ RECORD = "proofs"  # name of the record of complete runs; the record has the has
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 900  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps
-# Depths to which Spin searches for a counterexample, one after the other. A short counterexample is
-# easier to read.
+# Spin searches for a counterexample to the first of these depths, then to the next depth, until it
+# finds one. A short counterexample is easier to read.
 SHORT = (100, 200, 300, 400, 600, 800, 1200, 2000, 4000)
 MEMORY_MB = 6000
 WORKERS = 2
@@ -48,7 +48,7 @@ def missing_program() -> str:
 
 
 def prove_all(root: Path, log: TextIO) -> Outcome:
-    """Proves the properties without a recorded result, and writes the results of all properties."""
+    """Proves the properties that have no recorded result. Writes the results of all properties."""
     if missing := missing_program():
         return Outcome(f"not run in this build, because {missing} is not installed")
     declared = read_declared(root)
@@ -67,15 +67,15 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
     states = sum(result.states for result in results.values())
     summary = f"{proven} of {len(results)} properties proven, {states} states"
     if recorded:
-        summary += f"; the record has the results of {len(recorded)} of them"
+        summary += f"; the results of {len(recorded)} properties are from the record"
     return Outcome(summary, failed=proven < len(results))
 
 
 def prove(
     root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
-    """Proves properties, several of them in parallel. Prints a line for each property, in the given
-    order."""
+    """Proves properties. Several proofs run in parallel. Prints the result of each property, in the
+    given order."""
     listed = list(properties)
     results: dict[str, ProofResult] = {}
     with ThreadPoolExecutor(WORKERS) as pool:
@@ -146,7 +146,8 @@ def search(root: Path, declared: Declared, proof: ProofProperty) -> str:
 def judged(
     root: Path, declared: Declared, proof: ProofProperty, said: str, seconds: float
 ) -> ProofResult:
-    """Returns the result of a proof, which is in the output of the verifier."""
+    """Reads the result of a proof from the output of the verifier. If a counterexample can be
+    played as a scenario, also writes this scenario."""
     states, reached = STATES.search(said), REACHED.search(said)
     if not states or not reached:
         raise FailureError(f"{proof.name}: the verifier printed no result: {said[-300:]}")
@@ -175,7 +176,7 @@ def counterexample(root: Path, proof: ProofProperty) -> list[str]:
         if reached and reached[2] != "0":
             break
     said = call(folder, proof, [SPIN, "-t", "model.pml"])
-    steps = [match[1] or "the following repeats for ever:" for match in EVENT.finditer(said)]
+    steps = [match[1] or "the following steps repeat for ever:" for match in EVENT.finditer(said)]
     return steps or ["the counterexample has no event"]
 
 

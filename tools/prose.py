@@ -139,7 +139,7 @@ def lint_prose(root: Path) -> list[ProseFinding]:
     """Returns all findings, sorted by file and line.
 
     Most files contain none of the words. Only the other files are separated into code and prose,
-    because this takes most of the time."""
+    because the separation takes most of the time."""
     glossary = (root / GLOSSARY).read_text(encoding="utf-8")
     better = {term.words.lower(): term.better for term in read_terms(glossary)}
     pattern = pattern_of(better)

@@ -17,9 +17,9 @@ from weeding_robot_client.exit_codes import MISSING
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "prove",
-        description="Generates a model of the state machines of design/fsm and of their "
-        "composition in design/proofs/robot.pml. Proves the properties of "
-        "design/proofs/properties.toml with the model checker Spin. The results are in "
+        description="Generates a model from the state machines of design/fsm and from "
+        "design/proofs/robot.pml, which models the other parts of the robot. Proves the properties "
+        "of design/proofs/properties.toml with the model checker Spin. The results are in "
         "build/results/proofs.json and on the page 'Proofs' of the portal. The exit code "
         f"{MISSING} means that Spin or a C compiler is missing.",
     )

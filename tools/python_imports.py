@@ -31,8 +31,8 @@ def files_of(root: Path, folder: str) -> list[Path]:
 
 
 def imported_by(root: Path, test: Path) -> set[str]:
-    """Returns the Python files of the project that a test file imports, directly or indirectly. The
-    result contains the test file itself."""
+    """Returns the Python files of the project that a test file or its conftest.py imports, directly
+    or indirectly. The result contains the test file and conftest.py, too."""
     around = [*(root / TESTS_OF_TOOLS).glob("conftest.py"), *test.parent.glob("conftest.py")]
     found = reached_from([test, *around], functools.partial(_imports, root))
     return {str(file.relative_to(root)) for file in found}
@@ -40,7 +40,7 @@ def imported_by(root: Path, test: Path) -> set[str]:
 
 @functools.cache
 def read_by(test: Path) -> tuple[str, ...]:
-    """Returns the files and folders that the marks ``reads`` of a test file name."""
+    """Returns the files and folders in the marks ``reads`` of a test file."""
     return tuple(
         str(ast.literal_eval(path))
         for node in ast.walk(ast.parse(test.read_text(encoding="utf-8")))

@@ -19,8 +19,8 @@ from traceability.whole_file import write_whole
 PYTHON = ("tests/python/", "tools/", "traceability/", "site/portal/", "client/")
 LONG = "long"  # mark of the tests that run only with ./wr test --long
 NOT_LONG = f"not {LONG}"
-# The tests of this folder mostly wait for a robot in real time. Therefore, more of these tests run
-# in parallel than the computer has processors.
+# The tests of this folder mostly wait for a robot in real time. Therefore, the number of tests that
+# run in parallel does not depend on the number of processors.
 WAITING = "client"
 WAITING_JOBS = "8"
 
@@ -34,8 +34,8 @@ def workers(folder: str) -> list[str | Path]:
 
 
 def run_pytest(root: Path, folder: str, log: TextIO, marks: str = NOT_LONG) -> Outcome:
-    """Runs the tests of a folder whose marks match the given expression. Failed tests are an
-    outcome, but a run without results is an error."""
+    """Of the tests in a folder, runs the tests whose marks match the given expression. Failed tests
+    are an outcome, but a run without results is an error."""
     return outcome_of(counted(root, folder, log, [root / TESTS_OF_TOOLS / folder], marks))
 
 
@@ -47,7 +47,7 @@ def run_long(root: Path, log: TextIO) -> Outcome:
 def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str]) -> Outcome:
     """Runs only the test files that a change of the files in ``changed`` can affect, and the test
     files with failed tests. The results of the other test files remain. If all tests of the folder
-    may read a changed file, runs all of them."""
+    may read a changed file, runs all tests of the folder."""
     results = root / results_of(folder)
     before = ET.parse(results).getroot()
     affected = affected_tests(root, folder, changed)
@@ -67,8 +67,8 @@ def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str])
 def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str] | None:
     """Returns the test files of a folder that a change of the files in ``changed`` can affect.
 
-    Returns None if all tests of the folder may read a changed file. This is true for a file that is
-    no Python file of the project, if no mark ``reads`` names the file."""
+    Returns None if a changed file is no Python file of the project and no mark ``reads`` names this
+    file. All tests of the folder may read such a file."""
     python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
     of_tools = any(not name.startswith(f"{TESTS_OF_TOOLS}/") for name in python)
     found: set[str] = set()

@@ -73,7 +73,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--verify",
         action="store_true",
-        help="make the release a second time in a new folder, with the same results of tests, and "
+        help="make the release again in a new folder, with copies of the test results, and "
         "compare the two releases",
     )
     parser.add_argument(
@@ -117,7 +117,8 @@ def release(root: Path, *, verify: bool, published: bool = False) -> int:
 
 
 def identity(root: Path) -> Release:
-    """Returns the commit and its time. Raises an error if a file differs from the commit."""
+    """Returns the version, the commit and the time of the commit. Raises an error if a file differs
+    from the commit."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
         raise MissingError("this folder is not a git clone, but a release needs a commit")

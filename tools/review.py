@@ -83,8 +83,8 @@ def review(root: Path, options: argparse.Namespace) -> int:
 
 
 def declared_ids(root: Path) -> set[str]:
-    """Returns the ids of all requirements. Reads only the requirements, which is much faster than
-    to build the model."""
+    """Returns the ids of all requirements. Reads only the requirements. This is much faster than
+    building the model."""
     files = files_below(root, ("requirements",), (".dox",))
     texts = (file.read_text(encoding="utf-8") for file in files)
     return {name for text in texts for name, _ in link_texts.requirements(text)}

@@ -58,7 +58,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
         description="Runs the tests of the firmware (with traces and coverage, and with the "
-        "firmware image on the virtual K64), the tests of the tools that start no program, and "
+        "firmware image on the virtual K64), those tests of the tools that start no program, and "
         "every check. With --all, also runs the other tests and the measurements: the firmware "
         "with sanitizers, the client, the commands, the example changes, the ports, the bench "
         "and the portal's pages in a browser. A task runs again only if its inputs changed. "
@@ -86,7 +86,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--ci",
         action="store_true",
         help="run the tests of .ci/run: all tests and measurements of --all except the tests with "
-        "sanitizers, and at the same time the quick steps of ./wr lint",
+        "sanitizers. Run the quick steps of ./wr lint at the same time.",
     )
     parser.set_defaults(run=run)
 
@@ -119,7 +119,7 @@ def test(root: Path) -> int:
         old = [name for name in WHOLE if name not in QUICK and not is_fresh(root, name)]
     counts = counts_of(results)
     if old:
-        print(f"older than the files, or missing: {', '.join(old)}; run ./wr test --all")
+        print(f"results older than the files, or missing: {', '.join(old)}; run ./wr test --all")
     print(counts)
     return code if counts.passed else 1
 
@@ -147,7 +147,7 @@ def test_all(root: Path, *, long: bool, ci: bool) -> int:
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
     """Returns the counts of the tests of all tasks. The tests with sanitizers are the same tests as
-    the tests with traces, and are not counted again."""
+    the tests with traces. They are counted only if ``counted`` contains their task."""
     counts = Counts()
     for name, values in run.values.items():
         if "passed" in values and (name in counted or name != TESTS_SANITIZE):

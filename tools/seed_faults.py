@@ -195,8 +195,8 @@ class Copy:
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        """Returns the cached files of the copy. The messages of Doxygen are not among them, because
-        they belong to its XML."""
+        """Returns the cached files of the copy. The result does not contain the messages of
+        Doxygen, because these messages belong to the XML of Doxygen."""
         files = sorted((self.tree / "build" / "model").rglob("*.*"))
         kinds = (".json", ".facts", ".pickle")
         return [path for path in files if path.suffix in kinds and path.name != "doxygen.json"]

@@ -41,8 +41,8 @@ def port_number(text: str) -> int:
 
 
 class Handler(SimpleHTTPRequestHandler):
-    """Sends the files of the site. The browser always loads them again, because the site may have
-    been rebuilt."""
+    """Sends the files of the site. Before each use of a file, the browser checks whether the file
+    has changed, because the site may have been rebuilt."""
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-cache")

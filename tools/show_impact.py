@@ -69,7 +69,8 @@ def impact_of(root: Path, subject: str) -> Impact:
 
 
 def with_python(root: Path, found: Impact) -> Impact:
-    """Adds the Python tests that import the changed Python files, directly or indirectly."""
+    """Adds the Python tests that changed, or that import a changed Python file, directly or
+    indirectly."""
     python = [path for path in found.unfollowed if path.endswith(".py")]
     for test, path in importing_tests(root, python).items():
         near = test == path
@@ -93,7 +94,7 @@ def lines_of(found: Impact) -> list[str]:
     farthest = max((module.distance for module in found.modules), default=-1)
     for distance in range(farthest + 1):
         names = found.at(distance)
-        titles = ["begins with", "may affect directly", f"may affect over {distance} uses"]
+        titles = ["begins with", "may affect directly", f"may affect through {distance} uses"]
         title = titles[min(distance, 2)]
         lines += ["", f"{title}: {counted(len(names), 'module')}"]
         lines += reasons(names) if distance < 2 else wrapped([name.id for name in names])

@@ -111,7 +111,7 @@ def sim(root: Path, options: argparse.Namespace) -> int:
 
 
 def need_files(options: argparse.Namespace) -> None:
-    """Checks that the files of the options exist before the build begins."""
+    """Checks that the scenario exists, and that the folders of the written files exist."""
     if options.scenario:
         need_file(options.scenario, "name a scenario, such as a file of sim/scenario/examples")
     for file in (options.reports, options.trace):

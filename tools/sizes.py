@@ -138,7 +138,8 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """Returns the position in the binary file of the byte that has this address at run time."""
+    """Returns the position of a byte in the binary file. ``address`` is the address of this byte at
+    run time."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address

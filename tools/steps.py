@@ -130,8 +130,8 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
 
 
 def stop_programs() -> None:
-    """Ends the programs that this process started and that still run, and the programs that they
-    started."""
+    """Ends the programs that this process started and that still run. Also ends the programs that
+    these programs started."""
     for program in list(_started):
         stop(program)
 

@@ -124,8 +124,8 @@ class Database(JsonDB):  # type: ignore[misc]  # doit has no types
 
 
 class Record(Dependency):  # type: ignore[misc]  # doit has no types
-    """Records the inputs of a task. Inputs that changed after the start of the run are not
-    recorded, except for files below ``build``, which earlier tasks write."""
+    """Records the inputs of a task. An input that changed after the start of the run is not
+    recorded. A file below ``build`` is always recorded, because earlier tasks write such files."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(Database, str(path))
@@ -153,7 +153,8 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
 
 
 class WakingQueue(queue.Queue[Any]):
-    """A queue whose reader wakes up periodically. Only then Ctrl-C can reach the main thread."""
+    """A queue whose reader wakes up periodically. The reader is the main thread, which receives
+    Ctrl-C only when it wakes up."""
 
     def get(self, block: bool = True, timeout: float | None = None) -> Any:  # noqa: ARG002 - doit names them
         while True:

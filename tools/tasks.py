@@ -132,9 +132,9 @@ SHOWN_RESULTS = (
     *("trace.cost.json", "plain.cost.json", "live.json", "diff.json", "lint.json"),
 )
 # Folders of tests/python whose tests start programs: programs of the build, or commands of ./wr.
-# Their inputs are the files in this table and all sources of the tools. The programs of the build
-# are also inputs, but not of the tests of the commands. The tests of the client mostly wait.
-# Therefore they are started first.
+# The inputs of these tests are the files in this table and all sources of the tools. The programs
+# of the build are also inputs, but not of the tests of the commands. The tests of the client mostly
+# wait. Therefore, the tests of the client are started first.
 PROGRAM_TESTS: dict[str, tuple[str, ...]] = {
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
@@ -372,7 +372,7 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
 
 def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
     """Returns the task that runs the checks and builds the pages, the task that tests the pages,
-    and the task of the long tests, some of which read the pages."""
+    and the task of the long tests. Some of the long tests read the pages."""
 
     def state() -> str:
         names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, *map(python_task, PYTHON_TESTS))

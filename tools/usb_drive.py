@@ -48,7 +48,7 @@ def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
 
 def problem(folder: Path) -> str:
     """Returns the reason why no firmware image can be copied to this folder. The reason is empty
-    if the folder is the drive of a board."""
+    if a firmware image can be copied."""
     if not folder.is_dir():
         return f"{folder} is not a folder"
     if file_of(folder, MARKS) is None:

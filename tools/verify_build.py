@@ -54,7 +54,7 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
         differences = list(compare(root, copy, images=options.images))
     for line in differences:
         print(line)
-    what = "images" if options.images else "images, verdicts and results of verifying tests"
+    what = "images" if options.images else "images, verdicts and test results"
     print(
         f"{len(differences)} differences" if differences else f"The two builds have equal {what}."
     )

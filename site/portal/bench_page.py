@@ -75,8 +75,8 @@ class Range:
 
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
-    """Returns the longest time from a clock pulse to its report in all scenarios [ms], for each
-    timing model."""
+    """For each timing model, returns the longest time from a clock pulse to its report in all
+    scenarios [ms]."""
     times = [
         (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
     ]
@@ -84,8 +84,8 @@ def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
 
 
 def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
-    """Returns the range of the paper and the measured ranges of this firmware for each scenario, on
-    the same axis."""
+    """For each scenario, returns the range of the paper and the measured ranges of this firmware.
+    All ranges have the same axis."""
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
 
     def shown(words: str, kind: str, average: float, maximum: float) -> Range:

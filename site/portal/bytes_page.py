@@ -85,8 +85,8 @@ def _followed(portal: Portal, chain: Chain, recording: Recording | None) -> Foll
 
 
 def _choose_requirements(rows: list[Row]) -> None:
-    """Sets the requirements that each row shows. A requirement comes first if its invocation tree
-    contains the method of the row, and also the method of the row above or below."""
+    """Sets the requirements that each row shows. A requirement is shown first if its invocation
+    tree contains the method of the row, and also the method of the row above or below."""
     for number, row in enumerate(rows):
         if row.links is None:
             continue

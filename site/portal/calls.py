@@ -110,7 +110,8 @@ class CallGraph:
         return [row for row in rows.values() if row.callers or row.callees] + nested
 
     def _nested_methods(self, module: Module) -> list[str]:
-        """Returns the methods of nested classes that other modules call, without constructors."""
+        """Returns those methods of nested classes that other modules call. Constructors are left
+        out."""
         outside = f"{module.name}::"
         return [
             name
@@ -155,8 +156,8 @@ class CallGraph:
 
 
 def without_constructor(caller: str) -> str:
-    """Returns the name of the nested class if the caller is the constructor of a nested class;
-    otherwise returns the name unchanged."""
+    """If the caller is the constructor of a nested class, returns the name of this class.
+    Otherwise, returns the name of the caller."""
     owner, _, name = caller.rpartition("::")
     return owner if owner.endswith(f"::{name}") else caller
 

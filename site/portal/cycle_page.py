@@ -51,7 +51,7 @@ class Lane:
 
 @dataclass
 class Bar:
-    """A call in the static drawing, which ends at the end of the main thread."""
+    """A call in the static drawing. The drawing ends at the end of the main thread."""
 
     x: float
     y: int
@@ -181,8 +181,8 @@ def report_time(shown_cycle: Cycle) -> tuple[int, int]:
 def bars_of(
     portal: Portal, shown_cycle: Cycle, lanes: list[Lane], first: int, last: int
 ) -> list[Bar]:
-    """Returns a bar for each call from the clock pulse to the end of the main thread. Each bar is
-    one row below the bar of the caller."""
+    """Returns the bars of the calls from the clock pulse to the end of the main thread. Short calls
+    have no bar: see SHOWN. Each bar is one row below the bar of the caller."""
     scale = WIDTH / (last - first)
     activations = shown_cycle.recording.activations
     chosen = [

@@ -112,8 +112,9 @@ def role_family(role: str) -> str:
 
 @dataclass
 class Diagram:
-    """A drawing in the language of PlantUML. ``label`` describes it for a screen reader. The page
-    Exports lists it if it has a title; ``page`` is the address of the page that shows it."""
+    """A drawing in the language of PlantUML. ``label`` describes the drawing for a screen reader.
+    The page Exports lists each drawing that has a title. ``page`` is the address of the page that
+    shows the drawing."""
 
     id: str
     label: str
@@ -161,8 +162,8 @@ def preamble() -> list[str]:
 
 
 def between(links: Links, bound: set[str]) -> set[str]:
-    """Returns the modules without a role that are between two modules with a role in the class
-    hierarchy."""
+    """Returns the modules that have no role, but have both a base class and a subclass with a
+    role."""
     above = {base for name in bound for base in links.ancestors(name)} - bound
     return {name for name in above if bound & set(links.ancestors(name))}
 
@@ -451,7 +452,7 @@ def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> di
     another group. The attribute ``data-for`` of a group lists the requirements. Returns the text
     lines of the labels with their positions.
 
-    The labels come after all edges in the SVG. Therefore no edge is drawn over a label."""
+    The labels are after all edges in the SVG. Therefore no edge is drawn over a label."""
     line = f"path[@id='{identifier}']"
     drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
     parts = list(drawing)

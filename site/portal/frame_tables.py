@@ -80,8 +80,8 @@ def shown_name(field: Field) -> str:
 
 
 def counters_table(frames: FrameTable) -> str:
-    """Returns the table of the counters, each with its first checks. The counters of all wheels
-    have a single row."""
+    """Returns the table of the counters. It shows the counted events and the first check of each
+    counter. The counters of all wheels have a single row."""
     fields = (field for layout in frames.frames.values() for field in layout.fields)
     rows = (
         (shown_name(field), field.meaning, field.check)

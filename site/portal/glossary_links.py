@@ -87,8 +87,8 @@ class GlossaryLinks:
                 at = text.find(words, at + 1)
 
     def _means_term(self, text: str, at: int, words: str) -> bool:
-        """Returns true if ``words`` begins with a new word, is not a part of a longer term, and has
-        the meaning of the term."""
+        """Returns true if ``words`` begins at the start of a word of the text, is not a part of a
+        longer term, and has the meaning of the term."""
         if (at and NO_START.match(text, at - 1)) or NAME.search(text[max(0, at - 8) : at]):
             return False
         own = self.own.get(words)
@@ -108,8 +108,8 @@ def is_in(text: str, at: int, phrases: list[tuple[str, int]]) -> bool:
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
     """Returns the text of the page in lower case, without the elements in which no term is linked.
     A line break counts as a space. The removed elements divide the text into parts. Also returns
-    two lists with a number for each part: its position in the text, and the distance from there to
-    its position on the page."""
+    two lists with a number for each part: the position of the part in the text, and the number to
+    add to this position to get the position on the page."""
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])

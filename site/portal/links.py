@@ -76,7 +76,7 @@ class Links:
         return next((self.methods[name] for name in names if name in self.methods), None)
 
     def ancestors(self, module: str) -> list[str]:
-        """Returns the direct and indirect base classes; the direct base classes come first."""
+        """Returns the direct base classes, and then the indirect base classes."""
         names: list[str] = []
         pending = [module]
         while pending:

@@ -170,10 +170,10 @@ def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
 
 
 def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, Any]]:
-    """Returns the parameters of methods that are passed in registers: the number of the register
-    with the first parameter, and the name and kind of each parameter. The dictionary contains
-    no overloaded methods, no methods without such a parameter, and no methods that may return their
-    result in memory."""
+    """For each method, returns the parameters that are passed in registers: the number of the
+    register with the first parameter, and the name and kind of each parameter. The dictionary
+    contains no overloaded methods, no methods without such a parameter, and no methods that may
+    return their result in memory."""
     methods = (method for module in portal.designs for method in module.methods)
     found = grouped(methods, lambda method: method.id)
     return {
@@ -222,7 +222,7 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
     """Returns the address of each method in a firmware image, and the number of the method in
-    ``numbers``, sorted by address."""
+    ``numbers``. The list is sorted by address."""
     cache = root / "build" / "pages-cache" / "symbols" / name
     symbols = read_symbols(root / file_of(name, ".elf"), "arm-none-eabi-nm", cache)
     return [[at, numbers[method]] for at, method in sorted(symbols.items()) if method in numbers]
@@ -285,7 +285,7 @@ def field(field_entry: Field) -> dict[str, Any]:
 
 
 def first_comment(text: str) -> str:
-    """Returns the text of the first comment of a scenario, which can have several lines."""
+    """Returns the text of the first comment of a scenario. The comment can have several lines."""
     comment = re.search(r"(?:^#.*\n?)+", text, re.MULTILINE)
     return " ".join(line[1:].strip() for line in comment[0].splitlines()) if comment else ""
 

@@ -33,8 +33,8 @@ LEAST_DIFFERENCE = 20
 class MissedLines:
     """Source lines of a driver that were not executed, with the functions that contain them.
 
-    ``requirements`` are those of the methods. For a function outside classes, they are those of the
-    methods that it calls."""
+    ``requirements`` are the requirements of the methods. A function outside classes has the
+    requirements of the methods that it calls."""
 
     place: Place
     functions: list[str]
@@ -172,8 +172,8 @@ def limits_of_outputs(root: Path) -> dict[str, float]:
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
     """Returns the modules, sorted: first the module with the most silent faults. Among modules with
-    the same number of silent faults, the module with the most faults comes first. A silent fault
-    makes the outputs wrong, but causes no reset and no fault in a report."""
+    the same number of silent faults, the module with the most faults is first. A silent fault makes
+    the outputs wrong, but causes no reset and no fault in a report."""
     return sorted(
         modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])
     )
@@ -226,9 +226,9 @@ def usual_design(portal: Portal) -> dict[str, Any]:
 
 
 def costs_of_parts(portal: Portal, comparison: dict[str, Any]) -> list[dict[str, Any]]:
-    """Returns the costs of each part of the robot in both designs: pairs of bytes of flash and
-    instructions in a cycle. Also returns the pattern applications of the part. The last part
-    contains the other code."""
+    """Returns the costs of each part of the robot in both designs: the bytes of flash, and the
+    number of instructions in a cycle. Also returns the pattern applications of the part. The last
+    part contains the other code."""
     parts = portal.model.baseline_parts
     part_of = baseline_record.PartOfLine(portal.root, parts)
     home = {

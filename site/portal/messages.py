@@ -109,8 +109,8 @@ def messages_of(root: Path, path: Path) -> Iterator[Message]:
 
 
 def printed(node: ast.AST, texts: dict[str, str], file: Path) -> Iterator[Message]:
-    """Yields the messages that a block prints. Successive calls of print are one message. A return
-    of an exit code after them is the exit code of the message."""
+    """Yields the messages that a block prints. Successive calls of print are one message. If the
+    next statement returns an exit code, this code is the exit code of the message."""
     for name in ("body", "orelse", "finalbody"):
         block = getattr(node, name, None)
         if not isinstance(block, list):
@@ -129,8 +129,8 @@ def printed(node: ast.AST, texts: dict[str, str], file: Path) -> Iterator[Messag
 
 
 def printed_text(statement: ast.stmt | None, texts: dict[str, str]) -> str:
-    """Returns the text that a statement prints on the standard error or at the line of the state.
-    The text is empty if the statement prints nothing there."""
+    """Returns the text that a statement prints on the standard error, or in the line of the
+    terminal that shows the state. The result is empty if the statement prints no such text."""
     match statement:
         case ast.Expr(
             value=ast.Call(func=ast.Name(id="print"), args=[argument], keywords=keywords)
@@ -150,7 +150,7 @@ def returned_code(statement: ast.stmt | None) -> int | None:
 
 
 def messages_of_command(root: Path) -> Iterator[Message]:
-    """Yields the messages of the shell script, which ends the command."""
+    """Yields the messages of the shell script. After each of these messages, the command ends."""
     if not (root / COMMAND).exists():
         return
     script = (root / COMMAND).read_text(encoding="utf-8")

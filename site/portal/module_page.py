@@ -71,7 +71,7 @@ def inherited_methods(portal: Portal, module: Module) -> list[Method]:
 
 
 def requirement_methods(portal: Portal, module: Module) -> dict[str, list[str]]:
-    """Returns the methods of a module that satisfy each requirement of the module, by the id of the
+    """For each requirement of a module, returns the methods of the module that satisfy this
     requirement. The list is empty if only the tree of the requirement contains the module.
     """
     return {

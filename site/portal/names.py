@@ -117,7 +117,7 @@ class Names:
         )
 
     def event(self, event: str, operation: str) -> Markup:
-        """Returns the name of an event, with a link to the operation of the state that it calls."""
+        """Returns the name of an event. It is a link to the operation that the event calls."""
         return anchor(self.links.method(operation), event)
 
     def types(self, code: str, own: str = "") -> Markup:

@@ -1,5 +1,5 @@
 """The side navigation, which is the same on every page. Numbers next to its titles, such as the
-number of requirements, come from the model."""
+number of requirements, are from the model."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class Group:
 
 
 def hand_written(folder: Path) -> list[Entry]:
-    """Returns the pages below ``docs/``. The pages for beginners come first. The title of a page is
+    """Returns the pages below ``docs/``. The pages for beginners are first. The title of a page is
     its first heading, or the name of its file."""
     names = {path: str(path.relative_to(folder).with_suffix("")) for path in folder.rglob("*.rst")}
     pages = [

@@ -12,7 +12,7 @@ from portal.diagrams import MARKERS, Diagram, node, preamble
 
 CONTRACTS = Path("pyproject.toml")
 PACKAGES = "packages"  # id of the diagram
-WIDTH = 60  # letters in a line of a box
+WIDTH = 60  # greatest number of letters in a line of a box
 
 
 def package_diagrams(root: Path) -> list[Diagram]:

@@ -146,8 +146,9 @@ def home_page(portal: Portal) -> Page:
 
 
 def best_method(portal: Portal, requirement: Requirement) -> Method | None:
-    """Returns the last method of the invocation tree that satisfies the requirement. If no method
-    satisfies the requirement, returns the last method. Methods without a body are skipped."""
+    """Of the methods in the invocation tree that satisfy the requirement, returns the last method.
+    If no method satisfies the requirement, returns the last method of the tree. Methods without a
+    body are skipped."""
     nodes = reversed(portal.nodes(requirement))
     methods = [m for m in (real_method(portal, node) for _, node in nodes) if m]
     satisfying = [m for m in methods if requirement.id in m.satisfies]
@@ -205,7 +206,7 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 def execution(portal: Portal) -> dict[str, Any]:
     """Returns the values of the page of the execution contexts, such as interrupts and threads. The
     context with the highest priority is the first. A context without a priority, such as the
-    program after a reset, comes last."""
+    program after a reset, is at the end."""
     contexts = portal.model.contexts.values()
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)
@@ -239,7 +240,7 @@ def tests(portal: Portal) -> dict[str, Any]:
 
 
 def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
-    """Returns the modules that list a test among the tests to read first, for each such test."""
+    """For each test that a module lists among its tests to read first, returns these modules."""
     modules: dict[str, list[str]] = {}
     for name in sorted(portal.model.modules):
         for test in portal.own_tests(portal.model.modules[name]):
@@ -313,8 +314,8 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
-    """Returns the name of each logic module. If several logic modules have the same name, the name
-    of its parent is added to each of them."""
+    """Returns the name of each logic module. If several logic modules have the same name, each of
+    these names begins with the name of the parent."""
     logic_modules = portal.model.logic_modules
     count = Counter(logic_modules[identifier].name for identifier in identifiers)
 

@@ -243,7 +243,7 @@ class Portal:
 
     def showing(self, step: Transition) -> list[str]:
         """Returns the tests in which a transition occurred. Tests that verify a requirement of the
-        transition come first."""
+        transition are first."""
         tests = self.model.tests
         return sorted(
             (name for name in step.tests if name in tests),
@@ -338,8 +338,9 @@ class Portal:
 
     @functools.cached_property
     def hits(self) -> dict[str, Mapping[int, bool]]:
-        """Returns for each measured source line whether a test executed it, by file and line. The
-        drivers are measured on the virtual K64, and the other files on the host."""
+        """For each measured source line, returns whether a test executed the line. The keys are the
+        file and the line. The drivers are measured on the virtual K64, and the other files on the
+        host."""
         on_host = {path: file.lines for path, file in self.model.host_files.items()}
         return {**on_host, **(self.model.board_lines or {})}
 
@@ -486,7 +487,7 @@ class Portal:
         return max(0, len(faults) - last.tried) if last else 0
 
     def recorded_images(self, tests: Iterable[Test]) -> list[str]:
-        """Returns the firmware images for recordings on which the tests ran."""
+        """Of the firmware images for recordings, returns the images on which the tests ran."""
         images = {image for test in tests for run in test.results.values() for image in run.images}
         return sorted(image for image in images if image.endswith(CALLS_SUFFIX))
 

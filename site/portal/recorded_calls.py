@@ -54,7 +54,7 @@ def name_of(portal: Portal, activation: Activation) -> str:
 
 
 def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
-    """Returns the requirements whose invocation trees contain a method, for each method."""
+    """For each method, returns the requirements whose invocation trees contain this method."""
     requirements: dict[str, list[str]] = {}
     for requirement in portal.model.requirements.values():
         nodes = (node for _, node in portal.nodes(requirement))

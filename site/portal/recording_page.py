@@ -45,7 +45,7 @@ class Change:
 
 def read_recording(path: Path) -> list[Values]:
     """Returns the values of each report in a file. The file is an MCAP or CSV file of the client,
-    or a CSV file of the scenario player, which has other columns."""
+    or a CSV file of the scenario player. The two kinds of CSV files have different columns."""
     if path.suffix == MCAP:
         return list(read_mcap(path))
     with path.open(newline="", encoding="utf-8") as lines:

@@ -62,7 +62,8 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
-    """Returns the number of methods in each top-level logic module that satisfy the requirement."""
+    """For each top-level logic module, returns the number of its methods that satisfy the
+    requirement."""
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
     return Counter(module.logic.partition("/")[0] for module in modules if module)
 
@@ -91,7 +92,7 @@ class Sheet:
     verdict: Verdict
     nodes: list[tuple[int, TreeNode]]
     outside_tree: list[str]  # methods that satisfy the requirement, but are not in the tree
-    scenarios: dict[str, list[FaultScenario]]  # targets -> scenarios with passed tests on them
+    scenarios: dict[str, list[FaultScenario]]  # targets -> scenarios whose tests passed there
     tests: list[Test]
     changes: list[str]  # texts that have changed since their baseline
 
@@ -161,8 +162,8 @@ def played_scenarios(model: Model, requirement: Requirement) -> dict[str, list[F
 
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
-    """Returns a row for each method in the tree that has a body. The row shows which source lines
-    the tests executed on each target."""
+    """Returns a row for each method that is in the tree and has a body. The row shows which source
+    lines the tests executed on each target."""
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
     for binding, methods in requirement.coverage.items():
         for method in methods:

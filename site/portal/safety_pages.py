@@ -39,7 +39,8 @@ def safety(portal: Portal) -> dict[str, Any]:
 
 def evidence(portal: Portal) -> tuple[tuple[str, str, str, object], ...]:
     """Returns the evidence besides the tests: its title, the page that shows it, the firmware image
-    or code that it is about, and a result that is None or empty if the pages show no result."""
+    or code that it is about, and a result. The result is None or empty if the pages show no
+    result."""
     model = portal.model
     played = any(scenario.runs for scenario in model.closed_loop)
     drivers, lines = model.board_lines, portal.metrics["coverage.line"]
@@ -60,8 +61,8 @@ def evidence(portal: Portal) -> tuple[tuple[str, str, str, object], ...]:
 
 
 def open_points(portal: Portal) -> Iterator[tuple[str, str, str]]:
-    """Yields the known exceptions and the open points of the safety goals, and the parts of the
-    requirements that their verification does not show: the id, the kind and the text of each."""
+    """Yields the known exceptions and the open points of the safety goals. Also yields the missing
+    part of each partly verified requirement. Each item has an id, a kind and a text."""
     for goal in portal.model.safety.goals.values():
         yield from ((goal.id, "known exception", text) for text in goal.exceptions)
         yield from ((goal.id, "open point", text) for text in goal.open_points)

@@ -85,7 +85,7 @@ def assigned(name: str, data: object) -> str:
 
 
 def listed(name: str, separator: str) -> list[list[str]]:
-    """Returns the parts between the separators for each line of a file. Empty lines and comments
+    """For each line of a file, returns the parts between the separators. Empty lines and comments
     are left out."""
     lines = (SITE / name).read_text(encoding="utf-8").splitlines()
     used = (line for line in lines if line[:1] not in ("", "#"))

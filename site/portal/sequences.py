@@ -88,7 +88,7 @@ class Drawn:
 
     declared: DeclaredSequence
     windows: list[Window]
-    recorded: bool  # this build contains all recordings
+    recorded: bool  # true: this build contains all recordings of the sequence
     cycles: list[CycleMessages]
     diagram: Diagram | None
     methods: list[tuple[str, list[str]]]  # each called method, with the shown requirements

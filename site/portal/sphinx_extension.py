@@ -42,8 +42,8 @@ class NameRole(SphinxRole):
 
 
 class DesignDomain(Domain):
-    """The elements of the design. Sphinx writes them to ``objects.inv``, and the documentation of
-    other projects can then link to them."""
+    """The elements of the design. Sphinx writes these elements to ``objects.inv``. The
+    documentation of other projects can then link to the elements."""
 
     name = "design"
     label = "Design"

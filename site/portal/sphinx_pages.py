@@ -44,14 +44,14 @@ IDENTITY = Path("src/CMakeLists.txt")
 
 
 def sections(root: Path, path: Path) -> str:
-    """Returns the sections of a file in Markdown, without the title of the file. They become
-    sections of a page in ``docs/``, which includes them."""
+    """Returns the sections of a file in Markdown, without the title of the file. A page in
+    ``docs/`` includes these sections."""
     text = (root / path).read_text("utf-8").partition("\n")[2]
     return text.replace("\n## ", "\n# ").replace("](docs/", "](/docs/")
 
 
 def folder_table(root: Path) -> str:
-    """Returns the table of the folders in the README."""
+    """Returns the table in the README that lists the folders of the project."""
     text = (root / README).read_text("utf-8")
     return text.partition("\n## Folders\n\n")[2].partition("\n\n")[0] + "\n"
 

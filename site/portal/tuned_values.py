@@ -1,5 +1,5 @@
-"""The values that were chosen by hand for the value of a constant. If the constant changes, these
-values must be chosen again."""
+"""Values that were chosen by hand because another constant has its present value. If this other
+constant changes, these values must be chosen again."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def shown(constant: Constant) -> str:
 
 
 def declared_at(root: Path, model: Model, name: str) -> Place | None:
-    """Returns the first place in the files of a module that names a constant of the module."""
+    """Returns the first place that names a constant, in the files of the constant's module."""
     owner, _, own = name.partition("::")
     module = model.modules.get(owner)
     files = (module.source, module.header) if module else ()

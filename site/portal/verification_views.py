@@ -64,7 +64,7 @@ class CoverageRow:
 
 def coverage_rows(model: Model) -> list[CoverageRow]:
     """Returns a row for each module and each other file of the design that has measured lines. The
-    smallest share of executed lines comes first."""
+    row with the smallest share of executed lines is first."""
     owners = {
         file: module.name
         for module in model.modules.values()
@@ -81,7 +81,8 @@ def coverage_rows(model: Model) -> list[CoverageRow]:
 
 
 def coverage_of(model: Model, name: str, files: Iterable[str]) -> CoverageRow | None:
-    """Returns the coverage of some files together. Returns None if no line of them was measured."""
+    """Returns the coverage of some files together. Returns None if no line of these files was
+    measured."""
     measured = {file: model.host_files[file] for file in files if file in model.host_files}
     lines = share(hit for file in measured.values() for hit in file.lines.values())
     counts = [file.branches for file in measured.values() if file.branches is not None]
@@ -93,7 +94,7 @@ def coverage_of(model: Model, name: str, files: Iterable[str]) -> CoverageRow | 
 def chart(
     sections: dict[str, list[Requirement]],
 ) -> dict[str, tuple[Share | None, Share | None, Share | None]]:
-    """Returns the executed part of three kinds for the requirements of each section: source lines
+    """For the requirements of each section, returns the executed part of three kinds: source lines
     on the host, branches on the host, and source lines on the virtual K64. A method in several
     invocation trees is counted once for each tree."""
 
@@ -161,6 +162,6 @@ def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
 
 
 def _numbers_in_order(text: str) -> list[tuple[str, int]]:
-    """Returns a sort key that compares numbers by value: FR-2 comes before FR-10."""
+    """Returns a sort key that compares numbers by value: FR-2 is before FR-10."""
     parts = re.findall(r"(\D*)(\d*)", text)
     return [(words, int(number or 0)) for words, number in parts]

@@ -86,7 +86,7 @@ class Store:
 
     def read(self, chunk: Chunk) -> list[dict[str, Any]] | None:
         """Returns the cases of a chunk. Returns None if the chunk is not finished. Raises an error
-        for a chunk of another program."""
+        if the file of the chunk belongs to another campaign."""
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
         if not path.is_file():
             return None
@@ -98,7 +98,7 @@ class Store:
 
     def finished(self) -> list[Chunk]:
         """Returns the finished chunks, sorted by their numbers. If several chunks have the same
-        number, returns the longest of them."""
+        number, the result contains only the longest chunk."""
         seed = int(self.folder.name.rpartition("-")[2])
         longest: dict[int, int] = {}
         for path in self.folder.glob("*-*.json"):

@@ -124,7 +124,7 @@ def merged(root: Path, kind: Kind, store: Store, chunks: list[Chunk]) -> dict[st
 
 
 class Progress:
-    """Prints from time to time the number of finished cases and the remaining time."""
+    """Prints the progress periodically: the number of finished cases and the remaining time."""
 
     def __init__(self, kind: Kind, chunks: int, cases: int) -> None:
         self.kind, self.chunks, self.cases = kind, chunks, cases

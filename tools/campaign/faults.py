@@ -15,7 +15,7 @@ PROGRAM = Path("build/host/sim/weeding_robot_faults")
 IMAGE, ELF = image_of(DEFAULT, ".bin"), image_of(DEFAULT, ".elf")
 BY_ADDRESS = ("ram", "code", "flash")  # kinds of faults at an address that belongs to a module
 BY_INSTRUCTION = ("register", "stack")  # kinds of faults that hit the module that is running
-LISTED = 40  # greatest number of faults with a silent or hung outcome that the record lists
+LISTED = 40  # The record lists at most this number of faults with a silent or hung outcome.
 
 Case = dict[str, Any]
 

@@ -9,7 +9,7 @@ from typing import Any
 PROGRAM = Path("tools/campaign/fuzz_program.py")
 NAMES = ("frames", "link", "robot")
 FUZZERS = tuple(Path(f"build/fuzz/tests/fuzz/fuzz_{name}") for name in NAMES)
-LISTED = 20  # number of failures that the record lists
+LISTED = 20  # greatest number of failures that the record lists
 
 
 def options(files: Sequence[Path]) -> list[str]:

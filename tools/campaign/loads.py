@@ -1,5 +1,5 @@
-"""The campaign of random drives in which the PC keeps its serial line busy, with the program and
-the summary of the drives."""
+"""The campaign of random drives, with its program and the summary of the drives. In each drive, the
+PC keeps its serial line busy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Finds the module of an address of the firmware image, from the debug information."""
+"""Reads the debug information to find the module of an address of the firmware image."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from elftools.elf.elffile import ELFFile
 
 from traceability.sources import files_below
 
-Extent = TypeVar("Extent", bound=tuple[Any, ...])  # begins with the first address and the end
+# A tuple that begins with two numbers: the first address of an item, and the address after its end.
+Extent = TypeVar("Extent", bound=tuple[Any, ...])
 NOWHERE = "other"  # name for padding, libraries and tables of the compiler
 _ADDRESS = 0x03  # DW_OP_addr
 _WRAPPERS = {"DW_TAG_typedef", "DW_TAG_const_type", "DW_TAG_volatile_type"}
@@ -21,9 +22,9 @@ _CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
 
 
 class Places:
-    """The module to which each address in flash or RAM belongs. This module is the innermost class
-    at the address that is a design module. If there is no such class, it is the module with the
-    name of the source file."""
+    """The module to which each address in flash or RAM belongs. Of the classes at the address that
+    are design modules, this module is the innermost class. If there is no such class, it is the
+    module with the name of the source file."""
 
     def __init__(self, root: Path, elf: Path) -> None:
         self._modules = {

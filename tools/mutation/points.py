@@ -140,8 +140,8 @@ class _Finder:
         return any(token.spelling == "constexpr" for token in cursor.get_tokens())
 
     def early_return(self, function: Cursor, body: Cursor) -> None:
-        # A body with one statement gets no early return. If this statement is a call, the mutant
-        # without the call has the same effect.
+        # A body with one statement gets no mutant with an early return. If this statement is a
+        # call, the mutant without the call has the same effect as an early return.
         if len(list(body.get_children())) < 2:
             return
         no_value = function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR)

@@ -16,7 +16,9 @@ from tempfile import NamedTemporaryFile
 
 from traceability.reading.results import plain_name
 
-SLOWER = 10  # A test counts as hanging after this multiple of its time without a mutant.
+# Processor time limit of a program: LEAST_SECONDS, plus SLOWER times the time of its tests without
+# a mutant. If the program reaches this limit, the running test counts as hanging.
+SLOWER = 10
 LEAST_SECONDS = 2.0
 ASLEEP = 30  # A program that only waits is ended after this multiple of its processor time limit.
 HANGS = 2  # After this number of hanging tests, the other tests stay without a result.

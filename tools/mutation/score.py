@@ -46,7 +46,7 @@ class Plan:
 
 @dataclass
 class Tried:
-    """A mutant that was tried, with the tests that found it. ``own`` states for each requirement
+    """A mutant that was tried, with the tests that found it. For each requirement, ``own`` states
     whether a test of the requirement found the mutant.
 
     ``own`` contains no value for a requirement if its tests were not decided."""
@@ -80,8 +80,8 @@ def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[st
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """Returns the functions that a test called. If the recording of the test is incomplete,
-    returns all functions.
+    """Returns those of the given methods that a test called. If the recording of the test is
+    incomplete, returns all given methods.
 
     The recording of a death test is always incomplete, because the test runs in a separate process
     that is not recorded."""
@@ -125,9 +125,9 @@ def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
 
 
 def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried | None:
-    """Runs the tests of the requirements that the changed method serves. If no test finds the
-    mutant, runs all tests that execute this method. Returns None if no test found the mutant and
-    some tests did not end."""
+    """Runs the tests of the requirements that the changed method serves, if these tests execute the
+    method. If no test finds the mutant, runs the other tests that execute the method. Returns None
+    if no test found the mutant and some tests did not end."""
     own = {name: plan.own(mutant.method, name) for name in plan.methods[mutant.method]}
     outcome = run_until_found(program, number, plan, list(own.values()))
     if not outcome.failed:
@@ -145,7 +145,7 @@ def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried 
 
 def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str]]) -> Outcome:
     """Runs the tests of the groups. The short tests run first. The run ends when each group has a
-    test that found the mutant, or has no tests left.
+    test that found the mutant, or has no tests left. The run also ends if tests hang.
 
     The tests run in parts. Each part takes a multiple of the time of the previous part. Therefore,
     the program starts only a few times."""
@@ -247,12 +247,12 @@ class Justifications:
         self.lines: dict[str, list[str]] = {}
 
     def reasons_of(self, mutants: Iterable[Mutant]) -> list[str]:
-        """Returns the reason why no test can find a mutant, for each mutant. The reason is empty if
-        the mutant has no justification.
+        """For each mutant, returns the reason why no test can find it. The reason is empty if the
+        mutant has no justification.
 
         Each change that an entry lists belongs to one mutant. If a source line can have the same
         change at several places, the entry lists the change once for each place at which no test
-        can find it."""
+        can find the change."""
         left = {key: list(reasons) for key, reasons in self.reasons.items()}
         return [
             reasons.pop() if (reasons := left.get(self._key(mutant))) else "" for mutant in mutants

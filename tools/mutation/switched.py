@@ -109,7 +109,7 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
         if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
             continue
         # If the error is in mutant.hpp, a note shows the place of the call. libclang also reports
-        # errors without a file, which come from parsed headers and are ignored.
+        # errors without a file. These errors are from parsed headers, and are ignored.
         places = [problem.location, *(child.location for child in problem.children)]
         for place in places:
             if place.file and str(Path(place.file.name)) in {name for name, _ in unsaved}:

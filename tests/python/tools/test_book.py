@@ -61,7 +61,7 @@ def test_each_link_of_the_book_has_its_target(project: Path) -> None:
 
 def test_a_missing_page_is_named(project: Path) -> None:
     (project / "build/site/proofs.html").unlink()
-    with pytest.raises(MissingError, match="the page proofs is missing; make the portal first"):
+    with pytest.raises(MissingError, match="the page proofs is missing; build the portal first"):
         print_book(project, project / "book.pdf")
 
 
