@@ -71,10 +71,10 @@ class CycleMeter {
   /// exception.
   [[nodiscard]] std::map<unsigned, Exception> exceptions() const;
 
-  /// @brief Returns the number of executions of an instruction.
+  /// @brief Returns the number of executions of an instruction in the measured control cycles.
   /// @param address address of the instruction
   /// @param toReport true for the executions between a clock pulse and its report, false for all
-  /// others
+  /// other executions
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address, bool toReport) const {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }

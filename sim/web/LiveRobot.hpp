@@ -78,8 +78,8 @@ class LiveRobot {
   /// Scenario::Error.
   void perform(const std::string& action);
 
-  /// @brief Sets the order that the PC sends every 100 ms as soon as the robot sends reports.
-  /// Throws Scenario::Error.
+  /// @brief Sets the order of the PC. As soon as the robot sends reports, the PC sends this order
+  /// every 100 ms. Throws Scenario::Error.
   /// @param order the order as in a scenario; if it is empty, the PC sends nothing
   void repeat(const std::string& order);
 
