@@ -58,7 +58,8 @@ class CycleMeter {
   /// @brief Replaces the event callback of the robot, and the callback of the board for writes to
   /// peripherals.
   /// @param robot the robot with its firmware image; it must outlive the meter
-  /// @param from start of the measurement; the first control cycle begins at the next clock pulse
+  /// @param from start of the measurement; the first measured control cycle begins at the next
+  /// clock pulse
   /// @param profiled true to count the executions of each instruction
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
   CycleMeter(const CycleMeter&) = delete;

@@ -46,7 +46,7 @@ enum class Outcome : std::uint8_t {
 /// @brief Class of a fault and the times of its effects.
 struct Verdict {
   Outcome outcome = Outcome::Harmless;
-  int safeAfter = Observation::kNever;  ///< ms from the injection to the reset or to the report
+  int safeAfter = Observation::kNever;  ///< ms from the injection to the first reset or report
   int wrongFor = 0;                     ///< ms with a wrong output
 };
 

@@ -76,8 +76,8 @@ class Robot {
   static constexpr double kGravity = 9.81;     ///< m/s^2
   static constexpr double kReference = 3.3;    ///< full scale of the converters [V]
   static constexpr double kMiddle = 1.65;      ///< voltage without current, or straight ahead [V]
-  static constexpr double kPerAmpere = 0.1;    ///< [V/A] of the current sensors
-  static constexpr double kAngleRange = 80.0;  ///< [degree] over the whole scale
+  static constexpr double kPerAmpere = 0.1;    ///< nominal gain of the current sensors [V/A]
+  static constexpr double kAngleRange = 80.0;  ///< nominal range of the angle sensor [degree]
   static constexpr std::chrono::milliseconds kStep{1};
 
   /// @brief Puts the nominal robot on the ground, at rest.
