@@ -190,11 +190,11 @@ class CortexM4 {
   /// @return false if there is no register, or if reading it has a side effect
   [[nodiscard]] bool inspectSystem(std::uint32_t address, std::uint32_t& value);
 
-  /// @brief Records each instruction that is executed from now on.
+  /// @brief Starts to record each executed instruction.
   /// @param code receives the records; must outlive the processor
   void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }
 
-  /// @brief Records the lowest stack pointer from now on.
+  /// @brief Starts to record the lowest stack pointer.
   /// @param lowest receives the lowest value; must outlive the processor
   void noteStack(std::uint32_t& lowest) { core_.noteStack(lowest); }
 
