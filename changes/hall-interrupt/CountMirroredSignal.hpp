@@ -7,7 +7,8 @@
 
 namespace wr {
 
-/// @brief A command that counts the edges of Hall sensors on the other side of the motor.
+/// @brief A command that counts the edges of Hall sensors. The sensors are not on the usual side of
+/// the motor, but on the other side.
 ///
 /// On the usual side, sensor a sends signal a, and sensor b sends signal b. On the other side,
 /// sensor a sends signal b, and sensor b sends signal a.

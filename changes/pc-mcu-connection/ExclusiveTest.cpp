@@ -12,6 +12,7 @@ namespace wr::test {
 namespace {
 
 /// @brief A Hello does not change the state, and is counted as unexpected. The session continues.
+/// When the PC has been silent for 1.5 s, the session has ended.
 TEST(Exclusive, IgnoresAHello) {
   FakeSerialPort port;
   SerialReader reader;

@@ -12,7 +12,7 @@ class Waypoints final : public ModeDecorator {
   /// @brief Number of this mode in reports.
   static constexpr ModeId kId{3};
 
-  /// @param wrapped mode that this mode wraps; it reads the orders of the reader
+  /// @param wrapped the wrapped mode, which reads the orders of the reader
   /// @param other mode that changeMode() selects; it need not be constructed before the first cycle
   /// @param reader reader that computes orders from the way-points
   Waypoints(Mode& wrapped, Mode& other, WaypointReader& reader)

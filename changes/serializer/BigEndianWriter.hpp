@@ -10,7 +10,7 @@ namespace wr {
 /// recorder of the farm expects this byte first.
 class BigEndianWriter final : public Writer {
  public:
-  /// @param bytes writer that stores the bytes, the least significant byte of each number first
+  /// @param bytes wrapped writer, which stores the least significant byte of each number first
   explicit BigEndianWriter(Writer& bytes) : bytes_(bytes) {}
 
   /// @brief Writes a field of 8 bits without sign.

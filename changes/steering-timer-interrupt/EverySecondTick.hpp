@@ -4,8 +4,8 @@
 
 namespace wr {
 
-/// @brief A command that executes the work of the steering only at every second tick. The driver of
-/// the steering motor needs pulses that last 2 ms.
+/// @brief A command that executes the work of the steering only at every second tick, because the
+/// driver of the steering motor needs pulses that last 2 ms.
 class EverySecondTick final : public Command {
  public:
   /// @param work command that is executed at every second tick

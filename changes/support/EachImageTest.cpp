@@ -27,10 +27,10 @@ std::vector<std::string> images() {
 
 class EachImage : public testing::TestWithParam<std::string> {};
 
-/// @brief Each firmware image answers the PC with a Welcome, and sends a report in every cycle. Two
-/// images have separate tests instead. The PC sends an order with the number 5 in each cycle, and
-/// each report contains this number. No image reports an overrun. The test records the mean number
-/// of instructions in a cycle.
+/// @brief Each firmware image answers the PC with a Welcome, and sends a report in every cycle. The
+/// PC sends an order with the number 5 in each cycle, and each report contains this number. No
+/// image reports an overrun. The test records the mean number of instructions in a cycle. It skips
+/// two images, because they have separate tests.
 TEST_P(EachImage, DrivesAsThePcOrders) {
   if (GetParam() == "change_can") {
     GTEST_SKIP()

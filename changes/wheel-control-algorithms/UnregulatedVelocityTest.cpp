@@ -33,8 +33,8 @@ std::vector<int> voltages(const char* image) {
   return found;
 }
 
-/// @brief While a wheel accelerates, the unchanged firmware changes the voltage. From the second
-/// cycle on, the changed firmware applies the same voltage in each cycle.
+/// @brief While a wheel accelerates, the unchanged firmware changes the voltage. In the second
+/// cycle and in all later cycles, the changed firmware applies the same voltage.
 TEST(UnregulatedVelocityOnBoard, VoltageStays) {
   const std::vector<int> before = voltages(kUnchanged);
   const std::vector<int> after = voltages("change_wheel-control-algorithms");

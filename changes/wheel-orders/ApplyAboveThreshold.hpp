@@ -4,7 +4,8 @@
 
 namespace wr {
 
-/// @brief The wheel order to follow the set-point. It replaces a voltage of less than 0.5 V by 0.
+/// @brief A wheel order that follows the set-point. If the set-point is a voltage between -0.5 V
+/// and 0.5 V, the wheel order uses 0 V instead.
 ///
 /// At such a low voltage, the motor does not turn, but becomes warm.
 class ApplyAboveThreshold final : public WheelOrder {
@@ -15,7 +16,7 @@ class ApplyAboveThreshold final : public WheelOrder {
   /// @param apply extended wheel order, which follows the set-point
   explicit ApplyAboveThreshold(WheelOrder& apply) : apply_(apply) {}
 
-  /// @brief If the set-point is a voltage of less than 0.5 V, sets the set-point to 0. Then
+  /// @brief If the set-point is a voltage between -0.5 V and 0.5 V, sets the set-point to 0. Then
   /// executes the extended wheel order.
   /// @param work contains the set-point; receives the values that the extended wheel order writes
   /// @isr{no}

@@ -22,8 +22,8 @@ std::int16_t followed(WheelQuantity quantity, std::int16_t value) {
   return apply.value;
 }
 
-/// @brief A voltage below 0.5 V is replaced by 0. Other voltages and other quantities do not
-/// change.
+/// @brief A voltage between -0.5 V and 0.5 V is replaced by 0. Other voltages and other quantities
+/// do not change.
 TEST(ApplyAboveThreshold, ReplacesLowVoltages) {
   EXPECT_EQ(followed(WheelQuantity::Tension, 499), 0);
   EXPECT_EQ(followed(WheelQuantity::Tension, -499), 0);

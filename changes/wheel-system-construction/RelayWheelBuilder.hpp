@@ -47,7 +47,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
     return *system_;
   }
 
-  /// @brief Returns the command of a tick, which does nothing.
+  /// @brief Returns the command that is executed at each tick. The command does nothing.
   /// @return the command; it exists as long as the builder
   /// @isr{no}
   [[nodiscard]] Command& tickCommand() override { return none_; }

@@ -5,8 +5,8 @@
 
 namespace wr {
 
-/// @brief The control system of a fifth wheel, whose motor is switched by a relay. The wheel helps
-/// while the robot drives forwards.
+/// @brief The control system of a fifth wheel, whose motor is switched by a relay. The motor runs
+/// while the set-point of the first wheel is positive.
 class RelayWheelSystem final : public ControlSystem {
  public:
   /// @param relay output of the relay; the motor runs while this output is on
@@ -18,7 +18,7 @@ class RelayWheelSystem final : public ControlSystem {
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override { return cycle_ == cycle; }
 
-  /// @brief Adds nothing, because the relay has no measurement.
+  /// @brief Adds nothing, because this wheel has no sensor.
   /// @isr{no}
   void collect(Measurements& /*measurements*/, Outputs& /*outputs*/) const override {}
 

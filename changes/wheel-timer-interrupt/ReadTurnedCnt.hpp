@@ -18,8 +18,8 @@ class ReadTurnedCnt final : public Command {
   ReadTurnedCnt(AnalogInput& input, ValueCollector& collector)
       : input_(input), collector_(collector) {}
 
-  /// @brief Passes the inverted sample to the collector if a sample is ready, and requests the next
-  /// sample.
+  /// @brief Requests the next sample. If the previous sample is ready, inverts this sample and
+  /// passes it to the collector.
   /// @isr{yes}
   void execute() override {
     const std::optional<std::uint16_t> sample = input_.sample();

@@ -34,8 +34,8 @@ std::int32_t collected(std::uint16_t sample) {
   return static_cast<std::int32_t>(values.record().sum);
 }
 
-/// @brief A sample above the middle becomes a sample below the middle, and vice versa. The distance
-/// from the middle stays the same.
+/// @brief A sample above the middle of the range becomes a sample below the middle, and vice versa.
+/// The distance from the middle stays the same.
 TEST(ReadTurnedCnt, TurnsTheRange) {
   EXPECT_EQ(collected(2148), -1600);
   EXPECT_EQ(collected(1948), 1600);

@@ -9,7 +9,7 @@ namespace wr::board_robot {
 /// @brief The connections between the pins of the virtual K64 and the physics of the robot.
 class BoardWires {
  public:
-  /// @brief Connects the pins to the physics. From then on, the physics advance by one step in each
+  /// @brief Connects the pins to the physics. After this, the physics advance by one step in each
   /// ms of board time.
   /// @param board the board; it must outlive the wires
   explicit BoardWires(emulator::VirtualBoard& board);

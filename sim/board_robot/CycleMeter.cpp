@@ -13,8 +13,8 @@ constexpr unsigned kPulse = kFirstInterrupt + BoardSession::kPulseInterrupt;
 constexpr unsigned kMainThread = kFirstInterrupt + 64;
 // Data register of the serial port to the PC.
 constexpr std::uint32_t kUart0Data = 0x4006A007;
-// Lowest address of the stack, which is also the start of the RAM. The first word of the flash is
-// the initial stack pointer. From this address, the stack grows downwards.
+// Lowest address of the stack, which is also the start of the RAM. The stack grows downwards from
+// the initial stack pointer, which is the first word of the flash.
 constexpr std::uint32_t kStack = 0x1FFF0000;
 constexpr std::uint32_t kWord = 4;
 

@@ -58,7 +58,8 @@ class CycleMeter {
   /// @brief Replaces the event callback of the robot, and the callback of the board for writes to
   /// peripherals.
   /// @param robot the robot with its firmware image; it must outlive the meter
-  /// @param from start of the measurement; the first control cycle begins at the next clock pulse
+  /// @param from start of the measurement; the first measured control cycle begins at the next
+  /// clock pulse
   /// @param profiled true to count the executions of each instruction
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
   CycleMeter(const CycleMeter&) = delete;
@@ -71,10 +72,10 @@ class CycleMeter {
   /// exception.
   [[nodiscard]] std::map<unsigned, Exception> exceptions() const;
 
-  /// @brief Returns the number of executions of an instruction.
+  /// @brief Returns the number of executions of an instruction in the measured control cycles.
   /// @param address address of the instruction
   /// @param toReport true for the executions between a clock pulse and its report, false for all
-  /// others
+  /// other executions
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address, bool toReport) const {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }

@@ -105,7 +105,8 @@ std::uint32_t Adc::clocksOfConversion() const {
   return (longSample ? 3 : 5) + times * each;
 }
 
-// Returns the correct PG or MG: half the sum of six results of the calibration, with bit 15 set.
+// Returns the correct value of the register PG or MG: half the sum of six results of the
+// calibration, with bit 15 set.
 std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   std::uint32_t sum = 0;
   for (std::uint32_t i = 0; i < 6; ++i) {

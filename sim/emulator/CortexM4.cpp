@@ -284,7 +284,7 @@ void CortexM4::takePending() {
     return;
   }
   // After an entry, another exception may preempt the handler before its first instruction. The
-  // manual calls this late arrival.
+  // manual calls this case late arrival.
   while (enterNext()) {
   }
 }

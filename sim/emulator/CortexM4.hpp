@@ -16,7 +16,7 @@ namespace wr::emulator {
 
 /// @brief A Cortex-M4F with its core, exceptions, interrupt controller and system control.
 ///
-/// Time is counted in cycles, according to Timing. A program with the same inputs always runs in
+/// Time is counted in cycles, according to Timing. With the same inputs, a program always runs in
 /// the same way.
 ///
 /// The model has no bit-banding, no memory protection unit and no interrupts during LDM and STM.
@@ -28,7 +28,7 @@ class CortexM4 {
   using Read = Memory::Read;
   using Write = Memory::Write;
 
-  /// @brief An action of the program that stopped the processor.
+  /// @brief A problem that stopped the processor. Its cause is an action of the program.
   struct Problem {
     std::string id;        ///< kind of finding
     std::string what;      ///< description
@@ -128,8 +128,8 @@ class CortexM4 {
   /// line 0
   void raise(unsigned exception);
 
-  /// @brief Rejects the present access to a range of mapWindow(). The access causes a bus fault, or
-  /// a problem if faults are problems.
+  /// @brief Rejects the present access to a range of mapWindow(). The access causes a bus fault.
+  /// After setFaultsAreProblems(true), it causes a problem instead.
   /// @param id kind of finding
   /// @param event description
   void refuse(std::uint32_t address, std::string id, std::string event);
@@ -190,11 +190,11 @@ class CortexM4 {
   /// @return false if there is no register, or if reading it has a side effect
   [[nodiscard]] bool inspectSystem(std::uint32_t address, std::uint32_t& value);
 
-  /// @brief Records each instruction that is executed from now on.
+  /// @brief Starts to record each executed instruction.
   /// @param code receives the records; must outlive the processor
   void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }
 
-  /// @brief Records the lowest stack pointer from now on.
+  /// @brief Starts to record the lowest stack pointer.
   /// @param lowest receives the lowest value; must outlive the processor
   void noteStack(std::uint32_t& lowest) { core_.noteStack(lowest); }
 

@@ -24,8 +24,8 @@ namespace wr::emulator {
 /// A read of the control word locks a buffer that contains a received frame. A frame for a locked
 /// buffer waits until the buffer is unlocked. A newer frame replaces the frame that waits. The
 /// program must clear the flag of the buffer before it unlocks the buffer. If it unlocks the buffer
-/// first, it could later clear the flag of the frame that waited. Therefore this order causes a
-/// finding. A frame is moved into its buffer in no time. Therefore the code BUSY never occurs.
+/// first, it could later clear the flag of the frame that waited. Therefore this sequence causes
+/// a finding. A frame is moved into its buffer in no time. Therefore the code BUSY never occurs.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions

@@ -74,7 +74,8 @@ Mcg::Mode Mcg::mode() const {
   }
 }
 
-// Returns true if the mode state diagram of K64P144M120SF5RM, chapter MCG, contains this change.
+// Returns true if the mode state diagram of K64P144M120SF5RM, chapter MCG, contains a change from
+// the first mode to the second mode.
 bool Mcg::leadsTo(Mode from, Mode to) {
   using enum Mode;
   constexpr std::array<std::pair<Mode, Mode>, 12> kNeighbours{{{Fei, Fee},

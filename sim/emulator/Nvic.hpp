@@ -18,8 +18,9 @@ class Nvic {
 
   Nvic(unsigned lines, unsigned priorityBits);
 
-  /// @brief Disables the interrupts and the exceptions 4 to 6. Clears the pending and active states
-  /// of all exceptions. The levels of the interrupt lines do not change.
+  /// @brief Sets the state after a reset: the interrupts and the exceptions 4 to 6 are disabled, no
+  /// exception is pending or active, and each priority that can be set is 0. The levels of the
+  /// interrupt lines do not change.
   void reset();
 
   void pend(unsigned exception) { pending_.set(exception); }

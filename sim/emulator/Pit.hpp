@@ -29,7 +29,7 @@ class Pit final : public Peripheral {
     std::uint32_t control = 0;
     bool flag = false;
     std::uint32_t reload = 0;    ///< value from which the channel counts at present
-    std::uint64_t loadedAt = 0;  ///< count of the bus clock at the last load, if not chained
+    std::uint64_t loadedAt = 0;  ///< if not chained: count of the bus clock at the last load
     std::uint32_t value = 0;     ///< value of a chained channel or of a stopped channel
     [[nodiscard]] bool enabled() const { return (control & 1U) != 0; }
     [[nodiscard]] bool chained() const { return (control & 4U) != 0; }

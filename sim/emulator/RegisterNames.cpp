@@ -23,8 +23,7 @@ struct Row {
   std::uint32_t stride = 0;
 };
 
-// The registers of blocks without a model, and the most used registers of modelled blocks. See the
-// memory maps in K64P144M120SF5RM.
+// The names of frequently used registers. See the memory maps in K64P144M120SF5RM.
 constexpr auto kRows = std::to_array<Row>({
     {"ADC", 0x00, "SC1A"},
     {"ADC", 0x04, "SC1B"},

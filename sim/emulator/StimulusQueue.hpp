@@ -24,7 +24,7 @@ class StimulusQueue {
   /// @brief Adds a level. Levels with the same time are applied in the order of the calls of add().
   void add(const Level& level);
 
-  /// @brief Adds a function that is called, from now on, at each time that is a multiple of the
+  /// @brief Adds a function. The function is called at each future time that is a multiple of the
   /// period.
   void every(Time period, Time now, std::function<void()> call);
 

@@ -565,7 +565,7 @@ void VirtualBoard::Parts::store(std::uint32_t address, unsigned size, std::uint3
   renew(*peripheral);
 }
 
-// If the next event of a peripheral is now earlier, the core must stop earlier.
+// Updates the time of the next event of a peripheral. The core stops at this time at the latest.
 void VirtualBoard::Parts::renew(Peripheral& peripheral) {
   peripheral.renewDue();
   limitTo(peripheral.due());

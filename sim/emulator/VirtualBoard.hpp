@@ -219,14 +219,14 @@ class VirtualBoard {
   /// @brief Returns the port through which a debugger accesses the board.
   [[nodiscard]] DebugPort& debugPort();
 
-  /// @brief Records calls from now on. This function must be called before the first run.
+  /// @brief Starts to record calls. This function must be called before the first run.
   void record(CallRecorder& recorder);
 
-  /// @brief Records each instruction that is executed from now on.
+  /// @brief Starts to record each executed instruction.
   /// @param code receives the records; must outlive the board
   void noteExecuted(ExecutedCode& code);
 
-  /// @brief Records the lowest stack pointer from now on.
+  /// @brief Starts to record the lowest stack pointer.
   /// @param lowest receives the lowest value; must outlive the board
   void noteStack(std::uint32_t& lowest);
 

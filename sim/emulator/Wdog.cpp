@@ -234,7 +234,7 @@ void Wdog::checkConfiguration() {
 void Wdog::close() {
   lock_ = Lock::Locked;
   if (written_ == 0) {
-    fail("watchdog-sequence", "the watchdog was unlocked, but stayed without configuration");
+    fail("watchdog-sequence", "the watchdog was unlocked, but was not configured");
     return;
   }
   configured_ = true;

@@ -139,7 +139,7 @@ class FaultRun::Robot {
     return runs;
   }
 
-  /// Runs until a duration has passed since the next clock pulse. The duration must end before the
+  /// Runs to the next clock pulse, and then for a given duration. The duration must end before the
   /// next order.
   void runPastPulse(microseconds duration) {
     constexpr int kPulse = board_robot::BoardSession::kPulseInterrupt;

@@ -24,8 +24,8 @@ struct Result {
   std::string stop;  ///< finding or error that stopped the virtual board, if the outcome is Stopped
 };
 
-/// @brief A test drive, in which a firmware image on the virtual board gets random orders, and
-/// copies of this test drive. One fault is injected into each copy.
+/// @brief A test drive and copies of this test drive. A firmware image on the virtual board gets
+/// random orders. One fault is injected into each copy.
 ///
 /// Each copy is a separate process that begins at the injection of the fault. In this way, the part
 /// of the test drive before the fault runs only once.

@@ -11,7 +11,7 @@
 
 namespace wr::faults {
 
-/// @brief Kind of a fault, by the part of the robot that it affects.
+/// @brief Kind of a fault.
 enum class Kind : std::uint8_t {
   Ram,        ///< a changed bit of an object or a constant in RAM (.data or .bss)
   Code,       ///< a changed bit of the program in RAM
@@ -52,7 +52,7 @@ struct InjectedFault {
   int value = 0;          ///< value of the fault, if its kind has a value
 };
 
-/// @brief Returns true if a fault of this kind can only be injected while the processor is awake.
+/// @brief Returns true if a fault of this kind can be injected only while the processor is awake.
 [[nodiscard]] inline bool needsAwake(Kind kind) {
   return kind == Kind::Stack || kind == Kind::Register;
 }
@@ -91,7 +91,8 @@ inline constexpr int kLongestWindow = 7000;
 /// see noiseOf().
 void inject(const InjectedFault& fault, board_robot::BoardSession& robot);
 
-/// @brief Ends a fault that lasts a limited time.
+/// @brief Unblocks the interrupt line that the fault blocks, if the duration of the fault has just
+/// passed. A fault of another kind does not change.
 /// @param fault the fault
 /// @param ms time since the injection
 void endIfDue(const InjectedFault& fault, int ms, board_robot::BoardSession& robot);

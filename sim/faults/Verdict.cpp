@@ -22,8 +22,8 @@ struct Wrong {
   int after = 0;   // ms with voltage at a wheel or with a moved steering, after a reset
 };
 
-// Before a reset, no output counts as wrong while the wheels have no voltage, because the robot is
-// then safe. After a reset, each voltage at a wheel and a moved steering count as wrong.
+// Before a reset, an output counts as wrong only while a wheel has voltage, because the robot is
+// safe without voltage. After a reset, each voltage at a wheel and a moved steering count as wrong.
 Wrong countWrong(const Observation& faulty, const Outputs* reference, int detectedAt) {
   Wrong wrong;
   int run = 0;

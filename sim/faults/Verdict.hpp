@@ -33,8 +33,8 @@ enum class Outcome : std::uint8_t {
   Harmless,  ///< no output was wrong, and there was neither a reset nor a report
   Detected,  ///< there was a reset or a report after at most kSafeWithin ms of wrong outputs, and
              ///< no output was wrong after a reset
-  Late,  ///< there was a reset or a report, but the outputs were wrong for more than kSafeWithin ms
-         ///< before it, or after a reset
+  Late,    ///< there was a reset or a report, but the outputs were wrong after a reset, or had been
+           ///< wrong for more than kSafeWithin ms before the reset or report
   Silent,  ///< the outputs were wrong, and there was neither a reset nor a report
   Hung,    ///< there was no report, no answer and no reset
   Stopped  ///< the virtual board cannot continue; the behaviour of a real board is unknown
@@ -46,7 +46,7 @@ enum class Outcome : std::uint8_t {
 /// @brief Class of a fault and the times of its effects.
 struct Verdict {
   Outcome outcome = Outcome::Harmless;
-  int safeAfter = Observation::kNever;  ///< ms from the injection to the reset or to the report
+  int safeAfter = Observation::kNever;  ///< ms from the injection to the first reset or report
   int wrongFor = 0;                     ///< ms with a wrong output
 };
 
@@ -66,8 +66,8 @@ inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run that has a fault with the same run without the fault.
 /// @param faulty the run with the fault
-/// @param reference outputs of the run without the fault, from the same instant on; it has at least
-/// as many outputs as the run with the fault
+/// @param reference outputs of the run without the fault, which begin at the same instant; there
+/// are at least as many as in the run with the fault
 /// @return class of the fault, and the times of its effects
 [[nodiscard]] Verdict judge(const Observation& faulty, const Outputs* reference);
 

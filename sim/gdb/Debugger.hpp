@@ -27,8 +27,8 @@ class Debugger {
  public:
   /// @brief Serves the user while the program is stopped.
   ///
-  /// The function returns when the program shall continue. The text is the reason for the stop, in
-  /// the form of a GDB stop reply, e.g. `05` or `05watch:20000004;`.
+  /// The function returns when the program shall continue. The parameter `why` is the reason for
+  /// the stop, in the form of a GDB stop reply, e.g. `05` or `05watch:20000004;`.
   using Serve = std::function<void(const std::string& why)>;
 
   /// @param serve is called at each stop, before an instruction or after the end of the run

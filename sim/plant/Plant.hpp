@@ -22,8 +22,8 @@ struct MotorParameters {
   double resistance = 1.42;      ///< winding, cable and driver [ohm]
   double inductance = 1.5e-3;    ///< [H]
   double constant = 0.52;        ///< [V s/rad], and the same number in N m/A
-  double friction = 0.04;        ///< while the motor turns [N m]
-  double staticFriction = 0.06;  ///< at rest [N m]
+  double friction = 0.04;        ///< friction while the motor turns [N m]
+  double staticFriction = 0.06;  ///< friction while the motor is at rest [N m]
   double damping = 0.5e-3;       ///< [N m s/rad]
   double cogging = 0.02;         ///< greatest torque of the magnets [N m]
   double rotorInertia = 1.5e-3;  ///< [kg m^2]
@@ -41,12 +41,12 @@ struct CurrentSensorParameters {
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
   std::array<CurrentSensorParameters, kWheels> currentSensors{};
-  double mass = 175.0;              ///< from the robot's public description [kg]
-  double yawInertia = 85.0;         ///< about the inertia of a box of 2.0 m by 1.4 m [kg m^2]
-  double supply = 24.0;             ///< of the battery without load [V]
-  double batteryResistance = 0.03;  ///< of two lead batteries, cable and fuse [ohm]
-  double rollingResistance = 0.04;  ///< fraction of the weight, while the robot rolls on a meadow
-  double staticResistance = 0.05;   ///< fraction of the weight, while the robot is at rest
+  double mass = 175.0;              ///< mass in the robot's public description [kg]
+  double yawInertia = 85.0;         ///< nearly the inertia of a box of 2.0 m by 1.4 m [kg m^2]
+  double supply = 24.0;             ///< voltage of the battery without load [V]
+  double batteryResistance = 0.03;  ///< resistance of two lead batteries, cable and fuse [ohm]
+  double rollingResistance = 0.04;  ///< fraction of the weight, for a robot that rolls on a meadow
+  double staticResistance = 0.05;   ///< fraction of the weight, for a robot at rest
   double angleGain = 1.0;           ///< factor of the nominal 80 degrees over 3.3 V
   double angleOffset = 0.0;         ///< degrees
 

@@ -38,7 +38,7 @@ enum class FailSafe : std::uint8_t {
 struct RcEdge {
   std::chrono::nanoseconds offset;  ///< time since the start of the step, less than 1 ms
   std::size_t channel;              ///< 0 velocity, 1 direction, 2 enable
-  bool level;                       ///< level from now on
+  bool level;                       ///< level after the change
 };
 
 /// @brief The remote control and its receiver with three channels. A channel has 50 pulses in a
@@ -63,7 +63,7 @@ class RemoteControl {
   void set(const std::optional<Sticks>& sticks);
 
   /// @brief Turns the enable switch.
-  /// @param position position of the switch from now on
+  /// @param position new position of the switch
   void setEnable(EnablePosition position) { enable_ = position; }
 
   /// @brief Sets the output of the receiver while the transmitter is off. The initial output is

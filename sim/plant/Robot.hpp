@@ -22,7 +22,7 @@ struct HallEdge {
       offset;          ///< time since the start of the step, more than 0 and at most 1 ms
   std::size_t wheel;   ///< 0 to 3
   std::size_t sensor;  ///< 0 for a, 1 for b
-  bool level;          ///< level from now on
+  bool level;          ///< level after the change
 };
 
 /// @brief The ground on which the robot drives.
@@ -73,11 +73,11 @@ enum class EmergencyStop : std::uint8_t {
 /// for all targets of the firmware.
 class Robot {
  public:
-  static constexpr double kGravity = 9.81;   ///< m/s^2
-  static constexpr double kReference = 3.3;  ///< full scale of the converters [V]
-  static constexpr double kMiddle = 1.65;    ///< of the sensors without current, straight ahead [V]
-  static constexpr double kPerAmpere = 0.1;  ///< [V/A] of the current sensors
-  static constexpr double kAngleRange = 80.0;  ///< [degree] over the whole scale
+  static constexpr double kGravity = 9.81;     ///< m/s^2
+  static constexpr double kReference = 3.3;    ///< full scale of the converters [V]
+  static constexpr double kMiddle = 1.65;      ///< voltage without current, or straight ahead [V]
+  static constexpr double kPerAmpere = 0.1;    ///< nominal gain of the current sensors [V/A]
+  static constexpr double kAngleRange = 80.0;  ///< nominal range of the angle sensor [degree]
   static constexpr std::chrono::milliseconds kStep{1};
 
   /// @brief Puts the nominal robot on the ground, at rest.
@@ -185,7 +185,7 @@ class Robot {
 
   /// @brief Returns the greatest true velocity of any wheel since the start, or since the last call
   /// of clearGreatestVelocity().
-  /// @return rpm, of either direction
+  /// @return magnitude of the velocity [rpm]
   [[nodiscard]] double greatestRpm() const { return greatestRpm_; }
 
   /// @brief Returns the true position of a wheel's motor shaft.

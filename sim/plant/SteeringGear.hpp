@@ -15,7 +15,7 @@ class SteeringGear {
   void enable(bool enabled) { enabled_ = enabled; }
 
   /// @brief Stalls the motor or releases it. A stalled motor loses all steps.
-  /// @param stalled true: the motor is stalled from now on
+  /// @param stalled true: the motor stalls; false: the motor is released
   void stall(bool stalled) { stalled_ = stalled; }
 
   /// @brief Executes one step pulse.

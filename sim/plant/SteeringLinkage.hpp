@@ -19,8 +19,8 @@ struct WheelPose {
 /// wheels move on circles around one point on the line of the rear axle (Ackermann steering).
 class SteeringLinkage {
  public:
-  static constexpr double kWheelbase = 1.582;  ///< from the robot's public description [m]
-  static constexpr double kTrack = 1.054;      ///< from the robot's public description [m]
+  static constexpr double kWheelbase = 1.582;  ///< value in the robot's public description [m]
+  static constexpr double kTrack = 1.054;      ///< value in the robot's public description [m]
 
   SteeringLinkage() { turn(0); }
 

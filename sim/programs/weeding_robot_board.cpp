@@ -192,8 +192,8 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
       "write each report of the scenario to this file, as comma-separated values [none]");
   CLI::Option* const bench =
       app.add_option("--bench", settings.bench,
-                     "measure the last 1000 control cycles of the scenario, and write them to this "
-                     "file as JSON [none]");
+                     "measure the last 1000 control cycles of the scenario, and write the results "
+                     "to this file as JSON [none]");
   CLI::Option* const calls = app.add_option(
       "--calls", settings.calls,
       "write the calls, interrupts, bytes and outputs of a part of the scenario to this file, with "

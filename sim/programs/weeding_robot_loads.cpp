@@ -93,7 +93,7 @@ class LoadedRobot {
     listen();
   }
 
-  // Returns the longest time of the drive from a clock pulse to the end of the main thread.
+  // Returns the longest time from a clock pulse to the end of the main thread in this drive.
   [[nodiscard]] nanoseconds longest() const { return longest_; }
 
   // Returns true if the inputs have noise in the drive.
@@ -182,8 +182,8 @@ class LoadedRobot {
   }
 
   // Generates edges at all inputs around the next clock pulse. FR-201 limits the number of edges of
-  // an input that cause interrupts in one tick. In each tick, each input has at least this number
-  // of edges.
+  // an input that cause interrupts in one tick. In each tick, the number of edges of each
+  // input reaches this limit.
   void disturb() {
     const nanoseconds pulse =
         session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;

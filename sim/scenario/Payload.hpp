@@ -21,7 +21,7 @@ struct FrameField {
 
   std::string_view name;
   std::uint8_t type = 0;   ///< type of the frame
-  std::size_t offset = 0;  ///< in the payload
+  std::size_t offset = 0;  ///< position in the payload [byte]
   Form form = Form::U8;
   unsigned bit = 0;  ///< number of the bit, if the form is Bit
 };

@@ -14,8 +14,8 @@
 
 namespace wr::scenario {
 
-/// @brief A player of scenarios. It plays the PC, which is connected to the serial line of a robot,
-/// and the surroundings of the robot.
+/// @brief A player of scenarios. It plays two roles: the PC at the serial line of a robot, and the
+/// surroundings of this robot.
 class ScenarioPlayer {
  public:
   /// @brief Result of a scenario.

@@ -55,7 +55,7 @@ class LiveRobot {
     std::uint32_t hash =
         0;  ///< hash of the calls; two cycles with the same calls have the same hash
     bool truncated = false;        ///< true: the cycle had more calls than were recorded
-    std::vector<Switch> switches;  ///< in the order of time
+    std::vector<Switch> switches;  ///< all switches of the cycle, in the order of time
     /// Last call of each function since the start, in the order of Setup::functions. The call
     /// may be missing in `calls`: if several interrupts make the same calls in a cycle, `calls`
     /// contains only the calls of the first of these interrupts.
@@ -78,8 +78,8 @@ class LiveRobot {
   /// Scenario::Error.
   void perform(const std::string& action);
 
-  /// @brief Sets the order that the PC sends every 100 ms as soon as the robot sends reports.
-  /// Throws Scenario::Error.
+  /// @brief Sets the order of the PC. As soon as the robot sends reports, the PC sends this order
+  /// every 100 ms. Throws Scenario::Error.
   /// @param order the order as in a scenario; if it is empty, the PC sends nothing
   void repeat(const std::string& order);
 

@@ -83,7 +83,8 @@ class Core {
   /// @brief Returns the address of the running or the last instruction.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
 
-  /// @brief Reports that an exception mask has changed. A masked exception may then be entered.
+  /// @brief Reports that an exception mask has changed. The new mask may permit the entry of a
+  /// pending exception.
   void masksChanged() {
     if (maskedPending) {
       stopAt_ = 0;
@@ -223,7 +224,7 @@ class Core {
   bool slowFlash_;
   bool codeIsSlow_ = false;  ///< the executed memory is flash
   bool branched_ = false;
-  Instruction none_{};  ///< not decoded; for each address outside of the executed memory
+  Instruction none_{};  ///< not decoded; the entry of each address outside of the executed memory
   ExecutedCode* executed_ = nullptr;
   std::uint32_t* lowestStack_ = nullptr;
   std::function<void(std::uint32_t)> blockCall_;
