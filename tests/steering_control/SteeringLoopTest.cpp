@@ -328,8 +328,8 @@ TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   }
 }
 
-/// @brief The sensor is stuck when the steering gets a new angle. The fault is detected within
-/// 416 ms after this order.
+/// @brief The sensor is stuck when the steering gets a new angle. 400 ms and
+/// two measurements later, the fault has been detected.
 /// @verifies FR-111
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {

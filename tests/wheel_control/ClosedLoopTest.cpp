@@ -413,8 +413,8 @@ TEST(VelocityLoop, FR222_ReversalFromFullSpeedIsInTime) {
   }
 }
 
-/// @brief A wheel that is halted at 300 rpm is slower than 5 rpm after 2.5 s. It is then
-/// short-circuited.
+/// @brief A wheel that is halted at 300 rpm is slower than 5 rpm 25 cycles later. It is
+/// then short-circuited.
 /// @verifies FR-88
 TEST_F(ClosedLoopTest, FR88_HaltBringsToRest) {
   run(velocityOf(3000), 40);

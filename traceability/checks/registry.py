@@ -762,7 +762,9 @@ _FIXED = [
         "tree-static",
         "Each edge of a tree is a possible call",
         "For each edge of a tree, the body of the parent method contains a call that can execute "
-        "the child method. A call of a virtual method can execute every method that overrides it.",
+        "the child method. A call of a virtual method executes the methods of the objects that the "
+        "constructors of the products connect. If no such object is found, it can execute every "
+        "method that overrides it.",
         "The check does not detect whether the call is ever executed. It does not follow calls "
         "through pointers to functions.",
         "restore the call in the code, or change the tree.",

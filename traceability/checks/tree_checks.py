@@ -55,10 +55,26 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
             call = f"{node.label} never {verb} {child.label}"
             tree = f"the tree of {requirement.id} contains the call"
             text = f"{call}, but {tree} ({child.place.file}:{child.place.line})"
-            yield Finding(_body_place(node, facts), "tree-static", text)
+            fix = ""
+            if child.kind == "call" and _may_call(node, child, facts):
+                text += ". No constructor of a product connects the two objects"
+                fix = "correct the connection in the constructor, or change the tree"
+            yield Finding(_body_place(node, facts), "tree-static", text, fix)
         elif child.reachable:
             yield from _order(node, child, requirement, facts)
         yield from _edges(child, requirement, facts)
+
+
+def _may_call(node: TreeNode, child: TreeNode, facts: Facts) -> bool:
+    """Returns whether the code of ``node`` can call ``child`` if it is connected to the object."""
+    called = {
+        target
+        for name in accepted(node, facts)
+        for body in facts.bodies.get(name, [])
+        for call in body.calls
+        for target in facts.targets(call.target, call.virtual)
+    }
+    return bool(called & accepted(child, facts))
 
 
 def _order(

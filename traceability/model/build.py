@@ -383,11 +383,8 @@ def _with_calls(model: Model, facts: Facts) -> Model:
 
 
 def _call(call: CallFact, body: BodyFact, facts: Facts) -> schema.Call:
-    wired = facts.products.wired_targets(call, body.owner)
-    targets = [call.target, *wired] if wired else facts.targets(call.target, call.virtual)
-    return schema.Call(
-        call.target, call.virtual, call.place, list(dict.fromkeys(targets)), bool(wired)
-    )
+    targets, wired = facts.targets_in_products(call, body.owner)
+    return schema.Call(call.target, call.virtual, call.place, targets, wired)
 
 
 def _constants(syntax: Syntax) -> dict[str, schema.Constant]:

@@ -124,7 +124,7 @@ def _below(node: TreeNode, facts: Facts) -> TreeNode:
         target
         for body in bodies
         for call in body.calls
-        for target in facts.targets(call.target, call.virtual)
+        for target in facts.targets_in_products(call, body.owner)[0]
     }
     children: list[TreeNode] = []
     for child in node.children:
@@ -152,7 +152,7 @@ def _calls_of(body: BodyFact, callees: set[str], facts: Facts) -> list[CallFact]
     return [
         call
         for call in body.calls
-        if callees.intersection(facts.targets(call.target, call.virtual))
+        if callees.intersection(facts.targets_in_products(call, body.owner)[0])
     ]
 
 

@@ -145,6 +145,15 @@ class Facts:
         also each overriding method."""
         return [method, *self.overriders.get(method, [])] if virtual else [method]
 
+    def targets_in_products(self, call: CallFact, owner: str) -> tuple[list[str], bool]:
+        """Returns the called method, and the methods that the call can execute in the products. The
+        call is in a method of the class ``owner``. Also returns whether the objects of the call are
+        known. If they are unknown, each overriding method is returned."""
+        wired = self.products.wired_targets(call, owner)
+        if not wired:
+            return self.targets(call.target, call.virtual), False
+        return list(dict.fromkeys([call.target, *wired])), True
+
     def bases_of(self, name: str) -> set[str]:
         """Returns all base classes of a class, direct and indirect."""
         return {base for base, others in self.subclasses.items() if name in others}

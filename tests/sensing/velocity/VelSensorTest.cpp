@@ -276,7 +276,7 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
 }
 
 /// @brief A wheel turns at 100 rpm or more, and one of its sensors has no more edges. No velocity
-/// is written in the next two cycles. The last velocity is then 200 ms old.
+/// is written in the next two cycles.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {
