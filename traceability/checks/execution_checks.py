@@ -118,6 +118,10 @@ def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
             yield _declared(pipe.place, f"the pipe {pipe.id} has no name")
         for verb, methods in (("writes", pipe.writers), ("reads", pipe.readers)):
             contexts = sorted({context for names in methods.values() for context in names})
+            if not methods:
+                text = f"no method {verb} the pipe {pipe.name}"
+                fix = "pass the pipe to the objects that use it, or remove the pipe"
+                yield Finding(pipe.place, "exec-shared", text, fix)
             if len(contexts) > 1:
                 text = f"more than one context {verb} the pipe {pipe.name}: {', '.join(contexts)}"
                 fix = "use a separate pipe for each of these contexts"

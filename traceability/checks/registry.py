@@ -532,8 +532,8 @@ _FIXED = [
         "design/execution.toml declares its protection. A member that is declared as atomic is "
         "atomic. If a member is declared as masked, each function that uses the member blocks the "
         "interrupts. If only its writes are declared as masked, each function that changes the "
-        "member blocks the interrupts. The idle program counts as a context. Only one context "
-        "writes each pipe, and only one context reads it.",
+        "member blocks the interrupts. The idle program counts as a context. Exactly one context "
+        "writes each pipe, and exactly one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
