@@ -204,8 +204,9 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
-/// @brief A clock that starts 24 ms after the reset is in time. The first step of its start begins
-/// more than 4 ms after the reset, and each step may take 20 ms. The first start succeeds.
+/// @brief A clock that starts 24 ms after the reset is in time. The first step of the start of the
+/// clock begins more than 4 ms after the reset, and each step may take 20 ms. The first start of
+/// the firmware succeeds.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -217,9 +218,9 @@ TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
-/// @brief A clock that starts 135 ms after the reset is too late, because a step of its start has
-/// already failed. No cycle runs until the watchdog repeats the start. The new start reports the
-/// step that failed.
+/// @brief A clock that starts 135 ms after the reset is too late, because a step of the start of
+/// the clock has already failed. No cycle runs until the watchdog restarts the firmware. The
+/// restarted firmware reports the step that failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter125MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});

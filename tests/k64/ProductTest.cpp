@@ -163,9 +163,9 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
-/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of
-/// 24 V, the outputs are high for 4 % of each period, from the cycle of the order on. For 6 V, the
-/// outputs are high for a quarter of each period, at the latest after six cycles. The six cycles
+/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of 24 V,
+/// the outputs are high for 4 % of each period, already in the cycle of the order. For 6 V, the
+/// outputs are high for a quarter of each period, at the latest after six cycles. Up to six cycles
 /// are needed because safety functions limit the rise. A stop ends the pulses.
 /// @verifies NFR-2
 /// @verifies FR-80

@@ -181,7 +181,7 @@ TEST_F(FaultTest, BreakpointInBlockIsUnconditional) {
 }
 
 /// @brief A store-exclusive instruction stores only after a load-exclusive instruction. The result
-/// of this instruction shows whether it has stored a value.
+/// of the store-exclusive instruction shows whether it has stored a value.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
   core_.registers.r[1] = kUpper;
   core_.registers.r[2] = 7;
