@@ -139,8 +139,8 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
 
 /// @brief A PC that sends without a pause makes the cycles longer. In each cycle, the report is
 /// still passed to the serial port within 10 ms after the clock pulse. The test records the longest
-/// of these times. The proven bound for a cycle, which the checks compute, must be greater than
-/// this time.
+/// of these times. The checks prove a bound for a cycle. This bound must be greater than the
+/// recorded time.
 /// @verifies FR-244
 TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   constexpr std::uint8_t kUnknownType = 99;

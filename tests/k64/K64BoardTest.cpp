@@ -89,8 +89,8 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
 }
 
 /// @brief During a start, the outputs keep their safe levels. There are two exceptions: the lights
-/// change when the cycles begin, and the first cycle enables the drivers of the wheels. The wheels
-/// then brake, because they have no voltage.
+/// change when the cycles begin, and the first cycle enables the drivers of the wheels. With
+/// enabled drivers and without voltage, the wheels brake.
 /// @verifies FR-71
 /// @verifies FR-141
 TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
@@ -335,8 +335,9 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
-/// @brief At each kind of fault, the outputs become safe, and then a reset follows. The next
-/// Welcome reports the kind and the address of the fault. The fault is reported for one start only.
+/// @brief At each kind of fault, the outputs become safe, and then a reset follows. The Welcomes of
+/// the next start report the kind and the address of the fault. The Welcomes of later starts do not
+/// report this fault.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77

@@ -46,7 +46,7 @@ TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
   EXPECT_EQ(robot.report().source, kPc);
 }
 
-/// @brief If there are two orders in one cycle, only the newer order is read. It is read once.
+/// @brief If two orders arrive in one cycle, only the newer order is read. This order is read once.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   robot.commandByPc();

@@ -279,8 +279,8 @@ TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
 }
 
 /// @brief If the pulses are missing while the switch is in the position "PC", a later change from
-/// "PC" to "drive" causes no acknowledgement. The same is true for a remote control that is
-/// switched on in the position "PC".
+/// "PC" to "drive" causes no acknowledgement. The same is true if the remote control is switched on
+/// while the switch is in the position "PC".
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapInThePositionPcDoesNotAcknowledge) {
   mode.serve();

@@ -388,7 +388,7 @@ TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
 }
 
 /// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. This
-/// sequence releases a protective stop, also if the switch was in "stop" for only 40 ms. This is
+/// sequence releases a protective stop, even if the switch was in "stop" for only 40 ms. This is
 /// tested at 15 moments of the cycle.
 /// @verifies FR-288
 TEST_F(SafeRobot, FR288_AQuickSequenceOfTheSwitchAcknowledges) {

@@ -721,7 +721,8 @@ TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   EXPECT_EQ(first(), 176 + 176);
 }
 
-/// @brief The change of the set-point is limited for each single wheel.
+/// @brief For each wheel: if only the set-point of this wheel changes by too much, this change is
+/// limited.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -733,7 +734,8 @@ TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   }
 }
 
-/// @brief If the changes of the set-points are limited, all changes are reduced by the same factor.
+/// @brief If the set-point of one wheel changes by too much, the changes of all set-points are
+/// reduced by the same factor.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   SetPoints curve = alike(1000);
@@ -762,7 +764,7 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
       wheel.velocity = Velocity(velocity);
     }
     spy.outputs.tensions.fill(Tension(1000 * volts));
-    for (int cycles = 0; cycles < 20; ++cycles) {  // until no set-point is lowered any longer
+    for (int cycles = 0; cycles < 20; ++cycles) {  // until the reduction has ended
       order(ramp, alike(-10000, WheelQuantity::Current));
     }
     EXPECT_EQ(first(), -10000);
@@ -781,7 +783,7 @@ TEST_F(SetPointRampTest, FR282_EachWheelBeginsAtItsVoltage) {
     spy.measured.wheels[wheel].velocity = Velocity(2000);
     spy.outputs.tensions[wheel] = Tension(5236 + 1000 * static_cast<int>(wheel));
   }
-  for (int cycles = 0; cycles < 20; ++cycles) {  // until no set-point is lowered any longer
+  for (int cycles = 0; cycles < 20; ++cycles) {  // until the reduction has ended
     order(ramp, alike(1000, WheelQuantity::Current));
   }
   SetPoints begin;

@@ -86,7 +86,7 @@ TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
 }
 
 /// @brief A velocity of 330.0 rpm is permitted. A velocity of 330.1 rpm causes a stop in the same
-/// cycle. This is true in both directions, also for a halted wheel.
+/// cycle. This is true in both directions, and also for a halted wheel.
 /// @verifies FR-274
 TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
   EXPECT_EQ(halted(measured(330.0, 0)), StopCause::None);

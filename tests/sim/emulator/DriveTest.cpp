@@ -322,7 +322,7 @@ TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   EXPECT_THAT(notes(board), ElementsAre(0x60001, 0x00004, 0x10001, 0x30002));
 }
 
-/// @brief An interrupt that a level raises is repeated as long as the pin has this level.
+/// @brief An interrupt that a level raises is repeated while the pin has this level.
 TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   Guest guest("watchesLevel");
   guest.handleLine(62, "notesEdge");
