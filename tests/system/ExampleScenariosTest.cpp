@@ -69,8 +69,8 @@ TEST(ClosedLoopOfRobot, FR85_CurrentSettles) {
   play("current_step");
 }
 
-/// @brief At a reversal from full speed forwards to full speed backwards, the wheels are slow
-/// before their orientation changes.
+/// @brief During a reversal from full speed forwards to full speed backwards, the wheels stop
+/// before they turn backwards.
 /// @verifies FR-87
 TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
   playWithThePapersDesign("reversal");
