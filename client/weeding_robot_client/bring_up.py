@@ -154,7 +154,7 @@ class Record:
             "",
             f"* Port: {self.link}" + (" (simulated robot)" if self.simulated else ""),
             f"* Robot: {self.firmware}",
-            f"* Result: {'all steps passed' if self.passed else 'NOT all steps passed'}",
+            f"* Result: {'all steps passed' if self.passed else 'at least one step did NOT pass'}",
             "",
             "| step | expected | seen | result | next action |",
             "|---|---|---|---|---|",
@@ -245,8 +245,8 @@ class BringUp:
             ),
             Step(
                 "analog inputs",
-                f"each current within {REST_AMPERES} A of 0, steering angle within "
-                f"{ANGLE_DEGREES:g} degrees and steady",
+                f"each current within {REST_AMPERES} A of 0, steering angle steady and within "
+                f"{ANGLE_DEGREES:g} degrees of 0",
                 self._analog_inputs,
             ),
             *(
@@ -774,7 +774,7 @@ class Motion:
                 "Check the driver supply, the motor leads and the free motion of the wheel.",
             )
         return (
-            "the wheel turned, and the Hall sensors gave no edges",
+            "the wheel turned, but its Hall sensors had no edges",
             "Check the Hall cable of this wheel and its supply.",
         )
 
@@ -924,5 +924,5 @@ def run(options: argparse.Namespace) -> int:
             print(f"\nended: {error}. The robot was ordered to stop.", file=sys.stderr)
         finally:
             print(f"\nrecord: {record.write(options.record)}")
-    print("every step passed" if record.passed else "not every step passed")
+    print("every step passed" if record.passed else "at least one step did not pass")
     return DONE if record.passed else FAILED

@@ -34,8 +34,8 @@ from weeding_robot_client.script import HELP, NEUTRAL_S, Script, ScriptError, Wi
 DESCRIPTION = f"""\
 Sends orders to the robot every {ORDER_EVERY_S} s.
 An order is valid for {ORDER_LIFETIME_S} s.
-Without --script the keyboard orders the motion. While no key is pressed, the orders are neutral,
-which arms the robot after {NEUTRAL_S} s.
+Without --script the keyboard orders the motion. While no key is pressed, the orders are neutral.
+After {NEUTRAL_S} s of neutral orders, the robot is armed.
 A stop that is already in force stays until it is released. When the terminal is lost or the program
 is suspended, the program orders the robot to stop.
 
@@ -270,8 +270,8 @@ def raw_keys_off(terminal: int) -> Iterator[None]:
 
 
 def show_start(link: Link, before: Welcome | None) -> Welcome | None:
-    """If a fault was recorded before the last start of the robot, shows the fault, once for each
-    connection. Also shows a difference between the layouts of the robot and this client.
+    """Shows a fault that was recorded before the last start of the robot. Also shows a difference
+    between the layouts of the robot and this client. Shows both only once for each connection.
 
     Returns the Welcome of the connection.
     """
@@ -285,9 +285,9 @@ def show_start(link: Link, before: Welcome | None) -> Welcome | None:
 
 
 def show_changes(report: Report, before: list[str]) -> list[str]:
-    """Shows each condition once when it begins and once when it ends. If one reason why the robot
-    does not move replaces another reason, the end of the other reason is not shown. Returns all
-    present conditions.
+    """Shows each condition once when it begins and once when it ends. If a new reason why the
+    robot does not move replaces an earlier reason, the end of the earlier reason is not shown.
+    Returns all present conditions.
     """
     now = conditions(report)
     for condition in now:

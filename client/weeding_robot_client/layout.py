@@ -70,8 +70,8 @@ class Enumeration:
         return next((entry for entry in self.entries if entry.number == number), None)
 
     def shown(self, number: int) -> str:
-        """Returns the text for a number. If there is none, returns the name of the enumeration and
-        the number."""
+        """Returns the text for a number. For an undefined number, returns the name of the
+        enumeration and the number."""
         entry = self.find(number)
         return entry.shown if entry else f"{self.name} {number}"
 

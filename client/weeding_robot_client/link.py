@@ -148,7 +148,7 @@ class Link(AbstractContextManager["Link"]):
         """Returns the report with the round trip: the time from the sending of the order to the
         arrival of the report.
 
-        The round trip is only added if the robot has read an order of the PC in the cycle of the
+        The round trip is added only if the robot has read an order of the PC in the cycle of the
         report.
         """
         if not (report.order_read and report.source == "PC"):
@@ -167,8 +167,8 @@ class Link(AbstractContextManager["Link"]):
         self.unreported = None
 
     def _keep_up(self) -> None:
-        """Opens the serial port again, begins a handshake, or sends a keep-alive, if the time for
-        this action has come."""
+        """Executes the actions that are due: opens the serial port again, begins a handshake, or
+        sends a keep-alive."""
         now = self._clock()
         if self._line is None:
             try:

@@ -316,7 +316,8 @@ class Report:
 
     @property
     def ready(self) -> bool:
-        """Returns whether the robot reads the PC, and would move now if the PC ordered a motion."""
+        """Returns whether the robot reads the orders of the PC and would now follow an order to
+        move."""
         if self.mode != "PC":
             return False
         return self.armed or (self.inhibit == "none" and self.order_read and self.source == "PC")

@@ -1,4 +1,4 @@
-"""The operator of a bring-up, which is a person at a terminal or the simulated operator."""
+"""The operator of a bring-up: a person at a terminal, or the simulated operator."""
 
 from __future__ import annotations
 
@@ -133,10 +133,11 @@ class Control:
         self._folder.cleanup()
 
     def do(self, action: str) -> None:
-        """Executes an action of a scenario. Raises OperatorError when the simulator rejects it."""
+        """Executes an action of a scenario. Raises OperatorError when the simulator rejects the
+        action."""
         reply = self._request(action)
         if reply != "ok":
-            raise OperatorError(f"the simulator refused '{action}': {reply}")
+            raise OperatorError(f"the simulator rejected '{action}': {reply}")
 
     def holds(self, expectation: str) -> bool:
         """Returns whether an expectation about the simulated robot is met."""

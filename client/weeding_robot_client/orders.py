@@ -117,12 +117,12 @@ def arm(
             "transmitter off."
         )
     return reason or (
-        "The robot reads no order of the PC. ./wr monitor shows the source of the orders that it "
-        "reads."
+        "The robot reads no order of the PC. ./wr monitor shows the source from which the robot "
+        "reads orders."
     )
 
 
 def acknowledge(orders: Orders, wish: Wish | None = None) -> None:
-    """Sends neutral orders with the command to acknowledge, which releases latched faults."""
+    """Sends neutral orders with the command to acknowledge. They release latched faults."""
     still = (wish or Wish()).neutral()
     orders.hold(Wish(still.wheels, still.steering_degrees, acknowledge=True), ACKNOWLEDGE_S)

@@ -21,7 +21,7 @@ A program that drives must then send orders, because the robot does not stay arm
 Exit code {FAILED}: not armed, or no connection."""
 ACKNOWLEDGE = f"""\
 Acknowledges the latched protective stop. The robot stays at rest and releases its latched faults.
-Remove the cause first, and release a stop of the remote control: while it is in force, an
+Remove the cause first, and release a stop of the remote control: while this stop is in force, an
 acknowledgement has no effect. Afterwards, the program arms the robot, as ./wr arm does.
 
 Exit code {FAILED}: not armed, or no connection."""

@@ -74,7 +74,7 @@ def inhibited(report: Report) -> str | None:
 
 
 def latched(report: Report) -> bool:
-    """Returns whether a protective stop is latched. Another reason may hide it in ``inhibit``."""
+    """Returns whether a protective stop is latched. ``inhibit`` may contain another reason."""
     return report.stop_cause != "none"
 
 

@@ -367,8 +367,9 @@ class Link {
     return session;
   }
 
-  // Returns true if a coded frame is a Welcome. The type is the third byte of the coded frame,
-  // because version and type are never 0.
+  // Returns true if a coded frame is a Welcome. A coded frame begins with the distance to the next
+  // zero byte, followed by the version and the type. Version and type are never 0, so that the
+  // third byte is the type.
   [[nodiscard]] static bool isWelcome(std::span<const std::uint8_t> line) {
     return line[2] == kWelcome;
   }

@@ -28,7 +28,7 @@ using std::chrono::milliseconds;
 constexpr int kMostCycles = 120;           // maximum number of cycles of a run
 constexpr int kRecoveryCycles = 10;        // one second
 constexpr int kMostBetween = 4;            // maximum number of events in a cycle
-constexpr int kMostStopped = 12;           // a stop lowers every voltage to 0 within these cycles
+constexpr int kMostStopped = 12;           // cycles from a stop until every voltage is 0
 constexpr std::size_t kMostUnread = 1500;  // capacity of the port's storage [byte]
 
 class FuzzedRobot {
@@ -155,8 +155,9 @@ class FuzzedRobot {
     session_.robot().setFault(kind, wheel, present);
   }
 
-  // Resets the robot. A reset loses the bytes that the firmware has not read. After a reset by the
-  // reset pin, a stop of the PC and a protective stop must still be in force.
+  // Resets the robot. A reset loses the bytes that the firmware has not read. A stop of the PC or a
+  // protective stop that was in force before a reset by the reset pin must still be in force after
+  // this reset.
   void reset(bool power) {
     session_.reset(power ? scenario::ResetKind::Power : scenario::ResetKind::Pin);
     stopBefore_ = !power && (stopBefore_ || oracle_.stop());
@@ -199,8 +200,8 @@ class FuzzedRobot {
   [[nodiscard]] const Protection& protection() { return data().measurements().protection; }
   [[nodiscard]] bool latched() { return protection().inhibit == Inhibit::ProtectiveStop; }
 
-  // Checks that a stop order of the PC stops the robot in the cycle that reads it, if the protocol
-  // accepts the order. Also checks that this stop and a protective stop remain in force after a
+  // Checks that a stop order of the PC that the protocol accepts stops the robot in the cycle that
+  // reads the order. Also checks that this stop and a protective stop remain in force after a
   // reset.
   void checkStop() {
     expect(!oracle_.stop() || data().stopped(),
@@ -243,7 +244,7 @@ class FuzzedRobot {
   bool stopBefore_ = false;
   bool protectedBefore_ = false;
   bool resetNow_ = false;
-  int stopped_ = 0;  // number of cycles since the robot was stopped
+  int stopped_ = 0;  // number of successive cycles with a stop
 };
 
 void connect(FuzzedRobot& robot) {

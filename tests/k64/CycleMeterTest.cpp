@@ -52,8 +52,9 @@ struct Drive {
 /// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
-  // [cycle] The counts of the firmware and of the board may differ by one interrupt of a converter
-  // (kFew). In at most 1 of 20 cycles, they may also differ by a tick of the second timer (kTick).
+  // [cycle] The counts of the firmware and of the board may differ by the duration of one interrupt
+  // of a converter (kFew). In at most 1 of 20 cycles, the counts until the report may differ more,
+  // by up to the duration of a tick of the second timer (kTick).
   constexpr std::int64_t kFew = 700;
   constexpr std::int64_t kTick = 2000;
   std::size_t ticks = 0;
@@ -137,8 +138,9 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
 }
 
 /// @brief A PC that sends without a pause makes the cycles longer. In each cycle, the report is
-/// still passed to the serial port within 10 ms. The test records the longest of these times. The
-/// proven bound for a cycle, which the checks compute, must be greater than this time.
+/// still passed to the serial port within 10 ms after the clock pulse. The test records the longest
+/// of these times. The checks prove a bound for a cycle. This bound must be greater than the
+/// recorded time.
 /// @verifies FR-244
 TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   constexpr std::uint8_t kUnknownType = 99;

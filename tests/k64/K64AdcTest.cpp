@@ -53,7 +53,7 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
 }
 
 /// @brief Each of the five inputs has one new value per millisecond, although the inputs share two
-/// converters and each input is requested twice.
+/// converters and the program requests each value twice.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
   DriverBoard drivers;

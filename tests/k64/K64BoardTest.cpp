@@ -89,8 +89,8 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
 }
 
 /// @brief During a start, the outputs keep their safe levels. There are two exceptions: the lights
-/// change when the cycles begin, and the first cycle enables the drivers of the wheels. The wheels
-/// then brake, because they have no voltage.
+/// change when the cycles begin, and the first cycle enables the drivers of the wheels. With
+/// enabled drivers and without voltage, the wheels brake.
 /// @verifies FR-71
 /// @verifies FR-141
 TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
@@ -204,8 +204,9 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
-/// @brief A clock that starts 24 ms after the reset is in time. The first step of its start begins
-/// more than 4 ms after the reset, and each step may take 20 ms. The first start succeeds.
+/// @brief A clock that starts 24 ms after the reset is in time. The first step of the start of the
+/// clock begins more than 4 ms after the reset, and each step may take 20 ms. The first start of
+/// the firmware succeeds.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -217,9 +218,9 @@ TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
-/// @brief A clock that starts 135 ms after the reset is too late, because a step of its start has
-/// already failed. No cycle runs until the watchdog repeats the start. The new start reports the
-/// step that failed.
+/// @brief A clock that starts 135 ms after the reset is too late, because a step of the start of
+/// the clock has already failed. No cycle runs until the watchdog restarts the firmware. The
+/// restarted firmware reports the step that failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter125MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -334,8 +335,9 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
-/// @brief At each kind of fault, the outputs become safe, and then a reset follows. The next
-/// Welcome reports the kind and the address of the fault. The fault is reported for one start only.
+/// @brief At each kind of fault, the outputs become safe, and then a reset follows. The Welcomes of
+/// the next start report the kind and the address of the fault. The Welcomes of later starts do not
+/// report this fault.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77

@@ -24,8 +24,8 @@ struct Share {
 };
 
 /// @brief The output is high for the fraction of the period that was set, rounded to cycles of the
-/// bus clock. All channels can be fully off and fully on. A value beyond a limit counts as this
-/// limit.
+/// bus clock. All channels can be fully off and fully on. A value outside of the range from 0 % to
+/// 100 % counts as the nearest end of this range.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   constexpr std::array kShares{
@@ -82,7 +82,7 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   }
   ASSERT_EQ(changes.size(), static_cast<std::size_t>(kSets));
   ASSERT_EQ(writes.size(), static_cast<std::size_t>(kSets));
-  std::array<bool, 2> halves{};  // whether a width was set in each half of a period
+  std::array<bool, 2> halves{};  // true: a width was set in this half of a period
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const nanoseconds late = (changes[i] - changes[0] + kPeriod + kInstruction) % kPeriod;
     EXPECT_LE(late, 2 * kInstruction) << i;

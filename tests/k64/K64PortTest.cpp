@@ -146,8 +146,9 @@ TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
   EXPECT_GE(edges().at(4), 1);
 }
 
-// Returns the pulse widths of velocity, direction and enable in microseconds. The program delays
-// the next interrupt: after each edge, its interrupt handler computes for some microseconds.
+// Returns the pulse widths of velocity, direction and enable in microseconds. After each edge, the
+// interrupt handler of the program computes for some microseconds. This computation delays the next
+// interrupt.
 std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }
@@ -209,7 +210,8 @@ TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
 }
 
 /// @brief Noise of 200 kHz at all Hall sensors and all signals of the remote control does not delay
-/// the cycles. Ten cycles run in a second, no cycle is late, and the watchdog does not reset.
+/// the cycles. Ten cycles run in a second, no cycle is late, and the watchdog does not reset the
+/// board.
 /// @verifies FR-201
 TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   BoardRobot robot;

@@ -213,9 +213,9 @@ TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
   EXPECT_EQ(robot.report().unknownType, 1);
 }
 
-/// @brief The second port derives its baud rate from another clock than the first port, but has the
-/// same baud rate. The second port loses no byte when its serial line is never idle in either
-/// direction, even while the first port is in use.
+/// @brief The two ports derive the same baud rate from different clocks. The second port loses no
+/// byte when its serial line is never idle in either direction, even while the first port is in
+/// use.
 /// @verifies FR-171
 TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
   constexpr int kSecondPort = 4;

@@ -11,7 +11,7 @@ namespace wr::test {
 namespace {
 
 // The counts that the program on the board returns for one pipe. The class Handover in
-// program/drivers.cpp counts them.
+// program/drivers.cpp computes these counts.
 struct Counts {
   std::uint16_t interruptions;  // number of interruptions of one side by the other
   std::uint16_t torn;

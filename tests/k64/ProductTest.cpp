@@ -25,8 +25,7 @@ constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
 // The firmware image of one product, on its own board. A finding of the board ends the test. The
-// calls of this image are not recorded, because calls are recorded only for the firmware image
-// under test.
+// calls of this image are not recorded. They are recorded only for the firmware image under test.
 class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
@@ -163,9 +162,9 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
-/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of
-/// 24 V, the outputs are high for 4 % of each period, from the cycle of the order on. For 6 V, the
-/// outputs are high for a quarter of each period, at the latest after six cycles. The six cycles
+/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of 24 V,
+/// the outputs are high for 4 % of each period, already in the cycle of the order. For 6 V, the
+/// outputs are high for a quarter of each period, at the latest after six cycles. Up to six cycles
 /// are needed because safety functions limit the rise. A stop ends the pulses.
 /// @verifies NFR-2
 /// @verifies FR-80
@@ -306,8 +305,8 @@ TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
   EXPECT_FALSE(robot.report().stop());
 }
 
-/// @brief The product with the warning switches the red light on only in the cycle before its
-/// last waiting state.
+/// @brief In the product with the warning, the red light is on only in the state WaitingK. The
+/// robot is in this state for exactly one cycle.
 /// @verifies FR-152
 TEST(ProductThatWarns, FR152_RedLightIsTheWarning) {
   ProductRobot robot("weeding_robot_warning");

@@ -220,9 +220,9 @@ const auto kSituations = std::to_array<Situation>({
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
 /// @brief When the enable switch is set to "stop", all wheels brake within 200 ms. This is tested
-/// at six times of the cycle and in five situations. In three situations, the PC drives, has missed
-/// one cycle, or has missed N cycles. In the other two situations, the remote control drives with
-/// or without a connected PC. Orders of the PC do not end the stop.
+/// at six moments of the cycle and in five situations. In three situations, the robot is in the
+/// mode PC, and in the state Working, Waiting or WaitingN. In two situations, the remote control
+/// drives the robot, with or without a connected PC. Orders of the PC do not end the stop.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();
@@ -349,9 +349,9 @@ TEST(StartOfTheSafeRobot, FR291_EachPowerOnWithASlowClockLatchesAProtectiveStop)
   }
 }
 
-/// @brief The thread of a wheel runs once in a control cycle. The thread runs twice in the cycle
-/// that detects the cause of a protective stop: it applies the set-point first, and then halts the
-/// wheel. The proven bound of the cycle includes both activations.
+/// @brief The thread of each wheel runs twice in the cycle that detects the cause of a protective
+/// stop: it first applies the set-point, and then halts its wheel. In every other control cycle,
+/// the thread runs once. The proven bound of the cycle includes both activations.
 /// @verifies FR-270
 TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
   constexpr std::uint32_t kPulse = 16 + board_robot::BoardSession::kPulseInterrupt;

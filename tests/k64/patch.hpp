@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kMainThreadException = exceptionOf(64);
 inline constexpr std::uint32_t kUnusedException = 15;
 
 using Image = std::vector<std::uint8_t>;
-/// Instructions of a handler, in halfwords.
+/// Instructions of a handler, in half-words.
 using Code = std::vector<std::uint16_t>;
 
 /// Address of the code of the handler.

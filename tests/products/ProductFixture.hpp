@@ -20,8 +20,8 @@
 
 namespace wr::test {
 
-/// A builder of a spy control system, which records the orders that it receives. A tick of the
-/// second timer has no effect on this system. The builder records whether the system was built, and
+/// A builder of a spy control system. The spy records the orders that it receives. A tick of the
+/// second timer has no effect on the spy. The builder records whether the spy was built, and
 /// whether it was started afterwards.
 class SpyBuilder final : public ControlSystemBuilder, public Command {
  public:

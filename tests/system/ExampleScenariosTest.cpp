@@ -37,9 +37,9 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief The order is a step from 0 rpm to 150 rpm, with sensor noise. From 2 s after the order
-/// on, the error of the velocity is below 2 %. From 3 s after the order on, this error is below 1
-/// %. The overshoot is less than 10 %.
+/// @brief The order is a step from 0 rpm to 150 rpm, with sensor noise. Beginning 2 s after the
+/// order, the error of the velocity is below 2 %. Beginning 3 s after the order, this error is
+/// below 1 %. The overshoot is less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
@@ -61,15 +61,16 @@ TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
 }
 
-/// @brief From 1 s after an order on, the error of the current is at most 6 % of the order. These 6
-/// % include 5 % for the mean of the current, and the ripple that the cogging of the motor causes.
+/// @brief Beginning 1 s after an order, the error of the current is at most 6 % of the order. These
+/// 6 % include 5 % for the mean of the current, and the ripple that the cogging of the motor
+/// causes.
 /// @verifies FR-85
 TEST(ClosedLoopOfRobot, FR85_CurrentSettles) {
   play("current_step");
 }
 
-/// @brief At a reversal from full speed forwards to full speed backwards, the wheels are slow
-/// before their orientation changes.
+/// @brief During a reversal from full speed forwards to full speed backwards, the wheels stop
+/// before they turn backwards.
 /// @verifies FR-87
 TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
   playWithThePapersDesign("reversal");
@@ -88,7 +89,8 @@ TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
   playWithThePapersDesign("one_hall_sensor");
 }
 
-/// @brief After the last order at 0.85 m/s, the robot drives at most 1.5 m.
+/// @brief When the last order of the PC arrives, the robot drives at 0.85 m/s. After this order, it
+/// drives at most 1.5 m.
 /// @verifies FR-95
 /// @verifies FR-18
 TEST(ClosedLoopOfRobot, FR95_RobotIsAtRestSoonAfterTheLastMessage) {
@@ -115,7 +117,8 @@ TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");
 }
 
-/// @brief When the PC orders a stop at 0.85 m/s, the robot drives at most 1.5 m after this order.
+/// @brief When the PC orders a stop, the robot drives at 0.85 m/s. After this order, it drives at
+/// most 1.5 m.
 /// @verifies FR-21
 TEST(ClosedLoopOfRobot, FR21_StopOrderStopsARobotAtFullSpeed) {
   play("stop_order_at_full_speed");

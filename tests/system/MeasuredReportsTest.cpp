@@ -128,9 +128,9 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
-/// @brief From the start of the firmware on, each rejected edge is included in the count of its
-/// wheel. A Hall sensor of a wheel at rest has a short pulse in each ms. The first edge counts as a
-/// step of the wheel. Each later edge reverses the direction too soon.
+/// @brief The count of each wheel contains all edges of this wheel that were rejected since the
+/// start of the firmware. A Hall sensor of a wheel at rest has a short pulse in each ms. The first
+/// edge counts as a step of the wheel. Each later edge reverses the direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

@@ -135,8 +135,8 @@ class Comparison {
   int cycles = 0;
 
  protected:
-  /// The comparison for a target with more inputs than the serial line of the PC overrides these
-  /// functions.
+  /// If a target has other inputs besides the serial line of the PC, a subclass for this target
+  /// overrides these functions.
   virtual void beginSequence() {}
   virtual void beforeCycle() {}
   virtual void compareInside() {}

@@ -12,8 +12,8 @@ namespace {
 
 class OrdersOfRobot : public testing::Test {
  protected:
-  // Connects the PC at power-up. Then keeps it connected, without orders, until `reads` reads in
-  // the mode RC have failed.
+  // Connects the PC at power-up. Then keeps the PC connected, without orders, until the given
+  // number of reads in the mode RC has failed.
   void connectAndFail(int reads) {
     robot.connect();
     for (int failed = 2; failed < reads; ++failed) {
@@ -46,7 +46,7 @@ TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
   EXPECT_EQ(robot.report().source, kPc);
 }
 
-/// @brief If there are two orders in one cycle, only the newer order is read. It is read once.
+/// @brief If two orders arrive in one cycle, only the newer order is read. This order is read once.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   robot.commandByPc();
@@ -154,7 +154,7 @@ TEST_F(OrdersOfRobot, FR241_AnOrderThatMovesDoesNotRelease) {
   EXPECT_EQ(robot.report().stopSources, 0);
 }
 
-/// @brief A stop order of the PC holds the robot in the mode PC, in every operation state.
+/// @brief In the mode PC, a stop order of the PC holds the robot in every operation state.
 /// @verifies FR-21
 /// @verifies FR-175
 /// @verifies FR-305

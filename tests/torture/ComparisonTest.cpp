@@ -20,13 +20,13 @@ TEST(TortureComparisonTest, SameRecordsDoNotDiffer) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kLeft, kEnd}), std::nullopt);
 }
 
-/// @brief Runs with the same records in another order differ at the first record that has another
-/// position.
+/// @brief If two runs have the same records in different orders, the runs differ at the first
+/// position at which their records differ.
 TEST(TortureComparisonTest, AnotherOrderDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kEnd, kLeft}), 1U);
 }
 
-/// @brief A record differs when any of its members differs.
+/// @brief Two records differ if any member has different values in these records.
 TEST(TortureComparisonTest, EachMemberCounts) {
   Record changed = kEntered;
   changed.kind = Kind::Left;

@@ -15,7 +15,7 @@ using Records = std::vector<Record>;
 /// @throws std::runtime_error when the program has not been built
 [[nodiscard]] Image image(std::uint32_t seed, std::uint32_t actions);
 
-/// @brief Converts the bytes that the program wrote into records.
+/// @brief Returns the records in the bytes that the program wrote.
 [[nodiscard]] Records recordsIn(const std::vector<std::uint8_t>& bytes);
 
 }  // namespace wr::torture

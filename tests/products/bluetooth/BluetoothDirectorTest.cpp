@@ -249,7 +249,7 @@ TEST_F(BluetoothRobotDeathTest, NFR1_HasNoRemoteControl) {
   EXPECT_EQ(watchdog.refreshes(), 4U);
 }
 
-/// @brief A robot is built only once.
+/// @brief A robot with Bluetooth can be built only once.
 /// @verifies FR-78
 TEST_F(BluetoothRobotDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   EXPECT_DEATH(director.construct(), "assertion 5 failed");

@@ -57,7 +57,7 @@ TEST_F(BluetoothTest, FR260_OrderWithoutConnectionIsNoMessage) {
   EXPECT_TRUE(mode.newMessage());
 }
 
-/// @brief The mode Bluetooth has a message as long as an order of its device is at most 200 ms old.
+/// @brief The mode Bluetooth has a message while the order of its device is at most 200 ms old.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
   connectDevice();

@@ -145,7 +145,7 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   EXPECT_TRUE(device.verifies(1, line.takeSent()));
 }
 
-/// @brief The port returns the time of a frame and the number of bytes that its serial line has
+/// @brief The port returns the time of a frame, and the number of bytes that the serial line has
 /// lost. The free space that the port returns does not include the bytes for counter and tag. If
 /// the serial line has no space for a frame, the frame is not sent and uses no counter.
 /// @verifies FR-263

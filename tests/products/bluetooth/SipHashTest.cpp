@@ -23,8 +23,8 @@ struct Vector {
 };
 
 // The test vectors of the authors' reference implementation. The key is 00 to 0F, and the bytes are
-// 00, 01, 02 and so on. OpenSSL 3 computes the same tags (openssl mac -macopt size:8 SIPHASH), with
-// the bytes of the tag in reverse order.
+// 00, 01, 02 and so on. OpenSSL 3 computes the same tags (openssl mac -macopt size:8 SIPHASH), but
+// with the bytes of each tag in reverse order.
 class SipHashVectors : public testing::TestWithParam<Vector> {};
 
 /// @brief The tags of the test vectors are equal to the tags of the reference implementation.

@@ -64,7 +64,8 @@ TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Pulses below 1250 us order a stop. Pulses in the bands "PC" and "drive" order no stop.
+/// @brief Pulses shorter than 1250 us order a stop. Pulses in the bands "PC" and "drive" order no
+/// stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
   for (const int width : {1350, 1650, 1750, 2100}) {
@@ -252,9 +253,9 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Two successive pulses out of the range stop the robot, but they are not the position
-/// "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive stop
-/// pulses between two cycles count as the position "stop" if their width is in the range.
+/// @brief Two successive pulses out of the range stop the robot, but they do not count as the
+/// position "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive
+/// stop pulses between two cycles count as the position "stop" if their width is in the range.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
   for (const bool stopped : {false, true}) {
@@ -278,8 +279,8 @@ TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
 }
 
 /// @brief If the pulses are missing while the switch is in the position "PC", a later change from
-/// "PC" to "drive" causes no acknowledgement. The same is true for a remote control that is
-/// switched on in the position "PC".
+/// "PC" to "drive" causes no acknowledgement. The same is true if the remote control is switched on
+/// while the switch is in the position "PC".
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapInThePositionPcDoesNotAcknowledge) {
   mode.serve();
@@ -310,8 +311,9 @@ TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Orders acknowledge for 1 s after the sequence "stop", "PC", "drive" of the switch, also
-/// if the switch was in the position "PC" during this second. Later orders acknowledge no fault.
+/// @brief Orders acknowledge for 1 s after the sequence "stop", "PC", "drive" of the switch, even
+/// if the switch is moved to "PC" and back to "drive" within this second. Later orders acknowledge
+/// no fault.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheAcknowledgementExpires) {
   for (const int cycles : {10, 11, 20}) {

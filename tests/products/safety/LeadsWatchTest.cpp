@@ -96,7 +96,7 @@ TEST_F(WatchedLeads, FR307_ThePositionContinuesAtTheOtherEnd) {
     const double driven = motor.position;
     watch->reset();
     // In each cycle the wheel turns by 15 edges. The position overflows in the second cycle after
-    // the drive.
+    // the call of drive().
     motor.position = (rpm > 0 ? 0x1p31 : -0x1p31) - driven - 1.5 * 15 * amperes;
     EXPECT_FALSE(drive(rpm, amperes, 40)) << rpm;
     EXPECT_EQ(found(rpm, pulling(rpm, amperes)), 2) << rpm;

@@ -368,8 +368,8 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
 }
 
 /// @brief The PC drives the robot. The robot stops when the enable switch is in "stop" for 40 ms.
-/// It stays at rest until the PC has sent neutral orders. This is tested at four times of the
-/// cycle.
+/// The robot stays at rest until the PC has sent neutral orders. This is tested at four moments of
+/// the cycle.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   armByPc();
@@ -388,8 +388,8 @@ TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
 }
 
 /// @brief The operator moves the enable switch from stop to PC, and 200 ms later to drive. This
-/// sequence releases a protective stop, also if the switch was in "stop" for only 40 ms. This is
-/// tested at 15 times of the cycle.
+/// sequence releases a protective stop, even if the switch was in "stop" for only 40 ms. This is
+/// tested at 15 moments of the cycle.
 /// @verifies FR-288
 TEST_F(SafeRobot, FR288_AQuickSequenceOfTheSwitchAcknowledges) {
   armByRc();

@@ -125,7 +125,8 @@ class ProtectiveStopTest : public SafetyChain {
 
   ProtectiveStopTest() { contact.set(false); }
 
-  /// Checks that the robot is held in this cycle and in all following cycles, with any order.
+  /// Checks that the robot is held in each of the next 20 cycles, although these cycles have orders
+  /// that move the wheels.
   void expectLatched(StopCause cause, std::uint8_t wheel) {
     for (int cycles = 0; cycles < 20; ++cycles) {
       order(stop, alike(100));
@@ -445,9 +446,10 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningDuringAStopIsNotAcknowledged) {
   }
 }
 
-/// @brief A cycle finds the contact open. Before the next cycle, the contact closes, opens for three
-/// ticks and closes again. The acknowledgement of this cycle does not release the protective stop,
-/// because nobody can have seen the second opening. The next acknowledgement releases it.
+/// @brief A cycle finds the contact open. Before the next cycle, the contact closes, opens for
+/// three ticks and closes again. The acknowledgement that the next cycle reads does not release the
+/// protective stop, because nobody can have seen the second opening. The next acknowledgement
+/// releases it.
 /// @verifies FR-271
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR271_ASecondOpeningIsNotAcknowledged) {
@@ -589,8 +591,8 @@ TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
   }
 }
 
-/// @brief Orders are forwarded after five cycles of 100 ms with neutral orders. After only four of
-/// these cycles, orders are not forwarded. An order that is not neutral restarts the count.
+/// @brief Orders are forwarded after five cycles of 100 ms with neutral orders. After only four
+/// such cycles, orders are not forwarded. An order that is not neutral restarts the count.
 /// @verifies FR-280
 /// @verifies FR-281
 TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
@@ -689,9 +691,9 @@ class SetPointRampTest : public SafetyChain {
   int first() const { return spy.applied.wheels[0].value; }
 };
 
-/// @brief The set-point follows orders of 300 rpm, -300 rpm and 0 rpm with at most 0.5 m/s^2, where
-/// 300 rpm are 0.85 m/s. After 18, 35 and 18 cycles, the set-point is equal to the ordered
-/// set-point.
+/// @brief The set-point follows orders of 300 rpm, -300 rpm and 0 rpm with at most 0.5 m/s^2. A
+/// velocity of 300 rpm is 0.85 m/s. The three orders together need 18 + 35 + 18 cycles until the
+/// set-point is equal to the ordered set-point.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -719,7 +721,8 @@ TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   EXPECT_EQ(first(), 176 + 176);
 }
 
-/// @brief The change of the set-point is limited for each single wheel.
+/// @brief For each wheel: if only the set-point of this wheel changes by too much, this change is
+/// limited.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -731,7 +734,8 @@ TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   }
 }
 
-/// @brief If the changes of the set-points are limited, all changes are reduced by the same factor.
+/// @brief If the set-point of one wheel changes by too much, the changes of all set-points are
+/// reduced by the same factor.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   SetPoints curve = alike(1000);
@@ -760,7 +764,7 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
       wheel.velocity = Velocity(velocity);
     }
     spy.outputs.tensions.fill(Tension(1000 * volts));
-    for (int cycles = 0; cycles < 20; ++cycles) {  // until no set-point is lowered any longer
+    for (int cycles = 0; cycles < 20; ++cycles) {  // until the reduction has ended
       order(ramp, alike(-10000, WheelQuantity::Current));
     }
     EXPECT_EQ(first(), -10000);
@@ -779,7 +783,7 @@ TEST_F(SetPointRampTest, FR282_EachWheelBeginsAtItsVoltage) {
     spy.measured.wheels[wheel].velocity = Velocity(2000);
     spy.outputs.tensions[wheel] = Tension(5236 + 1000 * static_cast<int>(wheel));
   }
-  for (int cycles = 0; cycles < 20; ++cycles) {  // until no set-point is lowered any longer
+  for (int cycles = 0; cycles < 20; ++cycles) {  // until the reduction has ended
     order(ramp, alike(1000, WheelQuantity::Current));
   }
   SetPoints begin;
@@ -831,8 +835,8 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   EXPECT_EQ(first(), 0);
 }
 
-/// @brief In each cycle, the magnitude of a set-point of voltage exceeds the magnitude of the
-/// voltage at the wheel by at most 1.0 V. It is at most 2.4 V below this magnitude.
+/// @brief In each cycle, the magnitude of a set-point of voltage is at most 1.0 V above and at most
+/// 2.4 V below the magnitude of the voltage at the wheel.
 /// @verifies FR-295
 TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   const auto next = [&](int applied, int ordered) {
@@ -889,11 +893,11 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   }
 }
 
-/// @brief The set-points of all wheels fall while one wheel turns faster than 310.0 rpm or will
-/// turn faster than this in two cycles. In each cycle, they fall by 6 % of the ordered values, but
-/// not below a tenth of these values. When no wheel is too fast, the set-points rise again by 1 %
-/// of the ordered values per cycle. In a curve of 5 degrees, the limit is 270.0 rpm instead of
-/// 310.0 rpm.
+/// @brief The set-points of all wheels fall while one wheel turns faster than the limit of 310.0
+/// rpm, or will exceed this limit in two cycles. In each cycle, the set-points fall by 6 % of the
+/// ordered values, but not below a tenth of these values. When no wheel is too fast, the set-points
+/// rise again by 1 % of the ordered values per cycle. In a curve of 5 degrees, the limit is 270.0
+/// rpm instead of 310.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   constexpr int kFall = 60;  // 6 % of the ordered 1000 mA
@@ -949,8 +953,8 @@ TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   }
 }
 
-/// @brief A wheel that is too fast backwards lowers the set-points. Set-points of voltage are
-/// lowered in the same way as set-points of current.
+/// @brief A wheel that turns backwards too fast also lowers the set-points. Set-points of voltage
+/// are lowered in the same way as set-points of current.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersSetPointsBackwardsAndOfVoltage) {
   for (const int velocity : {-1000, -3101}) {

@@ -102,8 +102,8 @@ TEST_F(SafetyBuilderDeathTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(builder.tickCommand()), "assertion 1 failed");
 }
 
-/// @brief The last stage accepts eight control systems. The ninth ends the program with an
-/// assertion.
+/// @brief The last stage accepts eight control systems. If a ninth control system is added, an
+/// assertion ends the program.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_ControlSystemTooManyEndsTheProgram) {
   SpySystem spy;

@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultOfTheSteering,
 
 class FaultOfAHallSensor : public SafetyScenario {};
 
-/// @brief A Hall sensor that is displaced or disturbed does not make a wheel turn too fast.
+/// @brief If a Hall sensor is displaced or disturbed, no wheel turns too fast.
 /// @verifies FR-120
 /// @verifies FR-121
 TEST_P(FaultOfAHallSensor, FR120_IsTolerated) {

@@ -52,7 +52,7 @@ class SupervisedWheel : public testing::Test {
   }
 
   /// Returns the difference between the voltage of the wheel and the voltage of the motor model
-  /// [mV]. Both parts of the model are whole millivolts.
+  /// [mV]. The induced voltage and the voltage at the winding are whole millivolts.
   static int difference(int millivolts, int rpm, int milliamperes) {
     const int induced = rpm * 5236 / 100;
     const int winding = milliamperes * 15 / 10;
@@ -86,7 +86,7 @@ TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
 }
 
 /// @brief A velocity of 330.0 rpm is permitted. A velocity of 330.1 rpm causes a stop in the same
-/// cycle. This is true in both directions, also for a halted wheel.
+/// cycle. This is true in both directions, and also for a halted wheel.
 /// @verifies FR-274
 TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
   EXPECT_EQ(halted(measured(330.0, 0)), StopCause::None);
@@ -96,8 +96,8 @@ TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
   EXPECT_EQ(halted(measured(-330.1, 0)), StopCause::Overspeed);
 }
 
-/// @brief If the motor turns its wheel at 5.1 rpm against 1.1 V, this causes a stop in the second
-/// cycle. At 1.0 V or at 5.0 rpm, there is no stop.
+/// @brief A motor that turns its wheel at 5.1 rpm against a voltage of 1.1 V causes a stop in the
+/// second cycle. At 1.0 V or at 5.0 rpm, there is no stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cycle(measured(0, 0), 1.1, 10), StopCause::None);
@@ -113,9 +113,9 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
 }
 
 /// @brief The wheel has 1.5 V and turns at 20 rpm in the opposite direction. The voltage of the
-/// wheel may differ from the voltage of the motor model by up to 40 % of 1.5 V plus half of the
-/// induced voltage. A current of 0.96 A does not cause a stop. A current of 0.93 A causes a stop in
-/// the second cycle.
+/// wheel may differ from the voltage of the motor model by up to the sum of two voltages: 40 % of
+/// 1.5 V, and half of the induced voltage. A current of 0.96 A does not cause a stop. A current of
+/// 0.93 A causes a stop in the second cycle.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -205,8 +205,8 @@ TEST_F(SupervisedWheel, FR276_AWheelThatIsTooFastBackwardsIsACause) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
-/// @brief A wheel that begins to follow set-points is not compared before it has followed ten
-/// set-points.
+/// @brief When a wheel begins to follow set-points, its velocity is not compared with the
+/// set-points before the wheel has followed ten of them.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_TheComparisonNeedsTenSetPoints) {
   EXPECT_EQ(firstCause(20, measured(250, 0), 250 * 0.05236, 17.6), 13);
@@ -373,9 +373,10 @@ TEST_F(SupervisedWheel, FR275_FR277_FR307_AHaltedWheelIsChecked) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief The voltage of the bring-up is 1.0 V. At this voltage, a difference of 1.375 V between
-/// the voltage of a wheel at rest and the voltage of the motor model does not cause a stop. At 1.1
-/// V, the permitted difference is smaller, and the same current causes a stop.
+/// @brief The voltage of the bring-up is 1.0 V. A wheel at rest has a current of -0.25 A. At 1.0 V,
+/// this current does not cause a stop, although the voltage of the wheel differs from the voltage
+/// of the motor model by 1.375 V. At 1.1 V, the permitted difference is smaller, and the same
+/// current causes a stop.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(difference(1000, 0, -250), 1375);

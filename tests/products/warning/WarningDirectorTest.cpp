@@ -50,8 +50,8 @@ TEST_F(WarningRobot, FR78_ControlSystemsAreBuiltAndStarted) {
   EXPECT_TRUE(spyBuilder.started);
 }
 
-/// @brief The warning is on in only one cycle: the cycle of the failed read that precedes the last
-/// waiting state. The robot follows its set-points until the last waiting state ends.
+/// @brief The warning is on in only one cycle: the cycle in the state WaitingK, directly before the
+/// state WaitingN. In this cycle, the robot follows its set-points.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_EQ(order(8).orderId, 8);

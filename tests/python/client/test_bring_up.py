@@ -144,7 +144,7 @@ def test_the_motors_are_connected_while_the_emergency_stop_is_pressed(
             {"leads_swapped": True, "hall_swapped": True},
             "the motor leads and the Hall wires are swapped",
         ),
-        ({"hall_dead": True}, "the Hall sensors gave no edges"),
+        ({"hall_dead": True}, "its Hall sensors had no edges"),
         ({"blocked": True}, "no motion"),
         ({"current_reversed": True}, "the current has the wrong sign"),
     ],
@@ -348,7 +348,7 @@ def test_the_record_is_written_as_json_and_markdown(
 def test_a_step_that_fails_gives_exit_code_1(mcu: Any, control: Path, tmp_path: Path) -> None:
     mcu.left_end = True
     assert bring_up.run(options(mcu, control, tmp_path)) == 1
-    assert "NOT all steps passed" in next(tmp_path.glob("*.md")).read_text()
+    assert "at least one step did NOT pass" in next(tmp_path.glob("*.md")).read_text()
 
 
 def test_the_simulated_operator_refuses_a_real_port(
@@ -369,7 +369,7 @@ def test_a_missing_simulator_is_explained(
 
 def test_an_action_that_the_simulator_refuses_is_an_error(control: Path) -> None:
     operator = Control(control)
-    with pytest.raises(OperatorError, match="refused 'fly'"):
+    with pytest.raises(OperatorError, match="rejected 'fly'"):
         operator.do("fly")
     operator.close()
 

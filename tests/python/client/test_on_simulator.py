@@ -246,7 +246,7 @@ def test_a_whole_bring_up_passes(robot: Path, world: Control, images: Path) -> N
     [
         ("leads 1", "the motor leads are swapped"),
         ("hall-swapped 1", "the Hall wires are swapped"),
-        ("hall 1", "the Hall sensors gave no edges"),
+        ("hall 1", "its Hall sensors had no edges"),
         ("block 1", "no motion"),
     ],
 )

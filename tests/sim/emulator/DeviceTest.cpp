@@ -112,7 +112,7 @@ TEST(SerialPortOfBoard, EchoTakesTheTimeOfTwoBytes) {
   EXPECT_NEAR(static_cast<double>((sent[2] - sent[0]).count()), 2 * kByte, 1'000);
 }
 
-/// @brief A byte that has a start time begins at that time.
+/// @brief A byte with a start time begins at this time.
 TEST(SerialPortOfBoard, BytesArriveAtTheirTime) {
   Guest guest("echoes");
   guest.handleLine(31, "echoesByte");

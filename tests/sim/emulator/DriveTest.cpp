@@ -267,8 +267,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief From the start time of each level on, the program reads this level. The order in which
-/// the test sets the levels has no effect.
+/// @brief At its start time, each level becomes the level that the program reads. The order in
+/// which the test sets the levels has no effect.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -322,7 +322,7 @@ TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   EXPECT_THAT(notes(board), ElementsAre(0x60001, 0x00004, 0x10001, 0x30002));
 }
 
-/// @brief An interrupt that a level raises is repeated as long as the pin has this level.
+/// @brief An interrupt that a level raises is repeated while the pin has this level.
 TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   Guest guest("watchesLevel");
   guest.handleLine(62, "notesEdge");

@@ -11,7 +11,8 @@
 namespace wr::emulator {
 namespace {
 
-/// @brief Each half-word of the lower RAM and of the flash has a bit. Other addresses have no bit.
+/// @brief In the record of the executed code, each half-word of the lower RAM and of the flash has
+/// a bit. Other addresses have no bit.
 TEST(ExecutedCodeTest, EachHalfWordHasItsBit) {
   constexpr std::size_t kRamBytes = 0x10000 / 16;
   ExecutedCode code;

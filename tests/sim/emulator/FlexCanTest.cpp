@@ -134,8 +134,9 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x03000000U);
 }
 
-/// @brief A read of the control word locks the buffer. A frame that arrives then waits until the
-/// timer is read. The flag of the frame is set when the frame is moved into the buffer.
+/// @brief A read of the control word locks the buffer. If a frame arrives while the buffer is
+/// locked, the frame waits until the timer is read. The flag of the buffer is set when the frame is
+/// moved into the buffer.
 TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
@@ -153,8 +154,8 @@ TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   EXPECT_TRUE(now.findings.empty());
 }
 
-/// @brief If a program unlocks a buffer before it clears the flag of this buffer, a waiting frame
-/// sets the flag again, and the program then clears the flag of this frame. This sequence causes a
+/// @brief It is a mistake to unlock a buffer before its flag is cleared: a waiting frame then sets
+/// the flag again, and the program clears the flag of the waiting frame. This mistake causes a
 /// finding, also if no frame waits.
 TEST_F(CanOfTheBoard, FindsABufferThatIsUnlockedBeforeItsFlagIsCleared) {
   bringUp();

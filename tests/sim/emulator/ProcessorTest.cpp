@@ -16,7 +16,7 @@ using emulator::Event;
 using emulator::VirtualBoard;
 using testing::ElementsAre;
 
-// Core clock after a reset, which is 32768 Hz * 640.
+// Core clock after a reset: 32768 Hz * 640.
 constexpr std::uint32_t kStartHz = 20'971'520;
 
 /// @brief An interrupt of higher priority runs inside the handler of an interrupt of lower

@@ -76,8 +76,8 @@ TEST_F(FaultRunTest, AJumpToNowhereIsDetectedByAReset) {
   EXPECT_LE(result.verdict.safeAfter, 10);
 }
 
-// The firmware reports the drift when the error of the angle is 3 degrees. The outputs count as
-// wrong from an error of 1 degree on.
+// The firmware reports the drift when the error of the angle is 3 degrees. The outputs already
+// count as wrong when the error is greater than 1 degree.
 TEST_F(FaultRunTest, ADriftOfTheAngleIsReportedLate) {
   const auto result = drive().injectOne({Kind::Sensor, kAngleDrift, 0, 130}, kAt);
   EXPECT_EQ(result.verdict.outcome, Outcome::Late);

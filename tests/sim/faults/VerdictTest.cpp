@@ -18,8 +18,8 @@ constexpr Outputs kDriving{.drive = {0.3F, 0.3F, 0.3F, 0.3F}, .steering = 5};
 constexpr Outputs kOff{.drive = {}, .steering = 5};
 constexpr Outputs kWrong{.drive = {0.9F, 0.3F, 0.3F, 0.3F}, .steering = 5};
 
-/// Returns a run with a fault. The run has the given outputs from a given time on, for a given
-/// duration.
+/// Returns a run with a fault. The given outputs begin at a given time and last for a given
+/// duration. The times are in ms.
 Observation runWith(const Outputs& outputs, int from, int count) {
   Observation seen{.outputs = std::vector<Outputs>(kWindow, kDriving)};
   for (int ms = from; ms < from + count; ++ms) {

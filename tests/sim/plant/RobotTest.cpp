@@ -200,7 +200,7 @@ TEST_F(RobotTest, StandsUntilTheForceExceedsStaticFriction) {
 }
 
 /// @brief On a slope of 4 percent, the robot is at rest without current. On a slope of 20 percent,
-/// it rolls down.
+/// the robot rolls down.
 TEST_F(RobotTest, RollsDownASteepSlope) {
   robot.setSlope(4);
   run(3000);

@@ -10,7 +10,7 @@ namespace {
 using programs::Pace;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kGreatestDelay{20};  // greatest delay that the time of the robot makes up
+constexpr milliseconds kGreatestDelay{20};  // after a greater delay, the robot does not catch up
 
 /// A clock that advances only when the test advances it, or when the pace sleeps.
 class PaceOfTheRobot : public testing::Test {

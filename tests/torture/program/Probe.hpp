@@ -33,7 +33,7 @@ void probeStore(Probe& probe);
 void probeSupervisor(Probe& probe);
 /// @brief Executes an undefined instruction.
 void probeUndefined(Probe& probe);
-/// @brief Reads from the address in R0, which has no memory, to R2.
+/// @brief Loads R2 from the address in R0. This address has no memory.
 void probeBusError(Probe& probe);
 /// @brief In an IT block, stores R1 at the address in R0, and copies R3 to R2.
 void probeItBlock(Probe& probe);

@@ -24,7 +24,7 @@ inline volatile std::uint32_t& reported(std::uint32_t number) {
   return wordAt(0x20000000 + 4 * number);
 }
 
-/// Appends a number to the recorded numbers. The first word is their count.
+/// Appends a number to the recorded numbers. The word before these numbers is their count.
 inline void note(std::uint32_t number) {
   const std::uint32_t count = wordAt(0x20000100);
   wordAt(0x20000104 + 4 * count) = number;
@@ -81,7 +81,7 @@ inline void openPit() {
   wordAt(0x40037000) = 0;
 }
 
-/// Sets UART0 to 115200 baud from a core clock of 20.97 MHz, on PTB16 and PTB17.
+/// Sets UART0 to 115200 baud at a core clock of 20.97 MHz, and connects it to PTB16 and PTB17.
 inline void openUart() {
   openPorts();
   wordAt(0x40048034) |= 1U << 10;
@@ -143,7 +143,7 @@ inline std::uint32_t convert(std::uint32_t channel) {
   return wordAt(0x4003B010);
 }
 
-/// Sets UART4 to 115200 baud from a bus clock of 20.97 MHz, on PTC14 and PTC15.
+/// Sets UART4 to 115200 baud at a bus clock of 20.97 MHz, and connects it to PTC14 and PTC15.
 inline void openSecondUart() {
   openPorts();
   wordAt(0x40048028) |= 1U << 10;

@@ -20,8 +20,9 @@ struct Encoding {
       false;  ///< true: the Unicorn engine wrongly sets Q when only a part of the sum is too large
 };
 
-/// @brief Returns the encodings of all instructions of ARMv7E-M with FPv4-SP, except branches and
-/// other instructions that do not continue with the next instruction.
+/// @brief Returns encodings of instructions of ARMv7E-M with FPv4-SP. After each of these
+/// instructions, the program continues with the next instruction. For example, branches,
+/// store-exclusive instructions and unprivileged accesses are not included.
 std::span<const Encoding> encodings();
 
 }  // namespace wr::emulator::reference

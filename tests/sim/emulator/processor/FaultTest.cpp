@@ -172,7 +172,7 @@ TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   EXPECT_EQ(core_.registers.it, 0x08);
 }
 
-/// @brief BKPT is unconditional: in an IT block it stops the program also if the condition of the
+/// @brief BKPT is unconditional: in an IT block, it also stops the program if the condition of the
 /// block is false (A7.7.17).
 TEST_F(FaultTest, BreakpointInBlockIsUnconditional) {
   core_.registers.it = 0x08;  // condition EQ, last instruction of the block
@@ -181,7 +181,7 @@ TEST_F(FaultTest, BreakpointInBlockIsUnconditional) {
 }
 
 /// @brief A store-exclusive instruction stores only after a load-exclusive instruction. The result
-/// of this instruction shows whether it has stored a value.
+/// of the store-exclusive instruction shows whether it has stored a value.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
   core_.registers.r[1] = kUpper;
   core_.registers.r[2] = 7;

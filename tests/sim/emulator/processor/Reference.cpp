@@ -59,7 +59,7 @@ void interrupted(uc_engine* engine, std::uint32_t /*number*/, void* faulted) {
 }  // namespace
 
 UnicornCore::UnicornCore() {
-  // The mode of the engine for microcontrollers would select a Cortex-M33.
+  // The engine also has a mode for microcontrollers, but this mode would select a Cortex-M33.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &engine_));
   check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_M4));
   check(uc_mem_map(engine_, kCode, kCodeSize, UC_PROT_ALL));

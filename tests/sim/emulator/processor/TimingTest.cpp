@@ -16,8 +16,8 @@ constexpr std::uint32_t kRamSize = 0x1000;
 constexpr std::uint32_t kFlashSize = 0x1000;
 constexpr std::uint32_t kOdd = 0x201;  // target of branches
 
-/// @brief A core with flash at address 0 and with RAM. All registers point to the middle of the
-/// RAM, which contains the address of an instruction.
+/// @brief A core with flash at address 0 and with RAM. All registers point to the word in the
+/// middle of the RAM. This word contains the address of an instruction.
 class Program {
  public:
   Program(Timing timing, std::uint32_t at, std::vector<std::uint16_t> halves) : core_(timing) {
@@ -65,15 +65,15 @@ struct Row {
 
 class TimingTest : public testing::TestWithParam<Row> {};
 
-/// @brief An instruction takes the number of cycles in the manual of the processor. If the manual
-/// has a range, the instruction takes the greatest number.
+/// @brief An instruction takes the number of cycles that the manual of the processor states. If the
+/// manual states a range, the instruction takes the greatest number of this range.
 TEST_P(TimingTest, InstructionTakesTheCyclesOfTheManual) {
   Program program(Timing::NoWaitStates, 0x100, GetParam().halves);
   EXPECT_EQ(program.cyclesOf(1), GetParam().cycles);
   EXPECT_EQ(program.core().instructions(), 1U);
 }
 
-// From ARM DDI 0439, table 3-1, with P = 3. The rows from VABS on are from table 7-1.
+// From ARM DDI 0439, table 3-1, with P = 3. The row VABS and all later rows are from table 7-1.
 const Row kRows[] = {{"MOV", {0x4608}, 1},
                      {"MOVW", {0xF240, 0x0000}, 1},
                      {"MOV_to_PC", {0x46F7}, 4},
