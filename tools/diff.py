@@ -40,9 +40,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Compares two commits. Requirements, trees, tests, methods, reviews and "
         "modules are read from the sources of both commits. Verdicts, sizes, findings "
         "and metrics are compared if ./wr portal or ./wr check recorded both commits "
-        "in build/revisions. Lists all files that differ. The content of files marked "
-        "'not followed', such as Python sources and pages, is not compared. The next "
-        "portal shows the differences on a page. Reading a commit for the first time "
+        "in build/revisions. Lists all files that differ. Some files, such as Python sources "
+        "and pages, have the mark 'content not compared'. The next portal shows the "
+        "differences on a page. Reading a commit for the first time "
         f"takes up to half a minute. The exit code is {DONE} with and without differences.",
     )
     parser.add_argument("first", metavar="REV1", help="a commit, a branch or a tag")
@@ -121,13 +121,14 @@ def copy_syntax(root: Path, copy: Path) -> None:
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """Yields the files that differ. A file whose content is not compared is marked as not
-    followed."""
+    """Yields the files that differ. A file whose content is not compared has this mark."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"
         followed = path.startswith(FOLLOWED) and not path.endswith(UNFOLLOWED)
-        yield Difference("changed files", path, lines + ("" if followed else "; not followed"))
+        yield Difference(
+            "changed files", path, lines + ("" if followed else "; content not compared")
+        )
 
 
 def lines_of(found: list[Difference]) -> list[str]:

@@ -48,8 +48,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "checklist, and records your answers in requirements/reviews.toml. The reviewer "
         "must not be an author of these texts: the command reads the authors from git. "
         "With --baseline, the command asks nothing, and records the hashes of the present "
-        "texts in requirements/baseline.toml. A baseline shows later changes, but is not a "
-        "review.",
+        "texts in requirements/baseline.toml. The checks compare later texts with this baseline. "
+        "A baseline is not a review.",
     )
     parser.add_argument("ids", nargs="*", metavar="ID", help="a requirement, such as FR-15")
     parser.add_argument(

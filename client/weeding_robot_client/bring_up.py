@@ -757,7 +757,7 @@ class Motion:
             )
         if self.others:
             return (
-                f"also moved: {', '.join(self.others)}",
+                f"other wheels also moved: {', '.join(self.others)}",
                 "Check that all wires of this driver belong to this wheel.",
             )
         return None

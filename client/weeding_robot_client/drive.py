@@ -35,7 +35,8 @@ DESCRIPTION = f"""\
 Sends orders to the robot every {ORDER_EVERY_S} s.
 An order is valid for {ORDER_LIFETIME_S} s.
 Without --script the keyboard orders the motion. While no key is pressed, the orders are neutral.
-After {NEUTRAL_S} s of neutral orders, the robot is armed.
+If the robot has the safety functions and no protective stop is latched, {NEUTRAL_S} s of neutral
+orders arm it. A robot without the safety functions needs no arming.
 A stop that is already in force stays until it is released. When the terminal is lost or the program
 is suspended, the program orders the robot to stop.
 
@@ -115,7 +116,7 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
         orders.service(script.at(now - start), rest)
         if requests:
             orders.stop()
-            print("interrupted: the robot was ordered to stop", file=sys.stderr)
+            print("interrupted; the program has ordered the robot to stop", file=sys.stderr)
             return FAILED
         if not orders.link.connected:
             print("the connection was lost: check cable and power", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""Sends an order in each cycle. Also arms the robot, orders a stop, and sends the last order."""
+"""Sends an order in each cycle. Also arms the robot, orders a stop, and sends the final order."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Orders:
             self.link.service(STOP_EVERY_S)
 
     def end(self, wish: Wish) -> None:
-        """Sends the last order, with all wheels at 0. A stop remains in force."""
+        """Sends the final order, with all wheels at 0. A stop remains in force."""
         self.send(wish.neutral())
         self.link.service()
 

@@ -197,9 +197,9 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   EXPECT_TRUE(loop.powered());
 }
 
-/// @brief When the control cycles end, the motor is switched off at the end of the first
-/// measurement that ends more than 300 ms after the last order. When the cycles begin again, the
-/// motor is switched on, and the steering continues to its angle.
+/// @brief When no more control cycles run, the steering motor is switched off. This happens when
+/// the first measurement of the angle is complete later than 300 ms after the last order. When the
+/// cycles begin again, the motor is switched on, and the steering continues to its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);

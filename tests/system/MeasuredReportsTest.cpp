@@ -130,7 +130,7 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
 
 /// @brief The count of each wheel contains all edges of this wheel that were rejected since the
 /// start of the firmware. A Hall sensor of a wheel at rest has a short pulse in each ms. The first
-/// edge counts as a step of the wheel. Each later edge reverses the direction too soon.
+/// edge counts as a motion of the wheel. Each later edge reverses the direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

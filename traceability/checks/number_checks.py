@@ -121,8 +121,8 @@ def _texts(module: Module) -> Iterator[tuple[Place, str, str]]:
 
 
 def _numbers(text: str) -> dict[str, Quantity]:
-    """Returns the numbers with a unit in a text, and the limits of its ranges. Left out are
-    assumptions, 100 %, and numbers of at most one smallest unit, such as 0.01 degree."""
+    """Returns the numbers with a unit in a text, and the limits of its ranges. Omits assumptions,
+    100 %, and each number that is not greater than one smallest unit, such as 0.01 degree."""
     stated = stated_numbers(_UNIT_IN_BRACKETS.sub("", _ASSUMPTION.sub("", text)))
     quantities = stated | limits_of_range(text)
     return {name: one for name, one in quantities.items() if one.amount > 1 and one != WHOLE}

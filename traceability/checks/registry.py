@@ -792,8 +792,8 @@ _FIXED = [
     Check(
         "tree-dynamic",
         "Each tree was executed",
-        "A test that verifies the requirement passed, and its recorded calls contain all calls of "
-        "the tree. Each child is called during the call of its parent, and the children are "
+        "At least one test of the requirement has passed, and its recorded calls contain all calls "
+        "of the tree. Each child is called during the call of its parent, and the children are "
         "called in the order of the tree.",
         "Operations that only the drivers of the K64 implement, such as reading a pin, do not "
         "exist on the host. In a test on the host, the check ignores them. It compares nothing "
@@ -830,8 +830,8 @@ _FIXED = [
         "SystemConstants. The requirement is a requirement that the module satisfies, and its text "
         "or its rationale contains the number.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
-        "sentence that begins with 'Assumption:'. It leaves out 100 % and numbers of at most one "
-        "smallest unit, such as 0.01 degree.",
+        "sentence that begins with 'Assumption:'. It omits 100 %, and each number that is not "
+        "greater than one smallest unit, such as 0.01 degree.",
         "correct the number, or name the constant in the comment instead of the number.",
     ),
     Check(

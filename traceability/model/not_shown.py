@@ -236,8 +236,8 @@ def _missing_runs(model: Model) -> Iterator[NotShown]:
     loops = model.closed_loop
     if unplayed := sum(not {HOST, VIRTUAL_K64} <= loop.runs.keys() for loop in loops):
         yield NotShown(
-            "Number of scenarios for the control performance that have no run with these sources "
-            f"on at least one target: {unplayed} of {len(loops)}.",
+            f"{unplayed} of {len(loops)} scenarios of the control performance have not been run "
+            "with these sources on both targets.",
             "closed_loop",
         )
     made = [change.made for change in model.changes.values() if change.made]

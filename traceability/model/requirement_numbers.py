@@ -64,7 +64,7 @@ _STATED = re.compile(
     rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(_IN_WORDS)})"
     rf"(?:(?: successive)? ?(?P<unit>{_UNIT})(?![\w/])|{_LIST})"
 )
-# A number that may have no unit. Left out are parts of names, exponents, 0, 1 and two: such numbers
+# A number that may have no unit. It is not a part of a name, an exponent, 0, 1 or two: such numbers
 # are in many sentences that state no property of the firmware.
 _BARE = re.compile(
     rf"(?<![\w.^/-])(?P<number>\d+(?:\.\d+)?|{'|'.join(_IN_WORDS)})(?![\w.]*\w|-\w|:)"
@@ -109,7 +109,7 @@ def number_in(text: str) -> Fraction:
 
 def limits_of_range(text: str) -> dict[str, Quantity]:
     """Returns the limits of each range whose unit is in square brackets before the range, such as
-    ``[mV], 0 to 24000``. Left out are 0, 1, and the limits of a number of 16 bits."""
+    ``[mV], 0 to 24000``. Omits 0, 1, and the limits of a number of 16 bits."""
     limits = {}
     for unit, *ends in _RANGE.findall(text):
         kind, scale = UNITS.get(_singular(unit.partition(",")[0]), ("", Fraction(1)))

@@ -8,8 +8,8 @@ namespace wr::platform {
 /// tick permits one step, and checkForever() executes the step.
 extern ProgramCheck programCheck;
 
-/// @brief Switches on the light that shows that the start has ended, and checks the program between
-/// the interrupts. Never returns.
+/// @brief Switches on the light that shows the end of the start. Then checks the program in RAM
+/// while no interrupt is active. Never returns.
 /// @isr{no}
 [[noreturn]] void checkForever();
 

@@ -347,8 +347,8 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief If the pulses of the steering stick vary by only 8 us, the time of 2 s until the stop
-/// does not restart.
+/// @brief If the pulses of the steering stick vary by only 8 us, the stop begins after 2 s: the
+/// pulses do not restart this time.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   signals(kDrivePulse, 0);
@@ -361,7 +361,7 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
 }
 
 /// @brief At each deflection of the steering stick, pulses that vary by exactly 8 us do not restart
-/// the time of 2 s until the stop. Pulses that vary by 9 us restart it.
+/// the time of 2 s, after which the stop begins. Pulses that vary by 9 us restart this time.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
   const auto angleOf = [](int deflection) { return (deflection * 3200 + 250) / 500; };
@@ -379,8 +379,8 @@ TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
   }
 }
 
-/// @brief If the pulses of any channel change by more than 8 us, the time of 2 s until the stop
-/// restarts.
+/// @brief If the pulses of any channel change by more than 8 us, the time of 2 s begins again. The
+/// stop begins at the end of this time.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
   signals(kDrivePulse, 0);

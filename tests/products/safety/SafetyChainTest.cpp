@@ -149,8 +149,8 @@ TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
   EXPECT_EQ(protection(stop), Protection{});
 }
 
-/// @brief Because of a fault of one wheel, all control systems are held in the same cycle and in
-/// every later cycle. This is true even after the end of the fault and after a hold.
+/// @brief A fault of one wheel holds all control systems in the cycle of the fault. They are also
+/// held in the next cycle, after the end of the fault and after a hold.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {

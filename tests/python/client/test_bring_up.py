@@ -244,7 +244,7 @@ def motion(**values: Any) -> Motion:
     ("values", "finding"),
     [
         ({"counts": 0, "others": ("rear left",)}, "the wrong wheel moved: rear left"),
-        ({"others": ("rear left",)}, "also moved: rear left"),
+        ({"others": ("rear left",)}, "other wheels also moved: rear left"),
         ({"saw_forward": None}, "did not see this wheel turn"),
         ({"counts": 2, "saw_forward": None}, "no motion"),
         ({"amperes": -0.2}, "wrong sign"),

@@ -72,8 +72,8 @@ def test_results_that_this_build_lacks_are_listed(tmp_path: Path) -> None:
     missing = {
         "The faults seeded in the drivers were not run with these sources.",
         "The times of the control cycle were not measured with these sources.",
-        "Number of scenarios for the control performance that have no run with these sources on at "
-        "least one target: 1 of 1.",
+        "1 of 1 scenarios of the control performance have not been run with these sources on both "
+        "targets.",
         "These ports to other devices have a failed test, or no test results with these sources: "
         "k20.",
     }

@@ -83,7 +83,7 @@ def test_changed_files_that_are_not_followed_are_listed(
     shown = capsys.readouterr().out
     assert "no differences" not in shown
     for name in OTHERS:
-        assert re.search(rf"{name} +\+\d+ -0 lines; not followed", shown)
+        assert re.search(rf"{name} +\+\d+ -0 lines; content not compared", shown)
 
 
 def test_the_impact_of_one_python_file_is_that_of_its_imports(
