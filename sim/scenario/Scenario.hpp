@@ -43,8 +43,8 @@ namespace wr::scenario {
 /// 'max_velocity'.
 ///
 /// 'seed N' selects the noise. With 'plant varied', the seed also selects the parameters of the
-/// robot. 'plant PARAMETER VALUE' sets one parameter. These lines must be before all lines that have
-/// a time. 'at T plant PARAMETER VALUE' changes the parameter while the robot runs.
+/// robot. 'plant PARAMETER VALUE' sets one parameter. These lines must be before all lines that
+/// have a time. 'at T plant PARAMETER VALUE' changes the parameter while the robot runs.
 ///
 /// The expectations 'expect FIELD VALUE' and 'expect FIELD between LOW HIGH' check the last Report
 /// or Welcome, or the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
