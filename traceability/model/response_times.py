@@ -113,6 +113,9 @@ def declared_times(
     that ``design/times.toml`` declares."""
     prover = Prover(image.graph, facts, model, read_declared(root, facts))
     values = model.integers | declared["values"]
+    for name, member in declared["counted"].items():
+        if classes := {item.kind for item in facts.robot.objects([f"field {member}"])}:
+            values[name] = len(classes)
     once = [name for entry in declared["once"] for name in entry["methods"]]
     bounds = Bounds(root, values)
     limits = [
