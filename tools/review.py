@@ -56,7 +56,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--baseline",
         action="store_true",
         help="record the present texts of the given requirements, or of all requirements that "
-        "changed; 'design' selects the reasons in design/ and the code without a requirement",
+        "changed. A text that several requirements share, such as a safety goal, is recorded for "
+        "all of them. 'design' selects the reasons in design/ and the code without a requirement",
     )
     parser.add_argument(
         "--name", help="first and last name of the reviewer (default: the name in git)"

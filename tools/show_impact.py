@@ -15,6 +15,7 @@ from tools.steps import UsageError, need_file
 from traceability.model.build import build
 from traceability.model.impact import Impact, Impacts, Reached, UnknownSubjectError
 from traceability.reading.build_evidence import git
+from traceability.sources import FRAMES
 
 WIDTH = 100
 RANGE = ".."  # separates two commits
@@ -62,16 +63,17 @@ def impact_of(root: Path, subject: str) -> Impact:
     try:
         impacts = Impacts(build(root).model)
         if RANGE in subject or (root / subject).is_file():
-            return with_python(root, impacts.of_files(subject, files))
+            return with_python(root, impacts.of_files(subject, files), files)
         return impacts.of(subject)
     except UnknownSubjectError as error:
         raise UsageError(str(error)) from error
 
 
-def with_python(root: Path, found: Impact) -> Impact:
+def with_python(root: Path, found: Impact, files: list[str]) -> Impact:
     """Adds the Python tests that changed, or that import a changed Python file, directly or
-    indirectly."""
-    python = [path for path in found.unfollowed if path.endswith(".py")]
+    indirectly. A change of the table of the frames counts as a change of its reader."""
+    python = [path for path in files if path.endswith(".py")]
+    python += FRAMES[1:] if FRAMES[0] in files else ()
     for test, path in importing_tests(root, python).items():
         near = test == path
         why = "changed" if near else f"imports {path}"

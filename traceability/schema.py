@@ -376,7 +376,8 @@ class BindingResult:
     # files that may contain the recorded calls of this test
     recordings: Sequence[str] = field(default_factory=list)
     measured: str = ""  # text of the property "measured" that the test reports
-    # for a parameterised test: name of the instance -> result of the instance
+    # for a parameterised or typed test: name of the instance, as in Prefix_Suite.Test_instance ->
+    # result of the instance
     instances: Mapping[str, str] = field(default_factory=dict)
     # products whose firmware images the test executed
     images: Sequence[str] = field(default_factory=list)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import json
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
@@ -75,8 +75,17 @@ def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
 
 def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
     model = portal.model
-    for path in model.files:
-        yield partial(source_page, portal, path)
+    elements: list[tuple[Iterable[Any], Callable[[Portal, Any], Page]]] = [
+        (model.files, source_page),
+        (model.changes.values(), change_page),
+        (model.safety.goals.values(), goal_page),
+        (portal.designs, module_page),
+        (model.patterns.values(), pattern_page),
+        (model.requirements.values(), requirement_page),
+        (model.requirements.values(), dossier_page),
+    ]
+    for shown, page_of in elements:
+        yield from (partial(page_of, portal, element) for element in shown)
     yield partial(home_page, portal)
     for name in portal.navigation.entries:
         if not name.startswith("docs/"):
@@ -87,19 +96,8 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
     for tour in portal.tours:
         values = {"tour": tour, "titles": page_titles(portal)}
         yield partial(portal.page, f"tours/{tour.id}", f"Tour: {tour.title}", "", "tour", **values)
-    for change in model.changes.values():
-        yield partial(change_page, portal, change)
     if model.safety.goals:
         yield partial(hazards_page, portal)
-    for goal in model.safety.goals.values():
-        yield partial(goal_page, portal, goal)
-    for module in portal.designs:
-        yield partial(module_page, portal, module)
-    for application in model.patterns.values():
-        yield partial(pattern_page, portal, application)
-    for requirement in model.requirements.values():
-        yield partial(requirement_page, portal, requirement)
-        yield partial(dossier_page, portal, requirement)
     for check in portal.checks.values():
         yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
 

@@ -849,7 +849,8 @@ _FIXED = [
         "number in the text, because the text is rounded. The check cannot judge whether the "
         "linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
-        "design/requirement_numbers.toml.",
+        "design/requirement_numbers.toml. If the code has no constant for the number, add the "
+        "number to an entry [[without]] there.",
     ),
     Check(
         "test-number",
@@ -859,7 +860,8 @@ _FIXED = [
         "number can also be the value of a constant that one of these places names.",
         "The check cannot judge whether the number belongs to the sentence. It does not compare "
         "counts, such as cycles or edges.",
-        "correct the brief or the test.",
+        "correct the brief, or write the number in the code of the test or in a constant that this "
+        "code names.",
     ),
     Check(
         "req-source",

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Requirement, TreeNode
+from traceability.sources import FRAMES
 
 
 @dataclass
@@ -137,6 +138,8 @@ class Impacts:
         for machine in model.machines.values():
             if machine.place.file == path:
                 start |= dict.fromkeys(machine.states.values(), f"is a state of {machine.id}")
+        if path == FRAMES[0]:
+            start["FieldName"] = f"its enumerators name the fields of {path}"
         impact = Impact(path, "file", "")
         for requirement in model.requirements.values():
             tree = requirement.tree

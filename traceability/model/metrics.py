@@ -33,6 +33,7 @@ from traceability.reading.results import (
 )
 from traceability.reading.traces import nodes_of
 from traceability.sources import file_hash, files_below
+from weeding_robot_client.layout import LAYOUTS
 
 # file of a task -> the task, and the key of each metric in this file
 OF_TASKS = {
@@ -209,6 +210,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[schema.Clause]]) -> dic
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
         "mutation.justified": model.mutation.justified if model.mutation else None,
+        "protocol.report_bytes": LAYOUTS["Report"].size,
         "proofs.properties": len(model.proofs.properties),
         "proofs.proven": None if model.proofs.recorded else model.proofs.proven,
         "last": {

@@ -92,7 +92,7 @@ def test_a_requirement_begins_with_the_modules_that_serve_it(model: Model) -> No
 def test_a_file_stands_for_what_is_written_in_it(model: Model) -> None:
     source = of(model, f"./src/{MODES}/RC.cpp")
     assert source.at(0) == [Reached("RC", 0, f"is written in src/{MODES}/RC.cpp")]
-    others = ["design/trees/a.tree", "tests/RcTest.cpp", "design/fsm/a.toml"]
+    others = ["design/trees/a.tree", "tests/RcTest.cpp", "design/fsm/a.toml", "design/frames.toml"]
     model = replace(model, files=[*model.files, *others])
     assert (
         of(model, "design/trees/a.tree").requirements[0].because
@@ -101,6 +101,9 @@ def test_a_file_stands_for_what_is_written_in_it(model: Model) -> None:
     assert of(model, "tests/RcTest.cpp").tests[0].because == "is written in tests/RcTest.cpp"
     machine = of(model, "design/fsm/a.toml")
     assert machine.at(0) == [Reached("RC", 0, "is a state of reading-modes")]
+    model.modules["FieldName"] = replace(model.modules["RC"], name="FieldName", named_by=["RC"])
+    frames = of(model, "design/frames.toml")
+    assert [one.id for one in frames.modules] == ["FieldName", "RC"]
 
 
 @pytest.mark.parametrize(

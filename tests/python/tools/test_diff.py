@@ -11,6 +11,7 @@ from tests.python.project_files import write_files
 from tools import cli
 from traceability.exports.revision import read_revision
 from traceability.reading.comparison_record import read_comparison
+from traceability.sources import FRAMES
 from weeding_robot_client import exit_codes
 
 OTHERS = {
@@ -95,6 +96,16 @@ def test_the_impact_of_one_python_file_is_that_of_its_imports(
     assert "tests/python/tools/test_a.py  imports tools/a.py" in shown
     assert "test_b.py" not in shown
     assert "not followed" not in shown
+
+
+def test_a_change_of_the_frames_affects_the_tests_that_read_them(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    test = "tests/python/client/test_c.py"
+    layout = "from weeding_robot_client.layout import LAYOUTS\n"
+    write_files(root, {FRAMES[0]: "", FRAMES[1]: "", test: layout})
+    assert cli.main(["impact", str(root / FRAMES[0])]) == 0
+    assert f"{test}  imports {FRAMES[1]}" in capsys.readouterr().out
 
 
 def test_an_unknown_commit_is_an_error(root: Path, capsys: pytest.CaptureFixture[str]) -> None:

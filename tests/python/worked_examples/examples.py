@@ -12,20 +12,21 @@ PAGE = Path("docs/how_these_pages_are_made.rst")
 EXAMPLES = ("example-check", "example-page", "one-more-field")  # labels on the page
 BLOCK = re.compile(r"^\.\. code-block:: diff\n((?:\n|   .*\n?)+)", re.MULTILINE)
 BEFORE = re.compile(r"^--- a/(\S+)$", re.MULTILINE)
+PYTHON = re.compile(r"^\+\+\+ b/(\S+\.py)$", re.MULTILINE)  # an edited file of Python
 
 
 def patches(example: str) -> list[str]:
     section = (ROOT / PAGE).read_text(encoding="utf-8").split(f".. _{example}:")[1]
     blocks = BLOCK.findall(section.partition("\n.. _")[0])
-    return [dedent(block).strip("\n") + "\n\n" for block in blocks]
+    return [dedent(block).lstrip("\n") for block in blocks]
 
 
 def apply(root: Path, example: str) -> None:
     """Applies an example to a copy of the project. The lines around a change must be the same in
-    the file and on the page."""
+    the file and on the page. The program ``patch`` is not sufficient: it places a change without
+    lines above it only at the start of a file."""
     for text in patches(example):
-        words = ["patch", "-p1", "--fuzz=0"]
         done = subprocess.run(
-            words, cwd=root, input=text, capture_output=True, text=True, check=False
+            ["git", "apply"], cwd=root, input=text, capture_output=True, text=True, check=False
         )
-        assert done.returncode == 0, f"an example no longer applies; update {PAGE}: {done.stdout}"
+        assert done.returncode == 0, f"an example no longer applies; update {PAGE}: {done.stderr}"

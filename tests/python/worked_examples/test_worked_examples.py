@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.python.worked_examples.examples import PAGE, ROOT, apply
+from tests.python.worked_examples.examples import PAGE, PYTHON, ROOT, apply, patches
 
 pytestmark = [pytest.mark.runs_tools, pytest.mark.long]
 
@@ -59,10 +59,15 @@ def run_tests(root: Path, *words: str) -> None:
 
 @pytest.fixture
 def example(tmp_path: Path, request: pytest.FixtureRequest) -> Path:
-    """Returns a copy of the sources to which an example of the page was applied."""
+    """Returns a copy of the sources to which an example of the page was applied. The Python files
+    of the example must have no finding of ruff."""
     ignored = shutil.ignore_patterns("build", ".*", "__pycache__")
     root = Path(shutil.copytree(ROOT, tmp_path / "project", ignore=ignored))
     apply(root, request.param)
+    files = [name for text in patches(request.param) for name in PYTHON.findall(text)]
+    ruff = Path(sys.executable).with_name("ruff")
+    for words in (["check"], ["format", "--check"]) if files else []:
+        run(root, ruff, *words, "--no-cache", *files)
     return root
 
 
