@@ -399,12 +399,16 @@ class References:
     def wired_targets(self, call: CallFact, owner: str) -> list[str]:
         """Returns the methods that a call in a method of the class ``owner`` may execute. The
         object of the calling method has the class ``owner`` or a subclass. Returns an empty list if
-        no object is known for the reference in the call."""
-        if call.virtual and call.on and not self.objects(call.on, call.target.rpartition("::")[0]):
-            return []
+        no object is known for the reference in the call, or for the calling method."""
         family = [owner, *self.facts.subclasses.get(owner, [])]
-        kinds = [kind for kind in family if kind in self.constructed] or [owner]
-        return list(dict.fromkeys(m for kind in kinds for m in self.own_targets(call, kind)))
+        kinds = [kind for kind in family if kind in self.constructed]
+        target = call.target.rpartition("::")[0]
+        known = self.objects(call.on, target) if call.on else kinds
+        if call.virtual and not known:
+            return []
+        return list(
+            dict.fromkeys(m for kind in kinds or [owner] for m in self.own_targets(call, kind))
+        )
 
     def _own(self, place: str, kind: str, asked: frozenset[str]) -> set[Object]:
         """Returns the objects to which a place may refer. If the place belongs to a base class of
