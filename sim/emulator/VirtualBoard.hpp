@@ -29,12 +29,12 @@ struct Options {
       0;  ///< step that the clock generator never completes. 0: no step; 2: the change to the
           ///< external clock; 3: the lock of the PLL; 4: the change to the PLL
   std::array<bool, 2> calibrates{true, true};  ///< for each converter: the calibration succeeds
-  bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
+  bool resetsAreFindings = true;               ///< the run stops when the program causes a reset
   Timing timing = Timing::NoWaitStates;        ///< model of the duration of instructions
   bool faultsAreFindings = true;  ///< a fault stops the run; false: the program handles it
   bool unmodelledIsFinding =
-      true;  ///< an access that is not modelled stops the run. false: the access causes a warning,
-             ///< a load returns 0, and a store has no effect
+      true;  ///< the run stops at an access that is not modelled. false: the access causes a
+             ///< warning, a load returns 0, and a store has no effect
 };
 
 /// @brief A simulated board with a K64 microcontroller, its external clock and a serial line to a

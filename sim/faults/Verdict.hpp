@@ -66,8 +66,8 @@ inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run that has a fault with the same run without the fault.
 /// @param faulty the run with the fault
-/// @param reference outputs of the run without the fault, which begin at the same instant; there
-/// are at least as many as in the run with the fault
+/// @param reference outputs of the run without the fault. They begin at the same instant as the
+/// outputs of the run with the fault, and do not end earlier
 /// @return class of the fault, and the times of its effects
 [[nodiscard]] Verdict judge(const Observation& faulty, const Outputs* reference);
 

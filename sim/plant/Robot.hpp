@@ -85,8 +85,8 @@ class Robot {
   /// @param surroundings the ground
   explicit Robot(std::uint32_t seed, Ground surroundings = {});
 
-  /// @brief Chooses new noise and new displacements of the Hall sensors. If the robot is varied,
-  /// also chooses new parameters.
+  /// @brief Chooses new noise and new displacements of the Hall sensors. After vary(true), also
+  /// chooses new properties of the robot's parts.
   /// @param seed seed of the choice
   void setSeed(std::uint32_t seed);
 

@@ -313,7 +313,7 @@ void exchangeBytes(SerialLine& line, emulator::VirtualBoard& board) {
   for (std::size_t count = line.read(bytes); count != 0; count = line.read(bytes)) {
     board.receive(std::span(bytes).first(count));
   }
-  line.write(board.takeSent());  // bytes that no client reads are lost, as on a real board
+  line.write(board.takeSent());  // bytes are lost if no client reads them, as on a real board
 }
 
 // Returns the stream for messages. Messages must not be mixed with the bytes of UART0.

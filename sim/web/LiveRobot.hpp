@@ -27,7 +27,7 @@ class LiveRobot {
     std::vector<std::uint32_t> functions;  ///< addresses of the functions whose calls are recorded
     std::string scenario;                  ///< text of the scenario
     std::string name;                      ///< name of the scenario in messages
-    bool resetsAreFindings = true;         ///< true: a reset that the program causes stops the run
+    bool resetsAreFindings = true;         ///< true: the run stops when the program causes a reset
     bool verifies = false;  ///< true: all events are traced, and the table of reports is written
   };
 
