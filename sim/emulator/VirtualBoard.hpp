@@ -75,8 +75,8 @@ class VirtualBoard {
   /// @brief Returns the finding that stopped the run. The run cannot continue after a finding.
   [[nodiscard]] const std::optional<Finding>& finding() const;
 
-  /// @brief Returns the warnings since the last call. Each kind of access that is not modelled
-  /// causes one warning.
+  /// @brief Returns the warnings about accesses that are not modelled, since the last call. Only the
+  /// first access of each kind causes a warning.
   [[nodiscard]] std::vector<Finding> takeWarnings();
 
   /// @brief Sends bytes from the PC, after the bytes that are still being sent.

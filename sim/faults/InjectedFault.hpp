@@ -92,7 +92,7 @@ inline constexpr int kLongestWindow = 7000;
 void inject(const InjectedFault& fault, board_robot::BoardSession& robot);
 
 /// @brief Unblocks the interrupt line that the fault blocks, if the duration of the fault has just
-/// passed. A fault of another kind does not change.
+/// passed. For a fault of another kind, does nothing.
 /// @param fault the fault
 /// @param ms time since the injection
 void endIfDue(const InjectedFault& fault, int ms, board_robot::BoardSession& robot);

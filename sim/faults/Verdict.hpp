@@ -57,7 +57,7 @@ inline constexpr float kWrongDrive = 0.05F;
 /// @brief An angle is wrong if it differs from the reference by more than this number of degrees.
 /// The number is twice the permanent error that FR-101 permits.
 inline constexpr float kWrongAngle = 1.0F;
-/// @brief A wrong output that lasts at most this time [ms] does not move a wheel noticeably. The
+/// @brief If an output is wrong for at most this time [ms], it does not move a wheel noticeably. The
 /// mechanical time constant of a wheel is longer than this time.
 inline constexpr int kShort = 20;
 /// @brief Outputs may be wrong for this time [ms] before the safe state. This time is equal to the

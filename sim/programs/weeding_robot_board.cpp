@@ -326,8 +326,8 @@ std::FILE* messagesOf(const Settings& settings) {
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A scenario needs no serial line, because the scenario plays the PC. A run that is as fast as
-    // possible needs no pseudo-terminal, because a client cannot follow this run.
+    // A scenario needs no serial line, because the scenario plays the PC. If the run is as fast as
+    // possible, it needs no pseudo-terminal, because a client cannot follow it.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }

@@ -67,8 +67,8 @@ class LiveRobot {
   LiveRobot(const LiveRobot&) = delete;
   LiveRobot& operator=(const LiveRobot&) = delete;
 
-  /// @brief Runs until a control cycle has ended. Ends earlier at the end of the scenario, at a
-  /// finding, and after 200 ms without a clock pulse.
+  /// @brief Runs until a control cycle has ended. The run ends earlier at the end of the scenario,
+  /// at a finding, or after 200 ms without a clock pulse.
   State runCycle();
 
   /// @brief Runs to the end of the scenario, or until a finding stops the board.

@@ -22,7 +22,7 @@ enum class Trap : std::uint8_t {
   Sleep,
   SupervisorCall,
   ExceptionReturn,  ///< trapAddress() is the EXC_RETURN value
-  // The following values are faults. An instruction that causes a fault has no other effect.
+  // The following values are faults. If an instruction causes a fault, it has no other effect.
   Breakpoint,
   Undefined,
   NoCoprocessor,
