@@ -13,8 +13,8 @@ class TurnedArguments final : public ArgumentsDecorator {
   TurnedArguments(const Arguments& wrapped, std::int32_t turned)
       : ArgumentsDecorator(wrapped), turned_(turned) {}
 
-  /// @brief Writes the wrapped arguments. Then adds the change to the raw value at zero degrees, if
-  /// there is such a value.
+  /// @brief Writes the wrapped arguments. If they contain the raw value at zero degrees, the change
+  /// is added to this value.
   /// @param values receives the values
   /// @isr{yes}
   void fill(ArgumentValues& values) const override {

@@ -34,8 +34,8 @@ int steeringAtRest(const char* image) {
   return robot.report().steering;
 }
 
-/// @brief At the same sensor value, the angle that the changed firmware reports is 5 degrees lower
-/// than the angle that the unchanged firmware reports.
+/// @brief At the same sensor value, the changed firmware reports a lower angle than the unchanged
+/// firmware. The difference is 5 degrees.
 TEST(TurnedArgumentsOnBoard, ReportedAngleIsFiveDegreesLess) {
   EXPECT_NEAR(steeringAtRest(kUnchanged) - steeringAtRest("change_function-arguments"), 500, 10);
 }

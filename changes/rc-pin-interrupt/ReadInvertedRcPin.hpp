@@ -7,8 +7,8 @@
 
 namespace wr {
 
-/// @brief A command that reads a receiver of the remote control with inverted pulses: the level is
-/// low during a pulse.
+/// @brief A command that reads a receiver of the remote control. The pulses of this receiver are
+/// inverted: the level is low during a pulse.
 class ReadInvertedRcPin final : public Command {
  public:
   /// @param buffer receives the edges

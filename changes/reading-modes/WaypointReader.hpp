@@ -26,7 +26,8 @@ struct FieldPoint {
 /// the exclusive OR of these 5 bytes.
 class WaypointReader final : public Reader {
  public:
-  /// @brief Remaining distance along the row at which a way-point counts as reached [cm].
+  /// @brief A way-point counts as reached if the remaining distance along the row is at most this
+  /// value [cm].
   static constexpr std::int32_t kReached = 20;
 
   /// @brief Velocity that each order sets.

@@ -11,7 +11,7 @@ class SlowTurn final : public SteeringAlgorithm {
   /// @brief Greatest rate.
   static constexpr StepRate kMost{125};
 
-  /// @brief Greatest difference between target and position at which the steering does not turn.
+  /// @brief The steering does not turn if target and position differ by at most this angle.
   static constexpr Angle kArrived{20};
 
   SlowTurn() = default;

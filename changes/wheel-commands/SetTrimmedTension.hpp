@@ -5,8 +5,9 @@
 
 namespace wr {
 
-/// @brief A command that sets the voltage of a wheel. The driver of the wheel causes a loss of a
-/// twelfth of the ordered voltage. Therefore the command adds a twelfth to this voltage.
+/// @brief A command that sets the voltage of a wheel. The driver of the wheel loses voltage: the
+/// loss is a twelfth of the motor voltage. Therefore the command adds a twelfth to the ordered
+/// voltage.
 class SetTrimmedTension final : public WheelCommand {
  public:
   /// @param wheel wheel whose voltage is set

@@ -5,8 +5,8 @@
 
 namespace wr {
 
-/// @brief An algorithm that computes the voltage that a wheel without load needs for the ordered
-/// velocity. It does not use measurements.
+/// @brief An algorithm that computes the voltage for the ordered velocity of a wheel that has no
+/// load. The algorithm does not use measurements.
 class UnregulatedVelocity final : public WheelAlgorithm {
  public:
   UnregulatedVelocity() = default;

@@ -10,7 +10,7 @@ namespace wr {
 /// At such a low voltage, the motor does not turn, but becomes warm.
 class ApplyAboveThreshold final : public WheelOrder {
  public:
-  /// @brief Smallest magnitude of a voltage that is not replaced by 0 [mV].
+  /// @brief A voltage is replaced by 0 if its magnitude is less than this value [mV].
   static constexpr std::int16_t kLeast = 500;
 
   /// @param apply extended wheel order, which follows the set-point

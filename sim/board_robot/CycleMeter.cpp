@@ -137,8 +137,8 @@ void CycleMeter::leave() {
   }
 }
 
-// Adds the processor cycles and instructions since the last call to the costs of the running
-// exception.
+// Updates the costs of the running exception: adds the processor cycles and the instructions since
+// the last call of this function.
 void CycleMeter::charge() {
   const Instant now = present();
   if (measures()) {

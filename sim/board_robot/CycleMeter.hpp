@@ -14,7 +14,8 @@
 
 namespace wr::board_robot {
 
-/// @brief A meter of the costs of the control cycles of a firmware image on the virtual K64.
+/// @brief A meter of the costs of control cycles. The virtual K64 runs the firmware image that
+/// executes these cycles.
 ///
 /// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
 /// the timer raises its interrupt line. The report is handed over when the firmware writes the

@@ -183,7 +183,7 @@ void Adc::start(std::uint32_t value) {
     checkClock(1'000'000, 18'000'000, "converts");
   }
   if (!calibrated_ || at(kPg) != gain(kClps) || at(kMg) != gain(kClms)) {
-    misuse(name_ + " converts without the gains of a calibration in PG and MG");
+    misuse(name_ + " converts, but PG and MG do not contain the gains of a calibration");
   }
   checkInput(channel);
   sample_ = channel < volts_.size() || channel >= kHighReference ? measured(channel) : 0;

@@ -75,7 +75,7 @@ class Adc final : public Peripheral {
 
   std::array<std::uint32_t, kWords> words_{};
   Doing doing_ = Doing::Nothing;
-  std::uint64_t endsAt_ = 0;  ///< count of the bus clock at which doing_ becomes Nothing
+  std::uint64_t endsAt_ = 0;  ///< doing_ becomes Nothing at this count of the bus clock
   std::uint32_t sample_ = 0;
   bool calibrated_ = false;
 };

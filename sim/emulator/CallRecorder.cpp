@@ -39,8 +39,8 @@ void CallRecorder::leave() {
 }
 
 void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32_t link) {
-  // A function has returned when a block begins at the return address of the function, and the
-  // stack pointer is at least the stack pointer at the call.
+  // A function has returned if two conditions are true: a block begins at the return address of the
+  // function, and the stack pointer is not below its value at the call.
   while (!calls_.empty() && calls_.back().returnsTo == address && calls_.back().stack <= stack) {
     leave();
   }
@@ -54,7 +54,8 @@ void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) 
 }
 
 void CallRecorder::exceptionLeft() {
-  // Ends the handler, and the calls in the handler that were left by a jump instead of a return.
+  // Ends the handler. If a jump instead of a return has left a call in the handler, this call also
+  // ends.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
     const std::size_t begin = calls_.back().begin;

@@ -40,7 +40,7 @@ class CallRecorder {
   /// @brief Reports that the processor was reset. No function is active after a reset.
   void reset();
 
-  /// @brief Clears the events. Functions that were entered and not left stay active.
+  /// @brief Clears the events. A function stays active if it was entered, but not left.
   void clear();
 
   /// @brief Sets the callback for each function that is entered or left. The callback also receives

@@ -297,8 +297,8 @@ bool CortexM4::enterNext() {
   }
   const int wanted = nvic_.group(nvic_.priority(next));
   if (wanted >= nvic_.activePriority()) {
-    return false;  // the exception waits until an exception returns or a register of the NVIC is
-                   // written
+    return false;  // the exception waits until another exception returns, or until the program
+                   // writes a register of the NVIC
   }
   // WFI also ends when only PRIMASK blocks the interrupt (ARMv7-M ARM, B1.5.18).
   if (sleeping_) {
@@ -450,8 +450,8 @@ void CortexM4::fault(unsigned exception, std::uint32_t status, std::uint32_t pc,
   deliver(exception, pc);
 }
 
-// A fault that cannot be entered becomes a HardFault. A HardFault that cannot be entered locks up
-// the processor (ARMv7-M ARM, B1.5.14).
+// If a fault cannot be entered, it becomes a HardFault. If a HardFault cannot be entered, the
+// processor locks up (ARMv7-M ARM, B1.5.14).
 void CortexM4::deliver(unsigned exception, std::uint32_t pc) {
   const int running = executionPriority();
   unsigned taken = exception;

@@ -68,10 +68,10 @@ class CortexM4 {
   /// @param write receives the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Writes memory from outside of the program, also memory that the program may not write.
+  /// @brief Writes memory for the caller. The program may lack the right to write this memory.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Reads a word of memory from outside of the program.
+  /// @brief Reads a word of memory for the caller.
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const {
     return core_.memory.read<std::uint32_t>(address);
   }
@@ -116,7 +116,7 @@ class CortexM4 {
   /// @brief Returns the number of the running exception; 0 in thread mode.
   [[nodiscard]] unsigned exception() const { return core_.registers.exception; }
 
-  /// @brief Returns the priority of an exception, as its register contains it.
+  /// @brief Returns the priority of an exception, in the form of the priority registers.
   [[nodiscard]] int priority(unsigned exception) const { return nvic_.priority(exception); }
 
   /// @brief Sets the level of an interrupt line.

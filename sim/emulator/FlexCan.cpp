@@ -349,7 +349,8 @@ void FlexCan::store(std::size_t number, const CanFrame& frame) {
   updateLine();
 }
 
-// A read of the control word unlocks all other buffers.
+// Locks a buffer if it contains a received frame. First unlocks the buffer that was locked before,
+// if this is another buffer.
 void FlexCan::lock(std::size_t number) {
   if (locked_ != number) {
     unlock();

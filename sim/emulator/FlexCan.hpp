@@ -18,22 +18,24 @@ namespace wr::emulator {
 ///
 /// The model has the modes disabled, freeze and normal, the bit timing, the global mask, and the
 /// flags with their interrupt. Its message buffers send and receive data frames with standard
-/// identifiers. A frame takes one bit time for each of its bits in ISO 11898-1, but no time for
-/// stuff bits.
+/// identifiers. The duration of a frame is one bit time for each bit that ISO 11898-1 defines.
+/// Stuff bits take no time.
 ///
 /// A read of the control word locks a buffer that contains a received frame. A frame for a locked
 /// buffer waits until the buffer is unlocked. A newer frame replaces the frame that waits. The
 /// program must clear the flag of the buffer before it unlocks the buffer. If it unlocks the buffer
 /// first, it could later clear the flag of the frame that waited. Therefore this sequence causes
-/// a finding. A frame is moved into its buffer in no time. Therefore the code BUSY never occurs.
+/// a finding. The move of a frame into its buffer takes no time. Therefore the code BUSY never
+/// occurs.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
-/// loop-back, listen-only mode, wake-up or time stamps. A write to a bit of one of these functions
-/// causes a finding.
+/// loop-back, listen-only mode, wake-up or time stamps. If the program selects one of these
+/// functions, the write causes a finding.
 ///
-/// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
-/// is not sent. The workaround reserves buffer 0. After each activation, the program must write the
-/// code INACTIVE to buffer 0 twice. A frame that is sent without these two writes causes a finding.
+/// Erratum 5829 of the controller: if a buffer is activated in a certain clock of the arbitration,
+/// it is not sent. The workaround reserves buffer 0. After each activation, the program must write
+/// the code INACTIVE to buffer 0 twice. If one of these writes is missing when a frame is sent,
+/// this causes a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }
@@ -51,7 +53,7 @@ class FlexCan final : public Peripheral {
   /// @brief Makes the other node send a frame as soon as the bus is free.
   void arrive(CanFrame frame);
 
-  /// @brief Returns the frames sent since the last call.
+  /// @brief Returns the frames that the controller has sent since the last call.
   [[nodiscard]] std::vector<CanFrame> takeSent();
 
   /// @brief Returns true when no frame is on the bus and no frame waits for the bus.

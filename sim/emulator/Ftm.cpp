@@ -86,7 +86,7 @@ void Ftm::startFrom(std::uint32_t value) {
   from_ = bus() - (std::uint64_t{value} << (control_ & 7U));
 }
 
-// Returns the number of counts for which the output of a channel is high in each period.
+// In each period, the output of a channel is high for a number of counts. Returns this number.
 std::uint32_t Ftm::high(const Channel& channel) const {
   if ((channel.control & kPwm) == 0 || (channel.control & kEdges) == 0) {
     return 0;

@@ -14,9 +14,9 @@ namespace wr::emulator {
 /// its counter. See K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
 /// The model has no other modes, no interrupts, and no flags of channels (they read 0). The effects
-/// of MODE.FTMEN, and of the registers that MODE.FTMEN enables, are not modelled. If the program
-/// writes a value other than the reset value to this bit or to one of these registers, the write is
-/// an access that is not modelled.
+/// of MODE.FTMEN, and of the registers that MODE.FTMEN enables, are not modelled. This bit and
+/// these registers must keep their reset values: a write of any other value is an access that is
+/// not modelled.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3
@@ -82,12 +82,12 @@ class Ftm final : public Peripheral {
   std::uint32_t configuration_ = 0;
   bool protectionOff_ = true;  ///< MODE.WPDIS
   bool protectionSeen_ = false;
-  std::uint64_t from_ = 0;  ///< count of the bus clock at which the counter was 0
+  std::uint64_t from_ = 0;  ///< the counter was 0 at this count of the bus clock
   std::uint32_t held_ = 0;  ///< value of the counter while it is stopped
   std::uint64_t overflowsBefore_ = 0;
   std::uint64_t overflowsSeen_ = 0;
   bool flagRead_ = false;
-  std::uint64_t takesAt_ = 0;  ///< count of the bus clock at which a written value takes effect
+  std::uint64_t takesAt_ = 0;  ///< a written value takes effect at this count of the bus clock
   bool waits_ = false;
 };
 

@@ -31,8 +31,8 @@ constexpr unsigned kFromInternal = 1;
 constexpr unsigned kFromExternal = 2;
 constexpr unsigned kFromPll = 3;
 
-// The times that the model of the clock generator needs to change its clocks. According to the
-// manual, the real times are at most a few cycles of the clocks that are involved.
+// The duration of each change of a clock in the model of the clock generator. According to the
+// manual, the real durations are at most a few cycles of the clocks that are involved.
 constexpr Time kReferenceDelay = 60us;
 constexpr Time kSwitchDelay = 5us;
 constexpr Time kPllChosenDelay = 5us;
@@ -238,7 +238,7 @@ void Mcg::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
 void Mcg::checkChange(Mode before, bool wasSettled) {
   const Mode after = mode();
   if (after == Mode::None || !leadsTo(before, after)) {
-    misuse("the program requests a change of the MCG mode that the state diagram does not contain");
+    misuse("the MCG state diagram does not contain the change of mode that the program requests");
   } else if (after != before && !wasSettled) {
     misuse("the program requests a change of the MCG mode before the previous change is complete");
   } else if (after == Mode::Pee && before == Mode::Pbe && locked_.now == 0) {

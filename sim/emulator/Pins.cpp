@@ -241,7 +241,7 @@ std::uint32_t Gpio::read(std::uint32_t offset, unsigned size) {
     case kPdir: {
       std::uint32_t levels = 0;
       for (unsigned pin = 0; pin < 32; ++pin) {
-        // The input of a pin that is not digital reads 0.
+        // If a pin is not digital, its input reads as 0.
         levels |= pins_.seen(pin) ? 1U << pin : 0;
       }
       return levels;

@@ -51,9 +51,9 @@ struct PinState {
 /// Port Control and Interrupts (PORT).
 ///
 /// Only port D has digital filters. Their clock is the bus clock. When a filter is switched on, the
-/// filtered level is 0. When the level of the pin differs from the filtered level for the filter
-/// width plus 3 clocks, the filtered level changes. The passive filters have no effect in the
-/// model.
+/// filtered level is 0. The filtered level changes after the level of the pin has differed from it
+/// for a certain time. This time is the filter width plus 3 clocks. The passive filters have no
+/// effect in the model.
 class Port final : public Peripheral {
  public:
   /// @param number 0 for port A
@@ -87,7 +87,7 @@ class Port final : public Peripheral {
   std::array<std::uint32_t, 3> filter_{};
   std::uint32_t waiting_ = 0;  ///< pins whose level differs from the filtered level
   std::array<std::uint64_t, 32>
-      passesAt_{};  ///< count of the bus clock at which a new level passes the filter
+      passesAt_{};  ///< a new level passes the filter at this count of the bus clock
 };
 
 /// @brief Digital inputs and outputs of one port.

@@ -26,7 +26,7 @@ class Rnga final : public Peripheral {
       0;  // number of drawn words; a reset does not clear this number, so the sequence continues
   std::uint32_t control_ = 0;
   bool underflow_ = false;
-  std::uint64_t since_ = 0;  // count of the bus clock when the next word was begun
+  std::uint64_t since_ = 0;  // count of the bus clock at the start of the next word
 };
 
 }  // namespace wr::emulator

@@ -39,9 +39,9 @@ constexpr std::uint32_t kReceived = 1U << 5;
 constexpr std::uint32_t kComplete = 1U << 6;
 constexpr std::uint32_t kEmpty = 1U << 7;
 
-// A receiver tolerates an error of half a bit at the stop bit, which is the tenth bit. The errors
-// of both sides together may therefore be 5 %. The model permits an error of 3 % for the board, and
-// leaves the rest for the PC.
+// A receiver tolerates an error of half a bit at the stop bit, which is the tenth bit. Therefore
+// the sum of the errors of both sides may be up to 5 %. The model permits an error of 3 % for the
+// board, and leaves the rest for the PC.
 constexpr double kMostDeviation = 0.03;
 
 constexpr std::int64_t kBits = 10;

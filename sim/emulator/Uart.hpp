@@ -15,10 +15,10 @@ namespace wr::emulator {
 ///
 /// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO. The
 /// program may write PFIFO only while receiver and transmitter are off. S1[RDRF] is set when at
-/// least RWFIFO bytes wait. A read of S1 and then of D clears RDRF if fewer than RWFIFO bytes
-/// wait after the read of D. S1[TDRE] is set while at most TWFIFO bytes wait. A byte that does not
-/// fit into the FIFO sets S1[OR]. OR and FE stop the receiver until they are cleared. UART0 has
-/// FIFOs of 8 bytes. UART4 has buffers of 1 byte (chapter Chip Configuration, UART).
+/// least RWFIFO bytes wait. RDRF is cleared when the program has read S1, then reads D, and fewer
+/// than RWFIFO bytes still wait. S1[TDRE] is set while at most TWFIFO bytes wait. S1[OR] is set
+/// when a byte does not fit into the FIFO. OR and FE stop the receiver until they are cleared.
+/// UART0 has FIFOs of 8 bytes. UART4 has buffers of 1 byte (chapter Chip Configuration, UART).
 ///
 /// The model has no noise on the serial line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN
 /// break, infrared, smart cards, DMA, or flag for an idle line.
@@ -49,7 +49,7 @@ class Uart final : public Peripheral {
   /// @param stopBit true if the stop bit is correct
   void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
 
-  /// @brief Returns the bytes sent since the last call.
+  /// @brief Returns the bytes that the UART has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   [[nodiscard]] bool lineIdle() const { return arriving_.empty() && !sending_; }

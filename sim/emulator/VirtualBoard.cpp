@@ -50,7 +50,7 @@ constexpr std::uint32_t kSimUpper = 0x40048000;
 
 constexpr std::uint32_t kFlashOption = 0x40D;  // FOPT
 constexpr std::uint8_t kNormalBoot = 1U << 0;  // FOPT.LPBOOT
-constexpr std::uint8_t kNmiEnabled = 1U << 2;  // FOPT.NMI_DIS, which blocks the NMI if it is 0
+constexpr std::uint8_t kNmiEnabled = 1U << 2;  // FOPT.NMI_DIS: 0 blocks the NMI
 constexpr unsigned kNmiPin = 4;                // PTA4
 constexpr unsigned kNmi = 2;
 constexpr unsigned kFirstLine = 16;

@@ -29,12 +29,12 @@ struct Options {
       0;  ///< step that the clock generator never completes. 0: no step; 2: the change to the
           ///< external clock; 3: the lock of the PLL; 4: the change to the PLL
   std::array<bool, 2> calibrates{true, true};  ///< for each converter: the calibration succeeds
-  bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
+  bool resetsAreFindings = true;               ///< the run stops when the program causes a reset
   Timing timing = Timing::NoWaitStates;        ///< model of the duration of instructions
   bool faultsAreFindings = true;  ///< a fault stops the run; false: the program handles it
   bool unmodelledIsFinding =
-      true;  ///< an access that is not modelled stops the run. false: the access causes a warning,
-             ///< a load returns 0, and a store has no effect
+      true;  ///< the run stops at an access that is not modelled. false: the access causes a
+             ///< warning, a load returns 0, and a store has no effect
 };
 
 /// @brief A simulated board with a K64 microcontroller, its external clock and a serial line to a
@@ -75,8 +75,8 @@ class VirtualBoard {
   /// @brief Returns the finding that stopped the run. The run cannot continue after a finding.
   [[nodiscard]] const std::optional<Finding>& finding() const;
 
-  /// @brief Returns the warnings since the last call. Each kind of access that is not modelled
-  /// causes one warning.
+  /// @brief Returns the warnings about accesses that are not modelled, since the last call. Only the
+  /// first access of each kind causes a warning.
   [[nodiscard]] std::vector<Finding> takeWarnings();
 
   /// @brief Sends bytes from the PC, after the bytes that are still being sent.

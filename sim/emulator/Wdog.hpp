@@ -44,7 +44,7 @@ class Wdog final : public Peripheral {
   Lock lock_ = Lock::FreshlyReset;
   std::uint64_t lockChanged_ = 0;  ///< count of the bus clock at the last change of lock_
   bool configured_ = false;
-  std::uint32_t written_ = 0;  ///< registers written since the unlock
+  std::uint32_t written_ = 0;  ///< registers that were written since the unlock
   std::optional<std::uint64_t> unlockKeyAt_;
   std::optional<std::uint64_t> refreshKeyAt_;
   std::uint64_t countsFrom_ = 0;  ///< count of the clock source at the last refresh

@@ -36,8 +36,8 @@ constexpr int kFirstException = 16;
 constexpr unsigned kStackPointer = 13;
 constexpr unsigned kProgramCounter = 15;
 
-// Returns the orders of a drive. No order moves the robot to one of its limits. The voltage stays
-// low, and the steering stays near the middle.
+// Returns the orders of a drive. These orders keep the robot away from its limits: the voltage
+// stays low, and the steering stays near the middle.
 std::vector<scenario::PcOrder> makeOrders(std::uint64_t seed) {
   Random random(seed);
   std::vector<scenario::PcOrder> orders;
@@ -85,7 +85,7 @@ struct Message {
   std::array<char, 160> stop{};
 };
 
-// A listener that checks the reports that were received since its last call.
+// A listener that checks each report once. Each call checks the new reports.
 struct Listener {
   std::size_t read;
 
@@ -345,8 +345,8 @@ Verdict FaultRun::runCopy(Robot& robot, const InjectedFault& fault, int at, bool
 Result FaultRun::observe(Robot& robot, const Choice& choice) const {
   Message message{};
   message.verdict.outcome = Outcome::Stopped;
-  // On a real board, a byte that arrives while the firmware restarts is lost. On the virtual board,
-  // such a byte causes a finding. After this finding, the copy with the fault therefore runs a
+  // If a byte arrives while the firmware restarts, a real board loses the byte. On the virtual
+  // board, the byte causes a finding. After this finding, the copy with the fault therefore runs a
   // second time, with a silent PC.
   for (const bool silentPc : {false, true}) {
     std::array<int, 2> ends{};

@@ -69,10 +69,10 @@ struct InjectedFault {
 /// only after some seconds.
 inline constexpr int kLongestWindow = 7000;
 
-/// @brief Returns the duration of the observation after the fault [ms]. Except for a slow drift of
-/// the angle sensor, the observation lasts at least until the latest time at which the firmware
-/// must report the fault. For example, the firmware reports a wheel without Hall edges 1 s after
-/// the wheel has got voltage.
+/// @brief Returns the duration of the observation after the fault [ms]. The firmware must report
+/// each fault before a certain time, and the observation does not end before this time. The only
+/// exception is a slow drift of the angle sensor. Example: a wheel has voltage, but no Hall edges.
+/// The firmware reports this fault after 1 s.
 [[nodiscard]] int windowOf(const InjectedFault& fault);
 
 /// @brief Chooses a kind of fault. The two most frequent kinds change a bit in RAM: a bit of an
@@ -92,7 +92,7 @@ inline constexpr int kLongestWindow = 7000;
 void inject(const InjectedFault& fault, board_robot::BoardSession& robot);
 
 /// @brief Unblocks the interrupt line that the fault blocks, if the duration of the fault has just
-/// passed. A fault of another kind does not change.
+/// passed. For a fault of another kind, does nothing.
 /// @param fault the fault
 /// @param ms time since the injection
 void endIfDue(const InjectedFault& fault, int ms, board_robot::BoardSession& robot);

@@ -18,7 +18,7 @@ bool differs(const Outputs& faulty, const Outputs& reference) {
 
 struct Wrong {
   int before = 0;  // the part of `total` until the detection of the fault
-  int total = 0;   // ms with wrong outputs, without periods of at most kShort ms
+  int total = 0;   // ms with wrong outputs; periods of at most kShort ms do not count
   int after = 0;   // ms with voltage at a wheel or with a moved steering, after a reset
 };
 

@@ -57,7 +57,7 @@ inline constexpr float kWrongDrive = 0.05F;
 /// @brief An angle is wrong if it differs from the reference by more than this number of degrees.
 /// The number is twice the permanent error that FR-101 permits.
 inline constexpr float kWrongAngle = 1.0F;
-/// @brief A wrong output that lasts at most this time [ms] does not move a wheel noticeably. The
+/// @brief If an output is wrong for at most this time [ms], it does not move a wheel noticeably. The
 /// mechanical time constant of a wheel is longer than this time.
 inline constexpr int kShort = 20;
 /// @brief Outputs may be wrong for this time [ms] before the safe state. This time is equal to the
@@ -66,8 +66,8 @@ inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run that has a fault with the same run without the fault.
 /// @param faulty the run with the fault
-/// @param reference outputs of the run without the fault, which begin at the same instant; there
-/// are at least as many as in the run with the fault
+/// @param reference outputs of the run without the fault. They begin at the same instant as the
+/// outputs of the run with the fault, and do not end earlier
 /// @return class of the fault, and the times of its effects
 [[nodiscard]] Verdict judge(const Observation& faulty, const Outputs* reference);
 

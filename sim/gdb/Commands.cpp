@@ -319,10 +319,10 @@ bool Commands::monitor(const std::string& words) {
   owed_ = Owed::Nothing;
   const std::string text =
       words == "time" ? timeText()
-                      : "time shows the time of the board and the number of executed instructions\n"
-                        "reset restarts the run\n"
-                        "run-to MS runs forwards or backwards to this time of the board in ms\n"
-                        "After reset and run-to, enter: maintenance flush register-cache\n";
+                      : "time: show the time of the board and the number of executed instructions\n"
+                        "reset: restart the run\n"
+                        "run-to MS: run forwards or backwards to this time of the board in ms\n"
+                        "After 'reset' and 'run-to', enter: maintenance flush register-cache\n";
   stream_.send(hexOf(std::string_view(text)));
   return false;
 }

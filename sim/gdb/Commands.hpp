@@ -25,13 +25,13 @@ class Commands {
   /// @brief Returns the debugger that executes the commands.
   [[nodiscard]] Debugger& debugger() { return debugger_; }
 
-  /// @brief Checks whether GDB requests a stop while the processor sleeps. The owner of the board
-  /// calls this function between two runs of the board. The function stops the program only if the
-  /// program has executed no instruction since the previous call.
+  /// @brief Checks whether GDB requests a stop. The owner of the board calls this function between
+  /// two runs of the board, because the processor may sleep. The function stops the program only if
+  /// the program has executed no instruction since the previous call.
   void glance();
 
  private:
-  // Report that GDB expects at the next stop.
+  // The report that GDB expects at the next stop.
   enum class Owed { Nothing, Stop, Monitor };
 
   void serve(const std::string& why);

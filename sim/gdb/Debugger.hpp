@@ -48,8 +48,8 @@ class Debugger {
   /// waits for an interrupt.
   void stopHere(const std::string& why) { stop(why); }
 
-  // The commands of the user at a stop. Without a command, the program runs to the next stop. A
-  // command that goes back throws BeginsAgain.
+  // The commands of the user at a stop. Without a command, the program runs to the next stop. If a
+  // command goes back, it throws BeginsAgain.
   void step();
   void stepBack();
   void resumeBack();

@@ -10,7 +10,7 @@
 namespace wr::gdb {
 
 /// @brief A serial line whose input can be repeated. A restarted run reads the same bytes at the
-/// same calls of read(). The output that the restarted run repeats is discarded.
+/// same calls of read(). If it repeats output, this output is discarded.
 class RepeatedLine final : public programs::SerialLine {
  public:
   /// @param line the serial line

@@ -10,7 +10,7 @@ class HostThread;
 /// @brief A scheduler that runs threads on the host in the same sequence as an interrupt
 /// controller.
 ///
-/// A thread with a higher priority than the running thread runs immediately, before
+/// If a thread has a higher priority than the running thread, it runs immediately, before
 /// HostThread::pend() returns. The other threads run when the running thread ends. No thread starts
 /// while an interrupt is served.
 class HostScheduler {

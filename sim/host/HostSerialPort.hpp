@@ -24,8 +24,8 @@ class HostSerialPort final : public SerialPort {
   /// @param clock the clock
   void setClock(const Timebase& clock) { clock_ = &clock; }
 
-  /// @brief Receives bytes from the serial line at the present time. Bytes that do not fit are lost
-  /// and counted.
+  /// @brief Receives bytes from the serial line at the present time. If bytes do not fit, they are
+  /// lost and counted.
   void arrive(std::span<const std::uint8_t> bytes);
 
   /// @brief Removes all written bytes, and returns them as the bytes that were sent over the serial

@@ -21,7 +21,7 @@ constexpr Microseconds kStartUp(5364);
 // thread. Both times were measured with a firmware image on the virtual K64. They vary with the
 // image and with the cycle. On the host, code takes no time. Therefore the simulation delays the
 // clock pulse by kToPulse after the tick, and delays the start of each wheel thread by kOfWheel.
-// The time between the starts of two wheel threads is longer than on the K64.
+// In the simulation, the time between the starts of two wheel threads is longer than on the K64.
 constexpr Microseconds kToPulse(9);
 constexpr Microseconds kOfWheel(51);
 

@@ -12,9 +12,9 @@ struct Range {
   double high;
 };
 
-// The ranges have these reasons. Copper that is 50 K hotter than nominal has 20 percent more
-// resistance. Hot magnets lose a tenth of their field. A lead battery of 24 V has 21 V when it is
-// empty, and 29 V while it is charged. The smallest mass is the mass of the robot without panels
+// The ranges have these reasons. If copper is 50 K hotter than nominal, its resistance is 20
+// percent higher. Hot magnets lose a tenth of their field. A lead battery of 24 V has 21 V when it
+// is empty, and 29 V while it is charged. The smallest mass is the mass of the robot without panels
 // and sprayers. The greatest mass is the mass of the robot with a load.
 constexpr Range kSupply{.low = 21.0, .high = 29.0};             // [V]
 constexpr Range kBatteryResistance{.low = 0.01, .high = 0.08};  // [ohm]

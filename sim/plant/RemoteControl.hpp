@@ -47,8 +47,8 @@ struct RcEdge {
 ///
 /// At first, only the channel of the enable switch has pulses, and the switch is in the position
 /// Pc. The first call of set() with positions connects the channels of the sticks. While the
-/// transmitter is on, the width of a pulse varies by up to 2 us. Pulses that the receiver itself
-/// generates do not vary.
+/// transmitter is on, the width of a pulse varies by up to 2 us. If the receiver itself generates
+/// the pulses, their width does not vary.
 class RemoteControl {
  public:
   static constexpr std::size_t kChannels = 3;

@@ -15,7 +15,7 @@ constexpr double kStepSeconds = 1e-3;
 constexpr double kCurrentNoise = 0.05;  // [A]
 constexpr double kAngleNoise = 0.05;    // [degree]
 constexpr double kMisplacement =
-    0.03;  // greatest displacement of a sensor [fraction] of the distance between two edges
+    0.03;  // greatest displacement of a sensor [fraction of the distance between two edges]
 constexpr double kJitter = 5'000;  // [ns]
 
 constexpr double kDegreesPerEdge = 90.0;  // electrical degrees
@@ -23,8 +23,7 @@ constexpr std::chrono::nanoseconds kGlitch{30'000};
 // The voltage of an open input differs from the voltage of the input that is converted before it.
 // In each step, this difference falls by this fraction.
 constexpr double kOpenShare = 0.05;
-constexpr double kNoPower =
-    0.05;  // W; the power that noise and rounding cause is less than this limit
+constexpr double kNoPower = 0.05;      // W; noise and rounding cause less power than this limit
 constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes [s]
 
 // Purposes of the random numbers.
@@ -329,8 +328,8 @@ void Robot::advance(double seconds) {
   distance_ += speed_ * seconds;
 }
 
-// Rolling resistance acts against the movement. A robot stays at rest until a force that is greater
-// than its static resistance acts on it.
+// Rolling resistance acts against the movement. A robot stays at rest until the force on it is
+// greater than its static resistance.
 void Robot::advanceAlong(double force, double seconds) {
   if (speed_ == 0) {
     const double excess = std::abs(force) - plant_.staticResistance * weight_;

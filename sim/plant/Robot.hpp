@@ -85,8 +85,8 @@ class Robot {
   /// @param surroundings the ground
   explicit Robot(std::uint32_t seed, Ground surroundings = {});
 
-  /// @brief Chooses new noise and new displacements of the Hall sensors. If the robot is varied,
-  /// also chooses new parameters.
+  /// @brief Chooses new noise and new displacements of the Hall sensors. After vary(true), also
+  /// chooses new properties of the robot's parts.
   /// @param seed seed of the choice
   void setSeed(std::uint32_t seed);
 
@@ -109,9 +109,9 @@ class Robot {
   /// @param on true for on
   void setNoise(bool on);
 
-  /// @brief Sets the slope of the ground ahead. The robot reaches this slope axle by axle. Its own
-  /// slope therefore changes evenly over one wheelbase. If the robot drives slowly or is at rest,
-  /// its slope changes within 2 s.
+  /// @brief Sets the slope of the ground ahead. The robot reaches this slope axle by axle. Therefore
+  /// the slope of the robot changes evenly over one wheelbase. If the robot drives slowly or is at
+  /// rest, its slope changes within 2 s.
   /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent);
 

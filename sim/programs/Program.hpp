@@ -12,8 +12,8 @@ namespace wr::programs {
 /// @brief Exit codes of the simulators.
 enum class Exit { Done = 0, Failed = 1, Usage = 2, Found = 4 };
 
-/// @brief A symbolic link that exists as long as the object. A file that is not a symbolic link is
-/// not replaced.
+/// @brief A symbolic link that exists as long as the object. It replaces an old symbolic link, but
+/// no other file.
 class SymbolicLink {
  public:
   /// @brief Creates the link.

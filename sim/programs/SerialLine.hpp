@@ -9,7 +9,7 @@
 namespace wr::programs {
 
 /// @brief The end of a serial line on this computer. The other end is a serial port of the robot.
-/// No call of a method blocks.
+/// The methods do not block.
 class SerialLine {
  public:
   SerialLine() = default;
@@ -17,7 +17,7 @@ class SerialLine {
   SerialLine& operator=(const SerialLine&) = delete;
   virtual ~SerialLine() = default;
 
-  /// @brief Returns the name that a client needs to open the serial line.
+  /// @brief Returns the name with which a client can open the serial line.
   [[nodiscard]] virtual const std::string& name() const = 0;
 
   /// @brief Reads bytes that a client has sent.

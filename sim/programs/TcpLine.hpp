@@ -14,7 +14,7 @@ namespace wr::programs {
 class TcpLine final : public SerialLine {
  public:
   /// @brief Waits for clients. Throws std::system_error when this fails.
-  /// @param port the port; with 0, the system chooses a free port, which name() contains
+  /// @param port the port; with 0, the system chooses a free port, and name() contains its number
   explicit TcpLine(std::uint16_t port);
   ~TcpLine() override;
 

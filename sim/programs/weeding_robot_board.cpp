@@ -313,7 +313,7 @@ void exchangeBytes(SerialLine& line, emulator::VirtualBoard& board) {
   for (std::size_t count = line.read(bytes); count != 0; count = line.read(bytes)) {
     board.receive(std::span(bytes).first(count));
   }
-  line.write(board.takeSent());  // bytes that no client reads are lost, as on a real board
+  line.write(board.takeSent());  // bytes are lost if no client reads them, as on a real board
 }
 
 // Returns the stream for messages. Messages must not be mixed with the bytes of UART0.
@@ -326,8 +326,8 @@ std::FILE* messagesOf(const Settings& settings) {
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A scenario needs no serial line, because the scenario plays the PC. A run that is as fast as
-    // possible needs no pseudo-terminal, because a client cannot follow this run.
+    // A scenario needs no serial line, because the scenario plays the PC. If the run is as fast as
+    // possible, it needs no pseudo-terminal, because a client cannot follow it.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }

@@ -96,7 +96,7 @@ void runInRealTime(const Settings& settings) {
     listen(line, robot);
     control.serve();
     robot.world.runUntil(now);
-    line.write(robot.takeSent());  // bytes that no client reads are lost, as on a real robot
+    line.write(robot.takeSent());  // bytes are lost if no client reads them, as on a real robot
   }
   printLost(pace, stdout);
 }

@@ -94,7 +94,7 @@ void ControlChannel::serve() {
       return;
     }
     const std::string answer = perform(std::string(words.data(), static_cast<std::size_t>(count)));
-    if (size > sizeof(sa_family_t)) {  // a sender whose socket has no name gets no answer
+    if (size > sizeof(sa_family_t)) {  // without a name of its socket, a sender gets no answer
       static_cast<void>(sendto(socket_, answer.data(), answer.size(), 0,
                                reinterpret_cast<const sockaddr*>(&sender), size));
     }

@@ -11,7 +11,7 @@ namespace wr::scenario {
 ///
 /// Each datagram is one action of a scenario without its time, for example "rc off", "fault hall 0"
 /// or "expect true_velocity0 between 5 3000". The answer is "ok" or the error message. A sender
-/// that has not bound its socket to a path gets no answer. Actions of the PC are rejected, because
+/// gets no answer if it has not bound its socket to a path. Actions of the PC are rejected, because
 /// the PC link is in use. Actions that need a scenario, for example 'mark', are also rejected.
 class ControlChannel {
  public:

@@ -20,8 +20,8 @@ namespace wr::scenario {
 /// @return the value, in the unit of the protocol
 [[nodiscard]] std::int64_t valueOf(const Bytes& body, const FrameField& field);
 
-/// @brief Returns the number that a word of a scenario has in a field. For example, the word
-/// 'Working' is a value of the field 'state'.
+/// @brief Converts a word of a scenario to the number that the word means in a field. For example,
+/// the word 'Working' is a value of the field 'state'.
 /// @param field the field
 /// @param word a number, or a name of one of the field's values
 /// @return the number; nothing if the word is invalid

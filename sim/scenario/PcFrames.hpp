@@ -51,7 +51,8 @@ struct FrameBody {
   std::string_view damage;  ///< empty if the frame has no error
 };
 
-/// Returns the body of the frame, or its damage, from the bytes between two zero bytes.
+/// Decodes the bytes between two zero bytes. Returns the body of the frame, or a description of its
+/// damage.
 [[nodiscard]] FrameBody bodyOf(std::span<const std::uint8_t> frame);
 
 /// Returns the bodies of all frames in received bytes, without their CRC. Throws an exception if a

@@ -36,7 +36,7 @@ namespace wr::scenario {
 /// robot); 'hello'; 'confirm'; 'keepalive'; 'order' with any of 'steering N', 'velocity N',
 /// 'tension N', 'current N' (one number for all wheels, or four numbers, one for each wheel),
 /// 'stop' and 'acknowledge'; 'replay' (sends the bytes of the last order again); 'bytes' with pairs
-/// of hexadecimal digits. The first order has the number 1, and each further order the next number.
+/// of hexadecimal digits. The first order has the number 1. Each further order has the next number.
 ///
 /// The actions on the robot and its surroundings (actions of the world) are listed at
 /// readWorldAction(). The action 'mark' restarts the measurement of the fields 'way' and

@@ -36,8 +36,8 @@ class ScenarioPlayer {
   /// @brief Plays the scenario to its end, or until a finding stops the robot.
   [[nodiscard]] Outcome play();
 
-  /// @brief Executes the next action if it is due. Otherwise, runs to the next instant at which the
-  /// PC reads its serial line or an action is due.
+  /// @brief Executes the next action if it is due. Otherwise, runs until the PC reads its serial
+  /// line, or until an action is due.
   /// @return false when the scenario has ended or a finding has stopped the robot
   bool step();
 

@@ -17,7 +17,7 @@ class ScenarioError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// @brief The words of one line of a scenario, which are read one after the other. An unexpected
+/// @brief The words of one line of a scenario. They are read one after the other. An unexpected
 /// word causes a ScenarioError.
 class Words {
  public:

@@ -11,7 +11,7 @@ namespace wr::scenario {
 
 namespace {
 
-// At their end positions, the sticks order the greatest possible values.
+// A stick at the end of its range sets the greatest possible value.
 constexpr double kFullVelocity = limitOf("Velocity");
 constexpr double kFullSteering = limitOf("steering_set_point");
 constexpr double kPercent = 100;

@@ -27,7 +27,7 @@ class LiveRobot {
     std::vector<std::uint32_t> functions;  ///< addresses of the functions whose calls are recorded
     std::string scenario;                  ///< text of the scenario
     std::string name;                      ///< name of the scenario in messages
-    bool resetsAreFindings = true;         ///< true: a reset that the program causes stops the run
+    bool resetsAreFindings = true;         ///< true: the run stops when the program causes a reset
     bool verifies = false;  ///< true: all events are traced, and the table of reports is written
   };
 
@@ -67,8 +67,8 @@ class LiveRobot {
   LiveRobot(const LiveRobot&) = delete;
   LiveRobot& operator=(const LiveRobot&) = delete;
 
-  /// @brief Runs until a control cycle has ended. Ends earlier at the end of the scenario, at a
-  /// finding, and after 200 ms without a clock pulse.
+  /// @brief Runs until a control cycle has ended. The run ends earlier at the end of the scenario,
+  /// at a finding, or after 200 ms without a clock pulse.
   State runCycle();
 
   /// @brief Runs to the end of the scenario, or until a finding stops the board.

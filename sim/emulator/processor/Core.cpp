@@ -61,10 +61,10 @@ Trap Core::run() {
 }
 
 // The address and the number of instructions are local variables. They are also copied to members
-// of this class. The address is read from its member only after a branch and after a callback. If
-// each instruction read this member, the processor of the host would have to wait for the previous
-// instruction. An if statement selects the next address, because the processor of the host can
-// predict the branch of an if statement.
+// of this class. The address is read from its member only after a branch and after a callback. A
+// read at each instruction would be slow, because the processor of the host would have to wait for
+// the previous instruction. An if statement selects the next address, because the processor of the
+// host can predict the branch of an if statement.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
   std::uint32_t address = next;

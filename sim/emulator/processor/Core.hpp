@@ -22,7 +22,7 @@ enum class Trap : std::uint8_t {
   Sleep,
   SupervisorCall,
   ExceptionReturn,  ///< trapAddress() is the EXC_RETURN value
-  // The following values are faults. An instruction that causes a fault has no other effect.
+  // The following values are faults. If an instruction causes a fault, it has no other effect.
   Breakpoint,
   Undefined,
   NoCoprocessor,
@@ -169,8 +169,8 @@ class Core {
   [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
   [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
 
-  /// @brief Loads successive words for LDM and VLDM. If a load traps, the elements of `words` that
-  /// were loaded before keep their new values.
+  /// @brief Loads successive words for LDM and VLDM. If a load traps, the results of the earlier
+  /// loads stay in `words`.
   [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
   [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
 
@@ -178,8 +178,8 @@ class Core {
   /// @return false in case of a trap
   [[nodiscard]] bool beginFp();
 
-  /// @brief Adds the cycles of a read from flash. The read is not the fetch of an instruction, but
-  /// for example the read of a vector.
+  /// @brief Adds the cycles of a read from flash, for example of a vector. This function is not for
+  /// fetches of instructions.
   void spendForRead(std::uint32_t address);
 
   /// @brief Records that the next instruction does not begin a block, for example after the entry

@@ -26,8 +26,8 @@ struct Encoding {
   }
 };
 
-/// @brief Decodes an instruction (ARMv7-M ARM, A5). An encoding that the architecture does not
-/// define becomes an instruction that raises the fault for undefined instructions.
+/// @brief Decodes an instruction (ARMv7-M ARM, A5). If the architecture does not define the
+/// encoding, the result is an instruction that raises the fault for undefined instructions.
 [[nodiscard]] Instruction decode(Encoding code, bool wide);
 
 // Each of these functions decodes one group of encodings.

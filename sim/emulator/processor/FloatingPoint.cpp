@@ -37,7 +37,7 @@ void noCoprocessor(Core& core, const Instruction& /*in*/) {
   core.trap(Trap::NoCoprocessor);
 }
 
-// While the floating-point unit is on, an instruction that this unit does not have is undefined.
+// While the floating-point unit is on, an instruction is undefined if this unit does not have it.
 void unknown(Core& core, const Instruction& /*in*/) {
   core.trap(Trap::Undefined);
 }

@@ -51,8 +51,8 @@ template <typename Value, Place kPlace>
   }
 }
 
-// Loads a number. The accesses that need further function calls are in a separate function.
-// Therefore a direct access does not save registers for these calls.
+// Loads a number. Some accesses need further function calls. A separate function executes these
+// accesses. Therefore a direct access does not save registers for the calls.
 template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -322,8 +322,8 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Several registers. The lower 16 bits of `value` are the list of registers, and `d` is their
-// number. If bit 16 of `value` is set, register n is written back.
+// Several registers. The lower 16 bits of `value` are the list of registers, and `d` is the length
+// of this list. If bit 16 of `value` is set, register n is written back.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;
 

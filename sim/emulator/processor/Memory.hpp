@@ -80,8 +80,8 @@ class Memory {
   /// @brief Adds a window.
   void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Returns the direct part of the first area in the megabyte of an address. In most cases,
-  /// this part contains the address.
+  /// @brief Searches the megabyte that contains an address. Returns the direct part of the first
+  /// area in this megabyte. In most cases, this part contains the address.
   [[nodiscard]] const Direct& direct(std::uint32_t address) const {
     return directs_[address / kMegabyte];
   }
@@ -123,10 +123,10 @@ class Memory {
   /// @brief Returns the area of an address; nullptr if there is no memory.
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
-  /// @brief Writes memory from outside of the program, also memory that the program may not write.
+  /// @brief Writes memory for the caller. The program may lack the right to write this memory.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Reads memory from outside of the program. Returns 0 if there is no memory.
+  /// @brief Reads memory for the caller. Returns 0 if there is no memory.
   template <typename Value>
   [[nodiscard]] Value read(std::uint32_t address) const {
     Value value = 0;

@@ -124,8 +124,8 @@ void sumOfDifferences(Core& core, const Instruction& in) {
   core.registers.r[in.d] = sum;
 }
 
-// In a long product, register d receives the lower word. The register whose number is in the field
-// `value` receives the upper word.
+// In a long product, register d receives the lower word. The field `value` contains the number of
+// the register that receives the upper word.
 
 std::uint64_t longAddend(const Core& core, const Instruction& in) {
   return std::uint64_t{addend(core, in)} << 32 | core.registers.r[in.d];

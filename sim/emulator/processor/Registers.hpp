@@ -23,8 +23,8 @@ struct Registers {
   std::uint32_t otherStack = 0;  ///< the stack pointer that is not in use
   bool onProcessStack = false;   ///< the process stack is in use
 
-  // Each flag is stored as the result from which the flag is computed. The flag itself is computed
-  // only when it is read, because flags are seldom read.
+  // The flags are not stored. Instead, the results that determine the flags are stored. A flag is
+  // computed only when it is read, because flags are seldom read.
   std::uint32_t n = 0;  ///< bit 31
   std::uint32_t z = 1;  ///< Z is set when this word is 0
   std::uint32_t c = 0;  ///< 0 or 1

@@ -102,9 +102,9 @@ void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint
   module().robot = std::make_unique<LiveRobot>(std::move(setup));
 }
 
-/// Runs until a control cycle has ended. Ends earlier at the end of the scenario, at a finding, and
-/// after 200 ms without a clock pulse. Returns 0 if the run continues, 1 if the scenario has ended,
-/// 2 if a finding has stopped the run.
+/// Runs until a control cycle has ended. The run ends earlier at the end of the scenario, at a
+/// finding, or after 200 ms without a clock pulse. Returns 0 if the run continues, 1 if the
+/// scenario has ended, 2 if a finding has stopped the run.
 int liveCycle() {
   return static_cast<int>(module().robot->runCycle());
 }

@@ -184,7 +184,8 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
 }
 
 /// @brief Erratum 5829 of the controller: after the activation of a buffer, the program must write
-/// the code INACTIVE to buffer 0 twice. A frame that is sent without these writes causes a finding.
+/// the code INACTIVE to buffer 0 twice. If a frame is sent without these writes, this causes a
+/// finding.
 TEST_F(CanOfTheBoard, FindsAFrameWithoutTheWritesToBufferZero) {
   bringUp();
   activate(0x0C010000);
