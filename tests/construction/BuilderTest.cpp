@@ -164,7 +164,7 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The start of the robot starts the second timer. At each tick, the second timer executes
+/// @brief When the robot starts, its second timer starts too. At each tick, the second timer executes
 /// the commands of the wheels and the steering. The command of a wheel and the command of the
 /// steering each request a sample.
 /// @verifies FR-100

@@ -153,8 +153,8 @@ TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
   }
 }
 
-/// @brief No function returns a value when an argument that it needs is missing. The bounds Lowest
-/// and Highest may be missing.
+/// @brief If a necessary argument is missing, a function returns no value. The bounds Lowest and
+/// Highest may be missing.
 /// @verifies FR-52
 /// @verifies FR-120
 /// @verifies FR-125

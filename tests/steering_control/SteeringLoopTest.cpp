@@ -43,8 +43,8 @@ TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
 }
 
 /// @brief A new angle turns the steering after the motor has settled. The motor is switched on at
-/// the end of a measurement. The turn begins at the end of the first measurement that ends at least
-/// 50 ms later.
+/// the end of a measurement. At least 50 ms later, as soon as a measurement is complete, the turn
+/// begins.
 /// @verifies FR-101
 /// @verifies FR-107
 TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
@@ -197,9 +197,10 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   EXPECT_TRUE(loop.powered());
 }
 
-/// @brief When no more control cycles run, the steering motor is switched off. This happens when
-/// the first measurement of the angle is complete later than 300 ms after the last order. When the
-/// cycles begin again, the motor is switched on, and the steering continues to its angle.
+/// @brief When no more control cycles run, the steering motor is switched off. This happens as
+/// soon as more than 300 ms have passed since the last order, and a measurement of the angle is
+/// complete. When the cycles begin again, the motor is switched on, and the steering continues to
+/// its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);

@@ -17,8 +17,8 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief Passes bytes of the serial line to the decoder, in several reads. Each read except the
-/// last read ends with a zero byte or fills the decoder's storage.
+/// @brief Passes bytes of the serial line to the decoder, in several reads. Each read, except the
+/// last read, ends with a zero byte or fills the decoder's storage.
 /// @return all results of the decoder that are not Nothing
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;

@@ -613,8 +613,8 @@ TEST_F(PcConnectionTest, FR243_AStaleOrderChangesNothing) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief After a KeepAlive with an old sequence number, an order with the next number is still
-/// stale.
+/// @brief A KeepAlive with an old sequence number arrives. After it, an order with the number that
+/// follows this old number is still stale.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
   handshake();
@@ -692,8 +692,8 @@ TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
   });
 }
 
-/// @brief With and without a connection, a frame is dropped and counted if its payload is shorter
-/// than the type of the frame demands.
+/// @brief With and without a connection, a frame is dropped and counted if its payload is too short
+/// for the type of the frame.
 /// @verifies FR-45
 TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   const auto sendAll = [&] {
@@ -768,8 +768,8 @@ TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
   expectCounted(&LinkCounts::sequenceGaps, 1, [&] { send(kKeepAlive); });
 }
 
-/// @brief A frame with an old number is counted as a gap. If the next frame has the number after
-/// the newest number, no gap is counted.
+/// @brief A frame with an old number is counted as a gap. If the next frame has the number that
+/// follows the newest number, no further gap is counted.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_ALateFrameDoesNotChangeTheNewestNumber) {
   handshake();
@@ -845,9 +845,9 @@ TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   EXPECT_TRUE(port.received.empty());
 }
 
-/// @brief In a cycle, each read except the last read ends a frame or fills the storage of a frame.
-/// This limits the number of reads. The proven bound of the duration of a cycle depends on this
-/// limit.
+/// @brief In a cycle, each read, except the last read, ends a frame or fills the storage of a
+/// frame. This limits the number of reads. The proven bound of the duration of a cycle depends on
+/// this limit.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
   constexpr std::size_t kBytes = 1216;

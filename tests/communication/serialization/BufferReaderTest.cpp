@@ -173,8 +173,8 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A field that an order of the remote control does not have is read as 0. Then finish()
-/// returns false.
+/// @brief If a field is missing in the orders of the remote control, this field is read as 0. Then
+/// finish() returns false.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);

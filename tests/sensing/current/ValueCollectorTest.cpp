@@ -223,8 +223,8 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   }
 }
 
-/// @brief A zero point whose distance from the middle is more than 5 % of the range shows a broken
-/// sensor. All later samples are ignored.
+/// @brief If the distance of the zero point from the middle is more than 5 % of the range, the
+/// sensor is broken. All later samples are ignored.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
   for (const int zero : {0, 2048 - kTolerance - 1, 2048 + kTolerance + 1, 4095}) {

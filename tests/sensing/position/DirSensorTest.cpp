@@ -50,8 +50,8 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before the first 8 samples. Then the sensor writes a new angle with its
-/// time at each 8th tick, and returns true at this tick.
+/// @brief There is no angle before the first 8 samples. Then, at each 8th tick, the sensor writes
+/// a new angle with its time, and returns true.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {

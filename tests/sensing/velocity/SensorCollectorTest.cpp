@@ -154,7 +154,7 @@ TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {
   EXPECT_EQ(unclear(), 0U);
 }
 
-/// @brief The interrupt of each edge of either sensor passes the edge to the collector. The edges
+/// @brief At each edge of either sensor, the interrupt passes the edge to the collector. The edges
 /// of both sensors are acknowledged.
 /// @verifies FR-121
 /// @verifies FR-123

@@ -153,7 +153,7 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   }
 }
 
-/// @brief The last edge of a wheel that slows down is directly before or directly after a
+/// @brief When a wheel slows down, its last edge is directly before or directly after a
 /// measurement. The measured velocity is the same in both cases.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
