@@ -107,8 +107,8 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last. After
-/// such an order, a waiting cycle holds the control systems.
+/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last.
+/// After such an order, a waiting cycle holds the control systems.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_AWaitingCycleDoesNotAcknowledge) {
   data.saveSetPoints({.acknowledge = true});

@@ -177,8 +177,8 @@ TEST_F(RcBufferTest, FR55_LostEdges) {
   EXPECT_EQ(edge(false, 1700), 1200);
 }
 
-/// @brief A pulse that is much too long sets no value. This is true even when the lower 32 bits of
-/// its width are the width of a valid pulse.
+/// @brief If a pulse is much too long, it sets no value. This is true even when the lower 32 bits
+/// of its width are the width of a valid pulse.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_LineThatStaysHigh) {
   for (const std::int64_t width : {std::int64_t{21'500}, (std::int64_t{1} << 32) + 1600}) {

@@ -197,8 +197,8 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   EXPECT_TRUE(loop.powered());
 }
 
-/// @brief When no more control cycles run, the steering motor is switched off. This happens as
-/// soon as more than 300 ms have passed since the last order, and a measurement of the angle is
+/// @brief When no more control cycles run, the steering motor is switched off. This happens as soon
+/// as more than 300 ms have passed since the last order, and a measurement of the angle is
 /// complete. When the cycles begin again, the motor is switched on, and the steering continues to
 /// its angle.
 /// @verifies FR-109

@@ -359,7 +359,7 @@ TEST_F(PcConnectionTest, FR32_TheHandshakeEndsAfterOneSecond) {
   EXPECT_EQ(connection.counts().unexpected, 2);
 }
 
-/// @brief A connected PC that is silent for 1 s is disconnected. It is not disconnected earlier.
+/// @brief If a connected PC is silent for 1 s, it is disconnected. It is not disconnected earlier.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   handshake();
@@ -909,7 +909,7 @@ TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   EXPECT_EQ(sent().back()[2], 1);
 }
 
-/// @brief An object that is too large for a frame is not sent. It is counted as a dropped report.
+/// @brief If an object is too large for a frame, it is not sent. It is counted as a dropped report.
 /// @verifies FR-64
 TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
   class Large final : public Serializable {

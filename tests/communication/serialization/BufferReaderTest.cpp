@@ -109,7 +109,7 @@ TEST_F(BufferReaderTest, FR51_SignalsAreLimited) {
   EXPECT_EQ(order.setPoints().steering, Angle(-3200));
 }
 
-/// @brief A signal that changes during a read does not change the order of this read.
+/// @brief If a signal changes during a read, the order of this read does not change.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   velocitySignal(1);

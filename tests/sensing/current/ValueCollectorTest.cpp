@@ -22,7 +22,7 @@ namespace {
 constexpr int kWithin15A = 15'000 * 4096 / 33'000;  // greatest number of steps within 15 A
 constexpr int kTolerance = 4096 * 5 / 100;          // greatest number of steps within 5 %
 
-/// A timer whose ticks the test triggers.
+/// A timer. The test triggers its ticks.
 class TickTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}
@@ -374,8 +374,8 @@ class FakeSwitch final : public DigitalOutput {
   bool on = false;
 };
 
-/// @brief The fifth sample that is too high switches the driver off, before any control cycle. The
-/// test includes the whole path from the tick of the timer to the driver.
+/// @brief At the fifth sample that is too high, the driver is switched off, before any control
+/// cycle. The test includes the whole path from the tick of the timer to the driver.
 /// @verifies FR-128
 TEST(Overcurrent, FR128_SwitchesTheDriverOff) {
   FakeTimebase time;

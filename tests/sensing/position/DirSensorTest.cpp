@@ -50,8 +50,8 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before the first 8 samples. Then, at each 8th tick, the sensor writes
-/// a new angle with its time, and returns true.
+/// @brief There is no angle before the first 8 samples. Then, at each 8th tick, the sensor writes a
+/// new angle with its time, and returns true.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {
@@ -168,7 +168,7 @@ TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   }
 }
 
-/// @brief A sensor that is broken for a long time has no angle. Its measurements still end.
+/// @brief If a sensor is broken for a long time, it has no angle. Its measurements still end.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_BrokenForLong) {
   int ended = 0;

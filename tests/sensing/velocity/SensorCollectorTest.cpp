@@ -125,7 +125,7 @@ TEST_F(SensorCollectorTest, FR121_CountsEachStepHoweverSoon) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief A step that reverses the direction within 25 ms is counted as a step and as an
+/// @brief If a step reverses the direction within 25 ms, it is counted as a step and as an
 /// implausible reversal. No turning wheel can cause such a reversal. After 25 ms, a reversal is
 /// plausible.
 /// @verifies FR-123

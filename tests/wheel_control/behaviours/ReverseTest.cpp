@@ -69,8 +69,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief A cycle in which the wheel is not slow and turns against the demand sets the count of
-/// slow cycles to 0.
+/// @brief If the wheel is not slow and turns against the demand in a cycle, this cycle sets the
+/// count of slow cycles to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -155,8 +155,7 @@ TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   EXPECT_EQ(apply(5000, 0), Tension(5000));
 }
 
-/// @brief When a stop is interrupted, the rise of the voltage begins at the voltage that the stop
-/// has left.
+/// @brief When a stop is interrupted, the voltage rises from its value at the end of the stop.
 /// @verifies FR-81
 TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   apply(12000, 0);
