@@ -113,8 +113,8 @@ TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   EXPECT_FALSE(timer.pending());
 }
 
-/// @brief An order of the remote control sets one velocity for all wheels, and the angle of the
-/// steering.
+/// @brief With an order of the remote control, all wheels get the same velocity, and the steering
+/// gets its angle.
 /// @verifies FR-51
 TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   director.construct();

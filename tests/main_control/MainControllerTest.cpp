@@ -91,9 +91,8 @@ TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   EXPECT_EQ(system.applied.orderId, 77);
 }
 
-/// @brief A neutral order with an acknowledgement releases latched faults of the control systems.
-/// If an order with an acknowledgement would move a wheel, no fault is released, and the control
-/// systems are held.
+/// @brief If an order with an acknowledgement is neutral, it releases latched faults of the control
+/// systems. If it would move a wheel, no fault is released, and the control systems are held.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   SetPoints order{.acknowledge = true};
@@ -328,7 +327,7 @@ TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief Two clock pulses during a cycle count as one overrun.
+/// @brief If two clock pulses occur during a cycle, they count as one overrun.
 /// @verifies FR-4
 TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   connect();

@@ -104,7 +104,7 @@ TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   EXPECT_EQ(instants.last, Instant(1700));
 }
 
-/// @brief A stick near its centre sets the value 0.
+/// @brief When a stick is near its centre, it sets the value 0.
 /// @verifies FR-53
 TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   direction.pulse(1800);
@@ -116,8 +116,8 @@ TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   }
 }
 
-/// @brief Pulses slightly beyond the ends of the stick count as full deflection. Pulses far beyond
-/// the ends set no value.
+/// @brief If a pulse is slightly beyond an end of the stick, it counts as full deflection. If it is
+/// far beyond the end, it sets no value.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_WidthOutOfRange) {
   velocity.pulse(1500);

@@ -119,9 +119,9 @@ TYPED_TEST(Behaviour, BeginsHeldInTheModeRc) {
   EXPECT_TRUE(this->robot.report().held());
 }
 
-/// @brief Failed reads lead through the waiting states to Reconnecting. In the waiting states, the
-/// robot follows the last set-points. In Reconnecting, the robot is held. An order leads back to
-/// Working.
+/// @brief After failed reads, the robot is first in the waiting states, and then in Reconnecting.
+/// In the waiting states, the robot follows the last set-points. In Reconnecting, the robot is
+/// held. An order leads back to Working.
 TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   const auto order = this->robot.velocity(300);
   this->robot.commandByPc(order);
@@ -183,8 +183,8 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   EXPECT_FALSE(this->robot.report().orderRead());
 }
 
-/// @brief A stop order of the PC holds the robot until the PC sends a neutral order without a stop.
-/// Orders of the remote control do not end this stop.
+/// @brief When the PC orders a stop, the robot is held until the PC sends a neutral order without a
+/// stop. Orders of the remote control do not end this stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();

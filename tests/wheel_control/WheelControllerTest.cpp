@@ -56,7 +56,7 @@ TEST_F(WheelControllerTest, FR80_FR82_FR85_EachQuantityHasItsAlgorithm) {
   EXPECT_EQ(controller.applied(), Tension(1500));
 }
 
-/// @brief A change of the ordered quantity clears the memory of the controller.
+/// @brief When the ordered quantity changes, the memory of the controller is cleared.
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   for (int cycle = 0; cycle < 5; ++cycle) {

@@ -90,7 +90,8 @@ TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   EXPECT_THAT(push(decoder, {2, 1, 3, 1, 1, 9, 0}), ElementsAre(Decoded::Damaged));
 }
 
-/// @brief A frame with a body of fewer than 5 bytes counts as damaged, even if its CRC is correct.
+/// @brief If the body of a frame has fewer than 5 bytes, the frame counts as damaged, even if its
+/// CRC is correct.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_ABodyOfFewerThanFiveBytesIsDamaged) {
   for (std::size_t length = 0; length <= 2; ++length) {

@@ -188,7 +188,7 @@ TEST_F(PcConnectionTest, FR30_TheSessionIsNeverZero) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief A Confirm of the session in the newest Welcome connects the PC.
+/// @brief If a Confirm has the session number of the newest Welcome, it connects the PC.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_TheRightConfirmConnects) {
   send(kHello);
@@ -372,8 +372,8 @@ TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The end of the connection drops the newest order. After the end, this order cannot be
-/// read, even if it is not too old.
+/// @brief When the connection ends, the newest order is dropped. After the end, this order cannot
+/// be read, even if it is not too old.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   handshake();
@@ -460,7 +460,8 @@ TEST_F(PcConnectionTest, FR48_DroppedFramesDoNotKeepTheConnection) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A Hello of a connected PC ends the connection, drops the order and begins a handshake.
+/// @brief When a connected PC sends a Hello, the connection ends, the order is dropped and a
+/// handshake begins.
 /// @verifies FR-34
 TEST_F(PcConnectionTest, FR34_AHelloBeginsANewHandshake) {
   handshake();

@@ -251,9 +251,10 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   EXPECT_EQ(collector.record().sum, 0U);
 }
 
-/// @brief Five successive samples beyond 15 A switch the driver off, in both directions. The
-/// command that switches the driver off is executed in the interrupt of the fifth sample. This
-/// command is executed again in the interrupt of each following sample that is too high.
+/// @brief When five successive samples are beyond 15 A, the driver is switched off, in both
+/// directions. The command that switches the driver off is executed in the interrupt of the fifth
+/// sample. This command is executed again in the interrupt of each following sample that is too
+/// high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);
@@ -270,8 +271,8 @@ TEST_F(CurrentTest, FR128_FiveInARow) {
   }
 }
 
-/// @brief Samples beyond 15 A count in a row even if their direction alternates. A tick without a
-/// sample does not restart the count.
+/// @brief If samples are beyond 15 A, they count as samples in a row, even if their direction
+/// alternates. A tick without a sample does not restart the count.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_EitherDirectionCounts) {
   ticks(64, 2048);
@@ -285,7 +286,7 @@ TEST_F(CurrentTest, FR128_EitherDirectionCounts) {
   EXPECT_EQ(overcurrent.executions, 1);
 }
 
-/// @brief One sample within 15 A restarts the count of samples that are too high.
+/// @brief If one sample is within 15 A, the count of samples that are too high begins again.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_NotInARow) {
   ticks(64, 2048);

@@ -179,7 +179,7 @@ TEST_F(DirSensorTest, FR130_BrokenForLong) {
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A measurement with a missing sample writes no angle. The next measurement writes an
+/// @brief If a sample is missing, the measurement writes no angle. The next measurement writes an
 /// angle.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_TickWithoutSample) {

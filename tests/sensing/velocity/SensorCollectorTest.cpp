@@ -182,7 +182,8 @@ TEST(HallInterrupt, FR123_InterruptOfAnotherPinIsNoEdge) {
   EXPECT_EQ(wheel.collector.record().unclear, 0U);
 }
 
-/// @brief Two edges before one interrupt count as one edge at which both levels changed.
+/// @brief If two edges occur before one interrupt, they count as one edge at which both levels
+/// changed.
 /// @verifies FR-123
 TEST(HallInterrupt, FR123_TwoEdgesBeforeOneInterrupt) {
   TurningWheel wheel;

@@ -47,7 +47,7 @@ TEST_F(WheelOrderTest, FR93_ReadsTheCurrent) {
   EXPECT_NEAR(work.measured.current->count(), 2000, 10);
 }
 
-/// @brief A current without new samples becomes old, and is then reported as missing.
+/// @brief If a current has no new samples, it becomes old, and is then reported as missing.
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
   pass(false, kTwoAmperes);
