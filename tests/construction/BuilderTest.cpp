@@ -113,8 +113,8 @@ TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   EXPECT_FALSE(timer.pending());
 }
 
-/// @brief An order of the remote control sets one velocity for all wheels, and the angle of the
-/// steering.
+/// @brief With an order of the remote control, all wheels get the same velocity, and the steering
+/// gets its angle.
 /// @verifies FR-51
 TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   director.construct();
@@ -164,9 +164,9 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The start of the robot starts the second timer. At each tick, the second timer executes
-/// the commands of the wheels and the steering. The command of a wheel and the command of the
-/// steering each request a sample.
+/// @brief When the robot starts, its second timer starts too. At each tick, the second timer
+/// executes the commands of the wheels and the steering. The command of a wheel and the command of
+/// the steering each request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();
@@ -203,7 +203,7 @@ TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   EXPECT_EQ(direction.read()->value, Angle(-1600));
 }
 
-/// @brief A robot that receives orders only from the PC starts in the mode PC and stays in this
+/// @brief If a robot receives orders only from the PC, it starts in the mode PC and stays in this
 /// mode.
 /// @verifies FR-10
 TEST_F(BuilderTest, FR10_RobotForThePcHasOneMode) {

@@ -66,7 +66,8 @@ TEST_F(SecondTimerTest, FR100_TickWithoutCommands) {
   EXPECT_EQ(events, std::vector<std::string>{"acknowledge"});
 }
 
-/// @brief The timer accepts its maximum number of commands. One more command ends the program.
+/// @brief The timer accepts its maximum number of commands. With one more command, the program
+/// ends.
 /// @verifies FR-100
 /// @verifies FR-176
 TEST_F(SecondTimerTest, FR100_OneCommandTooMany) {

@@ -138,8 +138,8 @@ TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
   EXPECT_EQ(this->function.calculate(Pulse(1500 + 21)), 126);
 }
 
-/// @brief A pulse slightly beyond full deflection counts as full deflection. A pulse far beyond
-/// full deflection has no value.
+/// @brief If a pulse is slightly beyond full deflection, it counts as full deflection. If it is far
+/// beyond full deflection, it has no value.
 /// @verifies FR-54
 TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
   for (const std::int32_t width : {900, 999, 1000}) {
@@ -153,8 +153,8 @@ TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
   }
 }
 
-/// @brief No function returns a value when an argument that it needs is missing. The bounds Lowest
-/// and Highest may be missing.
+/// @brief If a necessary argument is missing, a function returns no value. The bounds Lowest and
+/// Highest may be missing.
 /// @verifies FR-52
 /// @verifies FR-120
 /// @verifies FR-125

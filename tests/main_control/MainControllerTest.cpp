@@ -11,7 +11,7 @@ namespace {
 using MainControllerTest = ControllerFixture;
 using Steps = std::vector<std::string>;
 
-/// @brief A clock pulse before the start runs no cycle and counts no overrun.
+/// @brief Before the start, a clock pulse begins no cycle and counts no overrun.
 /// @verifies FR-1
 TEST_F(MainControllerTest, FR1_NoCycleBeforeStart) {
   controller.clockPulse();
@@ -19,7 +19,7 @@ TEST_F(MainControllerTest, FR1_NoCycleBeforeStart) {
   EXPECT_EQ(thread.overruns(), 0U);
 }
 
-/// @brief Each clock pulse runs one cycle.
+/// @brief At each clock pulse, one cycle runs.
 /// @verifies FR-1
 TEST_F(MainControllerTest, FR1_EachClockPulseRunsOneCycle) {
   controller.start();
@@ -91,9 +91,8 @@ TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   EXPECT_EQ(system.applied.orderId, 77);
 }
 
-/// @brief A neutral order with an acknowledgement releases latched faults of the control systems.
-/// If an order with an acknowledgement would move a wheel, no fault is released, and the control
-/// systems are held.
+/// @brief If an order with an acknowledgement is neutral, it releases latched faults of the control
+/// systems. If it would move a wheel, no fault is released, and the control systems are held.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   SetPoints order{.acknowledge = true};
@@ -107,8 +106,8 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last. A
-/// waiting cycle after such an order holds the control systems.
+/// @brief A waiting cycle does not repeat the acknowledgement of the order that was read last.
+/// After such an order, a waiting cycle holds the control systems.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_AWaitingCycleDoesNotAcknowledge) {
   data.saveSetPoints({.acknowledge = true});
@@ -328,7 +327,7 @@ TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief Two clock pulses during a cycle count as one overrun.
+/// @brief If two clock pulses occur during a cycle, they count as one overrun.
 /// @verifies FR-4
 TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   connect();

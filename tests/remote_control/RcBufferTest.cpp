@@ -104,7 +104,7 @@ TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   EXPECT_EQ(instants.last, Instant(1700));
 }
 
-/// @brief A stick near its centre sets the value 0.
+/// @brief When a stick is near its centre, it sets the value 0.
 /// @verifies FR-53
 TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   direction.pulse(1800);
@@ -116,8 +116,8 @@ TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   }
 }
 
-/// @brief Pulses slightly beyond the ends of the stick count as full deflection. Pulses far beyond
-/// the ends set no value.
+/// @brief If a pulse is slightly beyond an end of the stick, it counts as full deflection. If it is
+/// far beyond the end, it sets no value.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_WidthOutOfRange) {
   velocity.pulse(1500);
@@ -177,8 +177,8 @@ TEST_F(RcBufferTest, FR55_LostEdges) {
   EXPECT_EQ(edge(false, 1700), 1200);
 }
 
-/// @brief A pulse that is much too long sets no value. This is true even when the lower 32 bits of
-/// its width are the width of a valid pulse.
+/// @brief If a pulse is much too long, it sets no value. This is true even when the lower 32 bits
+/// of its width are the width of a valid pulse.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_LineThatStaysHigh) {
   for (const std::int64_t width : {std::int64_t{21'500}, (std::int64_t{1} << 32) + 1600}) {

@@ -4,7 +4,7 @@
 
 namespace wr::test {
 
-/// @brief An edge input whose level a test sets.
+/// @brief An edge input. A test sets its level.
 class FakeEdgeInput final : public EdgeInput {
  public:
   void start() override { started = true; }

@@ -58,7 +58,7 @@ TEST(ControlThread, IsNotPostedBeforeItHasABody) {
   EXPECT_EQ(thread.overruns(), 0U);
 }
 
-/// @brief Each post to an idle thread runs the body once.
+/// @brief After each post to an idle thread, the body runs once.
 /// @verifies FR-1
 /// @verifies FR-172
 TEST(ControlThread, RunsItsBodyOncePerPost) {
@@ -73,7 +73,7 @@ TEST(ControlThread, RunsItsBodyOncePerPost) {
   EXPECT_EQ(thread.overruns(), 0U);
 }
 
-/// @brief A post while the body runs is an overrun. The body runs once more.
+/// @brief If a post occurs while the body runs, it is an overrun. The body runs once more.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
@@ -100,8 +100,8 @@ TEST(ControlThread, FR4_OnlyOnePostIsKept) {
   EXPECT_EQ(thread.overruns(), 5U);
 }
 
-/// @brief A second post before the body has begun is also an overrun. Both posts are kept: the body
-/// runs twice.
+/// @brief If a second post occurs before the body has begun, it is also an overrun. Both posts are
+/// kept: the body runs twice.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {
@@ -153,8 +153,8 @@ TEST(ControlThreadDeathTest, HasOneBody) {
   EXPECT_DEATH(thread.start(body), "assertion 3 failed");
 }
 
-/// @brief At any time of an activation, each post runs the body or counts as an overrun. After the
-/// last activation, the thread is idle again.
+/// @brief At any time of an activation, each post causes a run of the body or counts as an overrun.
+/// After the last activation, the thread is idle again.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostsAtAnyMomentAreNeverLost) {

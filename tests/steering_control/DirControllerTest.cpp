@@ -31,15 +31,15 @@ class DirControllerTest : public DirControllerFixture {
   }
 };
 
-/// @brief A steering that moves according to its steps is not stalled.
+/// @brief If the steering moves according to its steps, it is not stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
   beginTurn();
   EXPECT_EQ(turn(4, 20), SteeringState::Turning);
 }
 
-/// @brief A steering that makes half of the expected motion is not stalled. A steering that makes
-/// less than half of this motion is stalled. A step is 0.05 degrees.
+/// @brief If the steering makes half of the expected motion, it is not stalled. If it makes less
+/// than half of this motion, it is stalled. A step is 0.05 degrees.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
@@ -47,8 +47,8 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
-/// @brief A steering that makes half of the expected motion to the right is not stalled. A steering
-/// that makes less than half of this motion is stalled.
+/// @brief If the steering makes half of the expected motion to the right, it is not stalled. If it
+/// makes less than half of this motion, it is stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();
@@ -56,16 +56,16 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   EXPECT_EQ(turn(-2, -4, 25), SteeringState::Fault);
 }
 
-/// @brief A steering that moves in the wrong direction is stalled.
+/// @brief If the steering moves in the wrong direction, it is stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
   beginTurn();
   EXPECT_EQ(turn(1, -5, 25), SteeringState::Fault);
 }
 
-/// @brief Steps whose sum is less than 0.6 degrees do not show whether the steering is stalled. The
-/// observation window therefore lasts until the sum of the steps is 0.6 degrees. In this way, a
-/// stall of a slow turn is also detected.
+/// @brief If the sum of the steps is less than 0.6 degrees, it does not show whether the steering
+/// is stalled. The observation window therefore lasts until the sum of the steps is 0.6 degrees. In
+/// this way, a stall of a slow turn is also detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   static_assert(SystemConstants::instance().steeringStep() * 12 == Angle(60), "0.6 degrees");
@@ -187,8 +187,8 @@ TEST_F(DirControllerTest, FR226_BothEndStopsAreAFaultAtRest) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief During a turn, a position that differs from the steps by more than 3.00 degrees is also a
-/// fault.
+/// @brief The position differs from the steps by more than 3.00 degrees. During a turn, this is
+/// also a fault.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_ThePositionFollowsTheStepsDuringATurn) {
   beginTurn();
@@ -235,7 +235,7 @@ TEST_F(DirControllerTest, FR105_NoSlowTurnTowardsAnEnd) {
   EXPECT_EQ(state(), SteeringState::Turning);
 }
 
-/// @brief A stall that begins in the middle of a turn is detected in the next observation window.
+/// @brief If a stall begins in the middle of a turn, it is detected in the next observation window.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   beginTurn();
@@ -325,8 +325,8 @@ TEST_F(DirControllerTest, FR109_FR226_WithoutOrdersBothEndStopsAreNoFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief A release in the tick of the fault does not end the fault, because the release was sent
-/// before the fault was reported.
+/// @brief If the steering gets a release in the tick of the fault, this release does not end the
+/// fault: it was sent before the fault was reported.
 /// @verifies FR-112
 TEST_F(DirControllerTest, FR112_AReleaseOfTheTickOfTheFaultDoesNotEndIt) {
   tickOnly();

@@ -105,8 +105,8 @@ TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   EXPECT_EQ(measurements.steeringState, SteeringState::Holding);
 }
 
-/// @brief A position of the steering that is older than 150 ms is reported as missing, even if the
-/// last tick is recent.
+/// @brief If the position of the steering is older than 150 ms, it is reported as missing, even if
+/// the last tick is recent.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_AnOldPositionIsMissing) {
   const Stamped<Angle> position{Angle(250), clock.now()};
@@ -120,7 +120,7 @@ TEST_F(DirSystemTest, FR116_AnOldPositionIsMissing) {
   EXPECT_EQ(measurements.steering, std::nullopt);
 }
 
-/// @brief A position of the steering that was never measured is reported as missing.
+/// @brief If the position of the steering was never measured, it is reported as missing.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_APositionThatIsUnknownIsMissing) {
   measurements.steering = Angle(1);

@@ -130,8 +130,8 @@ TEST_F(SteeringDeviceTest, FR105_AnEndStopIsReachedWhenItsInputIsHigh) {
   EXPECT_TRUE(device.rightEnd());
 }
 
-/// @brief A motor that turns left stops immediately at the left end stop. The motor can still turn
-/// right.
+/// @brief When the motor turns left, it stops immediately at the left end stop. The motor can still
+/// turn right.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheLeftEnd) {
   reach(400);
@@ -145,8 +145,8 @@ TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheLeftEnd) {
   EXPECT_LT(device.steps(), atEnd);
 }
 
-/// @brief A motor that turns right stops immediately at the right end stop. The motor can still
-/// turn left.
+/// @brief When the motor turns right, it stops immediately at the right end stop. The motor can
+/// still turn left.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheRightEnd) {
   reach(-400);

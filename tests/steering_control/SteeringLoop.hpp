@@ -65,7 +65,7 @@ class FakeAngleInput final : public AnalogInput {
   std::optional<std::uint16_t> sample_;
 };
 
-/// @brief A timer whose ticks the test triggers.
+/// @brief A timer. The test triggers its ticks.
 class FakePeriodicTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}

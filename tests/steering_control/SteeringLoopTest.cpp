@@ -42,9 +42,9 @@ TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
       << "the tick that switches the motor on must be the first of its 50 ticks";
 }
 
-/// @brief A new angle turns the steering after the motor has settled. The motor is switched on at
-/// the end of a measurement. The turn begins at the end of the first measurement that ends at least
-/// 50 ms later.
+/// @brief When a new angle is ordered, the steering turns after the motor has settled. The motor is
+/// switched on at the end of a measurement. At least 50 ms later, as soon as a measurement is
+/// complete, the turn begins.
 /// @verifies FR-101
 /// @verifies FR-107
 TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
@@ -177,8 +177,8 @@ TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
   }
 }
 
-/// @brief An order to hold in the middle of a turn brings the steering to rest within 0.5 s, with
-/// limited acceleration. Then the steering keeps its angle with the motor on.
+/// @brief When an order to hold arrives in the middle of a turn, the steering comes to rest within
+/// 0.5 s, with limited acceleration. Then the steering keeps its angle with the motor on.
 /// @verifies FR-108
 TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   loop.follow(3000);
@@ -197,9 +197,10 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   EXPECT_TRUE(loop.powered());
 }
 
-/// @brief When no more control cycles run, the steering motor is switched off. This happens when
-/// the first measurement of the angle is complete later than 300 ms after the last order. When the
-/// cycles begin again, the motor is switched on, and the steering continues to its angle.
+/// @brief When no more control cycles run, the steering motor is switched off. This happens as soon
+/// as more than 300 ms have passed since the last order, and a measurement of the angle is
+/// complete. When the cycles begin again, the motor is switched on, and the steering continues to
+/// its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
@@ -218,9 +219,9 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   EXPECT_NEAR(plant.degrees(), 30, 0.5);
 }
 
-/// @brief A broken cable of the sensor ends the turn within 30 ms. An order to hold does not end
-/// the fault. An acknowledgement ends the fault. The next order to follow a set-point then turns
-/// the steering again.
+/// @brief When the cable of the sensor breaks, the turn ends within 30 ms. An order to hold does
+/// not end the fault. An acknowledgement ends the fault. With the next order to follow a set-point,
+/// the steering turns again.
 /// @verifies FR-110
 /// @verifies FR-112
 /// @verifies FR-113
@@ -363,8 +364,8 @@ TEST_F(SteeringLoopTest, FR111_AStuckSensorIsFoundBeforeFiveCentimetres) {
   }
 }
 
-/// @brief An end stop with a broken wire counts as reached. The steering turns only away from this
-/// end stop.
+/// @brief If the wire of an end stop is broken, the end stop counts as reached. The steering turns
+/// only away from this end stop.
 /// @verifies FR-225
 TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
   loop.control.motor.leftEnd.broken = true;

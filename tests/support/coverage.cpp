@@ -1,8 +1,8 @@
-// Records the arcs of the firmware's control-flow graphs that each test executes. The build
-// includes this file only with WR_TRACE. Each test writes one file <suite>.<test>.arcs in the
-// folder WR_TRACE_DIR. A line that does not begin with a number is the name of a counter file. The
-// lines after this name belong to this counter file. Each of these lines has the number of a
-// function that ran, and the counters of this function.
+// Records for each test the executed arcs of the firmware's control-flow graphs. The build includes
+// this file only with WR_TRACE. Each test writes one file <suite>.<test>.arcs in the folder
+// WR_TRACE_DIR. A line that does not begin with a number is the name of a counter file. The lines
+// after this name belong to this counter file. Each of these lines has the number of a function
+// that ran, and the counters of this function.
 //
 // The counters of the whole run are also written to the counter files of gcc, which other programs
 // read.

@@ -78,7 +78,7 @@ TYPED_TEST(Behaviour, CountsBadFrames) {
   EXPECT_FALSE(report.orderRead());
 }
 
-/// @brief A PC that is silent for a second is disconnected. Then the PC gets no report until it is
+/// @brief If the PC is silent for a second, it is disconnected. Then it gets no report until it is
 /// connected again.
 TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   this->robot.commandByPc();
@@ -119,9 +119,9 @@ TYPED_TEST(Behaviour, BeginsHeldInTheModeRc) {
   EXPECT_TRUE(this->robot.report().held());
 }
 
-/// @brief Failed reads lead through the waiting states to Reconnecting. In the waiting states, the
-/// robot follows the last set-points. In Reconnecting, the robot is held. An order leads back to
-/// Working.
+/// @brief After failed reads, the robot is first in the waiting states, and then in Reconnecting.
+/// In the waiting states, the robot follows the last set-points. In Reconnecting, the robot is
+/// held. An order leads back to Working.
 TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   const auto order = this->robot.velocity(300);
   this->robot.commandByPc(order);
@@ -170,7 +170,8 @@ TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   EXPECT_EQ(report.orderId, 0);
 }
 
-/// @brief Sticks in the centre order a velocity of 0. Without pulses, there is no order.
+/// @brief When the sticks are in the centre, the ordered velocity is 0. Without pulses, there is no
+/// order.
 TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.03, .steering = 0});
   this->robot.connect();
@@ -182,8 +183,8 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   EXPECT_FALSE(this->robot.report().orderRead());
 }
 
-/// @brief A stop order of the PC holds the robot until the PC sends a neutral order without a stop.
-/// Orders of the remote control do not end this stop.
+/// @brief When the PC orders a stop, the robot is held until the PC sends a neutral order without a
+/// stop. Orders of the remote control do not end this stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();
@@ -304,8 +305,8 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   EXPECT_EQ(this->robot.report().blindWheels, 1);
 }
 
-/// @brief A wheel whose current is missing is stopped. The report shows that the current is
-/// missing.
+/// @brief If the current of a wheel is missing, the wheel is stopped. The report shows that the
+/// current is missing.
 TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
   const auto order = this->robot.velocity(500);
   this->robot.commandByPc(order);

@@ -29,8 +29,8 @@ struct Devices {
   const Timebase& timebase;    ///< returns the time
   Watchdog& watchdog;          ///< is refreshed by each cycle
   const StartRecord& start;    ///< cause of the start of the firmware
-  ControlThread& mainThread;   ///< thread of a design that runs its cycles in a thread
-  ControlThread& wheelThread;  ///< thread of a design that runs its wheel in a thread
+  ControlThread& mainThread;   ///< thread for the cycles, if the design uses one
+  ControlThread& wheelThread;  ///< thread for the wheel, if the design uses one
 };
 
 }  // namespace wr

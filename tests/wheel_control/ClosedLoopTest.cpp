@@ -96,8 +96,8 @@ TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
   EXPECT_LE(greatest, 1530);
 }
 
-/// @brief The robot drives from flat ground onto a downhill slope of 10 %. In 37 cycles its
-/// wheelbase passes the beginning of the slope. In this time and after it, the velocity of the
+/// @brief The robot drives from flat ground onto a downhill slope of 10 %. The rear axle reaches
+/// the slope 37 cycles after the front axle. In these cycles and after them, the velocity of the
 /// wheel is at most 165 rpm. Then the velocity settles.
 /// @verifies FR-84
 TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
@@ -128,8 +128,8 @@ TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   }
 }
 
-/// @brief An order of 3 A accelerates a wheel without friction to more than 150 rpm. 1 s after the
-/// next order of -0.5 A, the error of the current is at most 0.1 A.
+/// @brief An order of 3 A accelerates a wheel without friction to more than 150 rpm. The next order
+/// is -0.5 A. 1 s after this order, the error of the current is at most 0.1 A.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   run(currentOf(3000), 14);
@@ -413,8 +413,8 @@ TEST(VelocityLoop, FR222_ReversalFromFullSpeedIsInTime) {
   }
 }
 
-/// @brief A wheel that is halted at 300 rpm is slower than 5 rpm 25 cycles later. It is
-/// then short-circuited.
+/// @brief A wheel turns at 300 rpm when it is halted. 25 cycles later, it is slower than 5 rpm and
+/// is short-circuited.
 /// @verifies FR-88
 TEST_F(ClosedLoopTest, FR88_HaltBringsToRest) {
   run(velocityOf(3000), 40);

@@ -53,8 +53,9 @@ TEST(CoupledWheels, FR224_LostEdgesDoNotSpeedUpTheRobot) {
   }
 }
 
-/// @brief A changed bit in any copy of the integral, of the model or of the set-point of wheel 0 is
-/// corrected. The voltage of the wheel stays within 10 % of the voltage of the other wheels.
+/// @brief If a bit changes in any copy of the integral, of the model or of the set-point of wheel
+/// 0, this bit is corrected. The voltage of the wheel stays within 10 % of the voltage of the other
+/// wheels.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_OneBitChangesNothing) {
   CoupledWheels robot;

@@ -56,7 +56,7 @@ TEST_F(WheelControllerTest, FR80_FR82_FR85_EachQuantityHasItsAlgorithm) {
   EXPECT_EQ(controller.applied(), Tension(1500));
 }
 
-/// @brief A change of the ordered quantity clears the memory of the controller.
+/// @brief When the ordered quantity changes, the memory of the controller is cleared.
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -161,7 +161,7 @@ TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief If an order interrupts a halt, the voltage rises from the voltage that the halt has left.
+/// @brief If an order interrupts a halt, the voltage rises from its value at the end of the halt.
 /// @verifies FR-81
 TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -170,7 +170,7 @@ TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   EXPECT_EQ(controller.applied(), Tension(7600 + 12000));
 }
 
-/// @brief A reversal after a halt begins at the voltage that the halt has left. The orientation
+/// @brief After a halt, a reversal begins at the voltage at the end of the halt. The orientation
 /// changes only without voltage.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
@@ -186,7 +186,7 @@ TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   EXPECT_TRUE(orientation.isOn());
 }
 
-/// @brief A wheel that does not move counts as a wheel without motion feedback after 6 V for 8
+/// @brief If a wheel does not move, it counts as a wheel without motion feedback after 6 V for 8
 /// cycles, 3 V for 15 cycles or 12 V for 4 cycles. The wheel is then stopped step by step.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
@@ -247,9 +247,9 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   }
 }
 
-/// @brief Only for an order of voltage, a voltage of up to 3.2 V is always counted fully. At
-/// 3.201 V, or for an order of current or velocity, a sixteenth is counted if the load keeps the
-/// wheel at rest.
+/// @brief If the order is a voltage order, a voltage of up to 3.2 V is always counted fully. At
+/// 3.201 V, or for an order of current or velocity, only a sixteenth is counted if the load keeps
+/// the wheel at rest.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelWithoutAVoltageOrderHasTime) {
   struct Case {
@@ -276,7 +276,7 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelWithoutAVoltageOrderHasTime) {
   }
 }
 
-/// @brief A wheel that was stopped because it has no motion feedback stays stopped until the
+/// @brief If a wheel was stopped because it has no motion feedback, it stays stopped until the
 /// release. Neither a motion nor a halt ends the stop.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
@@ -439,8 +439,8 @@ TEST_F(WheelControllerTest, FR91_PositionsContinueAtTheOtherEnd) {
   }
 }
 
-/// @brief A wheel that does not turn at 2.0 V never counts as a wheel without motion feedback. This
-/// voltage may be too low to turn a wheel. A creeping wheel counts as a moving wheel.
+/// @brief If a wheel does not turn at 2.0 V, it never counts as a wheel without motion feedback.
+/// This voltage may be too low to turn a wheel. A creeping wheel counts as a moving wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {
@@ -454,8 +454,8 @@ TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   EXPECT_FALSE(controller.blind());
 }
 
-/// @brief A wheel whose ordered velocity is 0 keeps the voltage that its load needs, without a time
-/// limit.
+/// @brief If the ordered velocity of a wheel is 0, the wheel keeps the voltage that its load needs,
+/// without a time limit.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   for (int cycle = 0; cycle < 6; ++cycle) {
@@ -617,9 +617,9 @@ TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief Two calls of driverOff() that are more than 50 ms apart belong to two cycles. The second
-/// call then switches the driver on without voltage, and the motor brakes. If the calls are at most
-/// 50 ms apart, the driver stays off.
+/// @brief If two calls of driverOff() are more than 50 ms apart, they belong to two cycles. The
+/// second call then switches the driver on without voltage, and the motor brakes. If the calls are
+/// at most 50 ms apart, the driver stays off.
 /// @verifies FR-221
 TEST_F(WheelControllerTest, FR221_CallsOfTwoCycles) {
   for (const int distance : {50, 51}) {

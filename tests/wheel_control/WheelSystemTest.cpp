@@ -179,7 +179,7 @@ TEST_F(WheelSystemTest, FR89_AcknowledgementActsOnce) {
   EXPECT_TRUE(measurements.wheels.at(kWheel).cutOff);
 }
 
-/// @brief A second start ends the program.
+/// @brief After a second start, the program ends.
 /// @verifies FR-176
 TEST_F(WheelSystemTest, SecondStartEndsTheProgram) {
   system.start();

@@ -116,7 +116,7 @@ TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A trip while the motor brakes switches the driver off until the release.
+/// @brief If a trip occurs while the motor brakes, the driver is switched off until the release.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_SecondTripKeepsTheDriverOff) {
   wheel.cutOff().execute();
@@ -157,7 +157,7 @@ TEST_F(WheelTest, FR221_TripWinsBeforeBraking) {
   EXPECT_FALSE(output.on);
 }
 
-/// @brief A release before the first stop after a trip has no effect: the current of the motor has
+/// @brief After a trip, a release has no effect before the first stop: the current of the motor has
 /// not decayed.
 /// @verifies FR-89
 /// @verifies FR-221

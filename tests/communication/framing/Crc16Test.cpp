@@ -19,7 +19,7 @@ TEST(Crc16, FR40_HasTheCheckValueOfItsAlgorithm) {
   EXPECT_EQ(crc.value(), 0x29B1);
 }
 
-/// @brief Bytes that are added in several parts have the same checksum as bytes that are added at
+/// @brief If bytes are added in several parts, their checksum is the same as if they are added at
 /// once.
 /// @verifies FR-40
 TEST(Crc16, FR40_BytesCanBeAddedInParts) {

@@ -17,8 +17,8 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief Passes bytes of the serial line to the decoder, in several reads. Each read except the
-/// last read ends with a zero byte or fills the decoder's storage.
+/// @brief Passes bytes of the serial line to the decoder, in several reads. Each read, except the
+/// last read, ends with a zero byte or fills the decoder's storage.
 /// @return all results of the decoder that are not Nothing
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
@@ -90,7 +90,8 @@ TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   EXPECT_THAT(push(decoder, {2, 1, 3, 1, 1, 9, 0}), ElementsAre(Decoded::Damaged));
 }
 
-/// @brief A frame with a body of fewer than 5 bytes counts as damaged, even if its CRC is correct.
+/// @brief If the body of a frame has fewer than 5 bytes, the frame counts as damaged, even if its
+/// CRC is correct.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_ABodyOfFewerThanFiveBytesIsDamaged) {
   for (std::size_t length = 0; length <= 2; ++length) {

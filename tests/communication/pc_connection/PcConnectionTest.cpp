@@ -188,7 +188,7 @@ TEST_F(PcConnectionTest, FR30_TheSessionIsNeverZero) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief A Confirm of the session in the newest Welcome connects the PC.
+/// @brief If a Confirm has the session number of the newest Welcome, it connects the PC.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_TheRightConfirmConnects) {
   send(kHello);
@@ -359,7 +359,7 @@ TEST_F(PcConnectionTest, FR32_TheHandshakeEndsAfterOneSecond) {
   EXPECT_EQ(connection.counts().unexpected, 2);
 }
 
-/// @brief A connected PC that is silent for 1 s is disconnected. It is not disconnected earlier.
+/// @brief If a connected PC is silent for 1 s, it is disconnected. It is not disconnected earlier.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   handshake();
@@ -372,8 +372,8 @@ TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The end of the connection drops the newest order. After the end, this order cannot be
-/// read, even if it is not too old.
+/// @brief When the connection ends, the newest order is dropped. After the end, this order cannot
+/// be read, even if it is not too old.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   handshake();
@@ -460,7 +460,8 @@ TEST_F(PcConnectionTest, FR48_DroppedFramesDoNotKeepTheConnection) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A Hello of a connected PC ends the connection, drops the order and begins a handshake.
+/// @brief When a connected PC sends a Hello, the connection ends, the order is dropped and a
+/// handshake begins.
 /// @verifies FR-34
 TEST_F(PcConnectionTest, FR34_AHelloBeginsANewHandshake) {
   handshake();
@@ -613,8 +614,8 @@ TEST_F(PcConnectionTest, FR243_AStaleOrderChangesNothing) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief After a KeepAlive with an old sequence number, an order with the next number is still
-/// stale.
+/// @brief A KeepAlive with an old sequence number arrives. After it, an order with the number that
+/// follows this old number is still stale.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
   handshake();
@@ -692,8 +693,8 @@ TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
   });
 }
 
-/// @brief With and without a connection, a frame is dropped and counted if its payload is shorter
-/// than the type of the frame demands.
+/// @brief With and without a connection, a frame is dropped and counted if its payload is too short
+/// for the type of the frame.
 /// @verifies FR-45
 TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   const auto sendAll = [&] {
@@ -768,8 +769,8 @@ TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
   expectCounted(&LinkCounts::sequenceGaps, 1, [&] { send(kKeepAlive); });
 }
 
-/// @brief A frame with an old number is counted as a gap. If the next frame has the number after
-/// the newest number, no gap is counted.
+/// @brief A frame with an old number is counted as a gap. If the next frame has the number that
+/// follows the newest number, no further gap is counted.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_ALateFrameDoesNotChangeTheNewestNumber) {
   handshake();
@@ -845,9 +846,9 @@ TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   EXPECT_TRUE(port.received.empty());
 }
 
-/// @brief In a cycle, each read except the last read ends a frame or fills the storage of a frame.
-/// This limits the number of reads. The proven bound of the duration of a cycle depends on this
-/// limit.
+/// @brief In a cycle, each read, except the last read, ends a frame or fills the storage of a
+/// frame. This limits the number of reads. The proven bound of the duration of a cycle depends on
+/// this limit.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
   constexpr std::size_t kBytes = 1216;
@@ -909,7 +910,7 @@ TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   EXPECT_EQ(sent().back()[2], 1);
 }
 
-/// @brief An object that is too large for a frame is not sent. It is counted as a dropped report.
+/// @brief If an object is too large for a frame, it is not sent. It is counted as a dropped report.
 /// @verifies FR-64
 TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
   class Large final : public Serializable {

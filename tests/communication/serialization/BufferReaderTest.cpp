@@ -109,7 +109,7 @@ TEST_F(BufferReaderTest, FR51_SignalsAreLimited) {
   EXPECT_EQ(order.setPoints().steering, Angle(-3200));
 }
 
-/// @brief A signal that changes during a read does not change the order of this read.
+/// @brief If a signal changes during a read, the order of this read does not change.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   velocitySignal(1);
@@ -173,8 +173,8 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A field that an order of the remote control does not have is read as 0. Then finish()
-/// returns false.
+/// @brief If a field is missing in the orders of the remote control, this field is read as 0. Then
+/// finish() returns false.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);

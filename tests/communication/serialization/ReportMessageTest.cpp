@@ -252,7 +252,7 @@ TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
   }
 }
 
-/// @brief A turn direction that is missing is written as 0.
+/// @brief If the turn direction is missing, 0 is written.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_AMissingTurnDirectionIsZero) {
   const Bytes bytes = written({});

@@ -53,7 +53,7 @@ TEST_F(SerialReaderTest, ReadsWhatWasSent) {
   EXPECT_FALSE(order.stop());
 }
 
-/// @brief A read that was not finished does not affect the next order.
+/// @brief If a read was not finished, the next order is not affected.
 /// @verifies FR-170
 TEST_F(SerialReaderTest, FR170_AnUnfinishedReadChangesNothing) {
   reader.readU16({FieldName::OrderId});

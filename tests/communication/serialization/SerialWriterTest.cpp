@@ -33,7 +33,7 @@ TEST(SerialWriter, BeginsAnew) {
   EXPECT_THAT(writer.bytes(), ElementsAre(0x34, 0x12));
 }
 
-/// @brief A field that ends at the last byte of the storage is written.
+/// @brief If a field ends at the last byte of the storage, the field is written.
 /// @verifies FR-64
 TEST(SerialWriter, FR64_WritesUpToTheLastByte) {
   SerialWriter writer;

@@ -33,7 +33,7 @@ TEST(Arguments, FR120_BaseHasRawAndElapsed) {
   }
 }
 
-/// @brief A time out of the range of an argument counts as the nearest time in the range.
+/// @brief If a time is outside the range of an argument, the nearest time in the range is used.
 /// @verifies FR-120
 TEST(Arguments, FR120_TimeIsLimited) {
   EXPECT_EQ(valueOf(BaseArguments(0, Microseconds(std::int64_t{kMost} + 1)), ArgumentId::Elapsed),

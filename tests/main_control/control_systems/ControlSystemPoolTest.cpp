@@ -80,7 +80,7 @@ TEST_F(ControlSystemPoolTest, FR62_PoolGathersValues) {
   EXPECT_EQ(outputs.turn, 1);
 }
 
-/// @brief Adding more systems than the capacity of the pool ends the program.
+/// @brief If more systems are added than the pool can contain, the program ends.
 /// @verifies FR-176
 TEST_F(ControlSystemPoolTest, SystemTooManyEndsTheProgram) {
   for (std::size_t i = 0; i < ControlSystemPool::kCapacity; ++i) {

@@ -22,7 +22,7 @@ namespace {
 constexpr int kWithin15A = 15'000 * 4096 / 33'000;  // greatest number of steps within 15 A
 constexpr int kTolerance = 4096 * 5 / 100;          // greatest number of steps within 5 %
 
-/// A timer whose ticks the test triggers.
+/// A timer. The test triggers its ticks.
 class TickTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}
@@ -223,8 +223,8 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   }
 }
 
-/// @brief A zero point whose distance from the middle is more than 5 % of the range shows a broken
-/// sensor. All later samples are ignored.
+/// @brief If the distance of the zero point from the middle is more than 5 % of the range, the
+/// sensor is broken. All later samples are ignored.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
   for (const int zero : {0, 2048 - kTolerance - 1, 2048 + kTolerance + 1, 4095}) {
@@ -251,9 +251,10 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   EXPECT_EQ(collector.record().sum, 0U);
 }
 
-/// @brief Five successive samples beyond 15 A switch the driver off, in both directions. The
-/// command that switches the driver off is executed in the interrupt of the fifth sample. This
-/// command is executed again in the interrupt of each following sample that is too high.
+/// @brief When five successive samples are beyond 15 A, the driver is switched off, in both
+/// directions. The command that switches the driver off is executed in the interrupt of the fifth
+/// sample. This command is executed again in the interrupt of each following sample that is too
+/// high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);
@@ -270,8 +271,8 @@ TEST_F(CurrentTest, FR128_FiveInARow) {
   }
 }
 
-/// @brief Samples beyond 15 A count in a row even if their direction alternates. A tick without a
-/// sample does not restart the count.
+/// @brief If samples are beyond 15 A, they count as samples in a row, even if their direction
+/// alternates. A tick without a sample does not restart the count.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_EitherDirectionCounts) {
   ticks(64, 2048);
@@ -285,7 +286,7 @@ TEST_F(CurrentTest, FR128_EitherDirectionCounts) {
   EXPECT_EQ(overcurrent.executions, 1);
 }
 
-/// @brief One sample within 15 A restarts the count of samples that are too high.
+/// @brief If one sample is within 15 A, the count of samples that are too high begins again.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_NotInARow) {
   ticks(64, 2048);
@@ -374,8 +375,8 @@ class FakeSwitch final : public DigitalOutput {
   bool on = false;
 };
 
-/// @brief The fifth sample that is too high switches the driver off, before any control cycle. The
-/// test includes the whole path from the tick of the timer to the driver.
+/// @brief At the fifth sample that is too high, the driver is switched off, before any control
+/// cycle. The test includes the whole path from the tick of the timer to the driver.
 /// @verifies FR-128
 TEST(Overcurrent, FR128_SwitchesTheDriverOff) {
   FakeTimebase time;

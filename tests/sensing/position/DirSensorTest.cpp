@@ -50,8 +50,8 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before the first 8 samples. Then the sensor writes a new angle with its
-/// time at each 8th tick, and returns true at this tick.
+/// @brief There is no angle before the first 8 samples. Then, at each 8th tick, the sensor writes a
+/// new angle with its time, and returns true.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {
@@ -168,7 +168,7 @@ TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   }
 }
 
-/// @brief A sensor that is broken for a long time has no angle. Its measurements still end.
+/// @brief If a sensor is broken for a long time, it has no angle. Its measurements still end.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_BrokenForLong) {
   int ended = 0;
@@ -179,7 +179,7 @@ TEST_F(DirSensorTest, FR130_BrokenForLong) {
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A measurement with a missing sample writes no angle. The next measurement writes an
+/// @brief If a sample is missing, the measurement writes no angle. The next measurement writes an
 /// angle.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_TickWithoutSample) {

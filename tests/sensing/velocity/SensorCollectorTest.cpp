@@ -125,7 +125,7 @@ TEST_F(SensorCollectorTest, FR121_CountsEachStepHoweverSoon) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief A step that reverses the direction within 25 ms is counted as a step and as an
+/// @brief If a step reverses the direction within 25 ms, it is counted as a step and as an
 /// implausible reversal. No turning wheel can cause such a reversal. After 25 ms, a reversal is
 /// plausible.
 /// @verifies FR-123
@@ -154,7 +154,7 @@ TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {
   EXPECT_EQ(unclear(), 0U);
 }
 
-/// @brief The interrupt of each edge of either sensor passes the edge to the collector. The edges
+/// @brief At each edge of either sensor, the interrupt passes the edge to the collector. The edges
 /// of both sensors are acknowledged.
 /// @verifies FR-121
 /// @verifies FR-123
@@ -182,7 +182,8 @@ TEST(HallInterrupt, FR123_InterruptOfAnotherPinIsNoEdge) {
   EXPECT_EQ(wheel.collector.record().unclear, 0U);
 }
 
-/// @brief Two edges before one interrupt count as one edge at which both levels changed.
+/// @brief If two edges occur before one interrupt, they count as one edge at which both levels
+/// changed.
 /// @verifies FR-123
 TEST(HallInterrupt, FR123_TwoEdgesBeforeOneInterrupt) {
   TurningWheel wheel;

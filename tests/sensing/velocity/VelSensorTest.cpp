@@ -109,7 +109,7 @@ TEST_F(VelSensorTest, FR120_StartsAtEachVelocity) {
   }
 }
 
-/// @brief One edge after a standstill counts as half an edge, because the wheel may have been at
+/// @brief After a standstill, one edge counts as half an edge, because the wheel may have been at
 /// rest directly before this edge.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
@@ -122,7 +122,7 @@ TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   }
 }
 
-/// @brief Two edges after a standstill count as one and a half edges.
+/// @brief After a standstill, two edges count as one and a half edges.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TwoEdgesAfterStandstill) {
   for (const int direction : {1, -1}) {
@@ -153,7 +153,7 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   }
 }
 
-/// @brief The last edge of a wheel that slows down is directly before or directly after a
+/// @brief When a wheel slows down, its last edge is directly before or directly after a
 /// measurement. The measured velocity is the same in both cases.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
@@ -325,7 +325,7 @@ TEST_F(VelSensorTest, FR220_SensorThatFailsWithinACycle) {
 }
 
 /// @brief A short disturbance on the wire of one sensor causes two implausible edges. The velocity
-/// stays valid. Two disturbances in one cycle make the velocity invalid for this cycle.
+/// stays valid. If one cycle has two disturbances, the velocity is invalid for this cycle.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   const auto disturb = [this](int times) {
@@ -349,7 +349,7 @@ TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
 }
 
 /// @brief At 30 rpm or more, in either direction, edges with alternating directions are
-/// implausible. Two disturbances in a cycle make the velocity invalid.
+/// implausible. If a cycle has two disturbances, the velocity is invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   for (const int direction : {1, -1}) {
@@ -390,8 +390,8 @@ TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
   }
 }
 
-/// @brief If the levels of both sensors change at the same time, the direction is unknown. Four of
-/// these changes in a cycle make the velocity invalid, also at rest.
+/// @brief If the levels of both sensors change at the same time, the direction is unknown. If a
+/// cycle has four of these changes, the velocity is invalid, also at rest.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   cycles(0, 3);
@@ -408,8 +408,8 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   EXPECT_NE(wheel.pipe.read()->at, wheel.time.now());
 }
 
-/// @brief While a wheel turns, simultaneous changes of both levels and reversals count together.
-/// Two such changes and two reversals in a cycle make the velocity invalid.
+/// @brief While a wheel turns, two kinds of edges are counted together: simultaneous changes of
+/// both levels, and reversals. If a cycle has two edges of each kind, the velocity is invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesAndReversalsCountTogether) {
   for (const bool unclear : {false, true}) {

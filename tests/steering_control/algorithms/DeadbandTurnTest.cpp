@@ -36,7 +36,7 @@ TEST_F(DeadbandTurnTest, FR102_AtRestItTurnsBeyondTheDeadBand) {
   EXPECT_EQ(turn(-21, kRest), kRight);
 }
 
-/// @brief A steering that turns slowly towards the target continues until it is within 0.10
+/// @brief If the steering turns slowly towards the target, it continues until it is within 0.10
 /// degrees.
 /// @verifies FR-102
 TEST_F(DeadbandTurnTest, FR102_WhileItTurnsItStopsWithinATenthOfADegree) {
@@ -45,7 +45,7 @@ TEST_F(DeadbandTurnTest, FR102_WhileItTurnsItStopsWithinATenthOfADegree) {
   EXPECT_EQ(turn(0, StepRate(1)), kRest);
 }
 
-/// @brief A steering that turns away from the target turns back only beyond the dead band.
+/// @brief If the steering turns away from the target, it turns back only beyond the dead band.
 /// @verifies FR-102
 TEST_F(DeadbandTurnTest, FR102_ItTurnsBackBeyondTheDeadBandOnly) {
   EXPECT_EQ(turn(20, StepRate(-30)), kRest);

@@ -25,7 +25,7 @@ TEST_F(SteeringPowerTest, FR106_TheMotorIsOffAfterStart) {
   EXPECT_EQ(device.steps(), 0);
 }
 
-/// @brief A motor that is switched on has its current immediately, and is ready after 50 ticks.
+/// @brief When a motor is switched on, it has its current immediately, and is ready after 50 ticks.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_TheMotorIsReadyAfter50Milliseconds) {
   device.enable();
@@ -41,7 +41,7 @@ TEST_F(SteeringPowerTest, FR107_TheMotorIsReadyAfter50Milliseconds) {
   EXPECT_EQ(device.rate(), StepRate(1));
 }
 
-/// @brief Switching on a motor that is on has no effect. The motor need not settle again.
+/// @brief If a motor is already on, switching it on has no effect. It need not settle again.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
   motor.settle();
@@ -69,7 +69,7 @@ TEST_F(SteeringPowerTest, FR113_AMotorThatIsSwitchedOffStopsAtOnce) {
   EXPECT_EQ(device.steps(), steps);
 }
 
-/// @brief Switching off a motor that is off has no effect.
+/// @brief If a motor is already off, switching it off has no effect.
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR113_AMotorThatIsOffStaysOff) {
   device.disable();
@@ -77,7 +77,7 @@ TEST_F(SteeringPowerTest, FR113_AMotorThatIsOffStaysOff) {
   EXPECT_FALSE(device.ready());
 }
 
-/// @brief A motor that is switched on again settles again. The rate of the motor is then 0,
+/// @brief When a motor is switched on again, it settles again. The rate of the motor is then 0,
 /// although the motor turned before it was switched off.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_AMotorThatWasOffSettlesAgain) {

@@ -34,8 +34,8 @@ TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief An order to follow a set-point switches the motor of the steering on, even when the
-/// steering has the right angle. The motor stays on.
+/// @brief When an order to follow a set-point arrives, the motor of the steering is switched on,
+/// even if the steering has the right angle. The motor stays on.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   for (int i = 0; i < 2; ++i) {
@@ -96,8 +96,8 @@ TEST_F(DirStateTest, FR108_HoldingStaysOnWithAnOrderToHold) {
   EXPECT_EQ(demand(), StepRate(0));
 }
 
-/// @brief An order to hold ends a turn. The demanded rate is 0, and the state Holding follows when
-/// the motor is at rest.
+/// @brief When an order to hold arrives, a turn ends. The demanded rate is 0, and the state Holding
+/// follows when the motor is at rest.
 /// @verifies FR-108
 TEST_F(DirStateTest, FR108_AnOrderToHoldEndsATurn) {
   beginTurn();
@@ -225,7 +225,7 @@ TEST_F(DirStateTest, FR110_TurningWithoutPositionIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief A steering that never had a position is in fault as soon as it is switched on.
+/// @brief If the steering never had a position, it is in fault as soon as it is switched on.
 /// @verifies FR-110
 TEST_F(DirStateTest, FR110_WithoutAnyPositionThereIsAFault) {
   follow(0);
@@ -269,7 +269,7 @@ TEST_F(DirStateTest, FR112_AFaultStays) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief An order to hold that was sent before a fault of the steering does not end the fault.
+/// @brief If an order to hold was sent before a fault of the steering, it does not end the fault.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AnOrderToHoldFromBeforeTheFaultDoesNotEndIt) {
   switchOn();

@@ -86,7 +86,7 @@ class OneWheelRobot : public SteppedRobot {
   OneWheelLine<Design>& line;
 };
 
-/// A suite of tests that both designs pass.
+/// A suite of tests for both designs.
 template <class Design>
 class OfBothDesigns : public testing::Test {
  protected:

@@ -290,7 +290,7 @@ void UsualDesign::release(const WheelMeasurements& wheel) {
   }
 }
 
-// A trip that no cycle has reported yet stays latched.
+// If no cycle has reported a trip yet, this trip stays latched.
 void UsualDesign::releaseTrip() {
   if (trip_.load() != Trip::None && trip_.load() != Trip::Tripped) {
     trip_.store(Trip::None);

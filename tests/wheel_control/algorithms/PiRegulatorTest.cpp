@@ -45,9 +45,9 @@ TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   EXPECT_EQ(regulator.regulate(0), Tension(-24000));
 }
 
-/// @brief The missing voltage is the part of the demanded voltage that was not applied. An error
-/// that the missing voltage explains is not added to the integral. An error with the opposite sign
-/// is added.
+/// @brief The missing voltage is the part of the demanded voltage that was not applied. If the
+/// missing voltage explains an error, this error is not added to the integral. An error with the
+/// opposite sign is added.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   regulator.regulate(1000);

@@ -28,9 +28,9 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief A wheel that follows the model of the algorithm gets only the voltage of a motor without
-/// load. Because velocities are rounded, the error may differ by one unit (0.1 rpm), which changes
-/// the voltage by 7 mV.
+/// @brief If a wheel follows the model of the algorithm, it gets only the voltage of a motor
+/// without load. Because velocities are rounded, the error may differ by one unit (0.1 rpm), which
+/// changes the voltage by 7 mV.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;
@@ -44,7 +44,7 @@ TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   }
 }
 
-/// @brief A wheel that is slower than the model of the algorithm gets more voltage with each cycle.
+/// @brief If a wheel is slower than the model of the algorithm, it gets more voltage in each cycle.
 /// @verifies FR-83
 /// @verifies FR-300
 TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
@@ -151,7 +151,8 @@ TEST_F(VelocityAlgorithmTest, FR224_ToleranceOfTheModel) {
   }
 }
 
-/// @brief A wheel that a load slows down draws more current. Its velocity is used immediately.
+/// @brief When a load slows a wheel down, the wheel draws more current. Its velocity is used
+/// immediately.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
   algorithm.applied(calculate(1000, 1000, 0));

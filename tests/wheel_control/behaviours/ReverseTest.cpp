@@ -33,7 +33,7 @@ TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
   EXPECT_EQ(log, (CommandLog{{"tension", 5000}, {"tension", 0}}));
 }
 
-/// @brief A demand of less than 0.1 V against the orientation counts as 0 and has no effect,
+/// @brief If a demand against the orientation is less than 0.1 V, it counts as 0 and has no effect,
 /// because noise can cause such a demand.
 /// @verifies FR-80
 /// @verifies FR-87
@@ -50,8 +50,8 @@ TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
   EXPECT_EQ(apply(100, 0), Tension(100));
 }
 
-/// @brief A demand against the orientation stops the wheel. After two slow cycles without voltage,
-/// the orientation changes, and the demand is applied.
+/// @brief When a demand is against the orientation, the wheel is stopped. After two slow cycles
+/// without voltage, the orientation changes, and the demand is applied.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_StopsThenTurns) {
   apply(4000, 900);
@@ -69,8 +69,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief A cycle in which the wheel is not slow and turns against the demand sets the count of
-/// slow cycles to 0.
+/// @brief If the wheel is not slow and turns against the demand in a cycle, this cycle sets the
+/// count of slow cycles to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -133,8 +133,8 @@ TEST_F(ReverseTest, FR87_BackToForwards) {
   EXPECT_EQ(log.back(), (CommandLog::value_type{"tension", 3000}));
 }
 
-/// @brief A demand in the present orientation ends the stop that a reversal has begun. A later
-/// reversal counts its slow cycles from 0.
+/// @brief When a demand is in the present orientation, it ends the stop that a reversal has begun.
+/// A later reversal counts its slow cycles from 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   apply(-5000, 0);
@@ -155,8 +155,7 @@ TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   EXPECT_EQ(apply(5000, 0), Tension(5000));
 }
 
-/// @brief When a stop is interrupted, the rise of the voltage begins at the voltage that the stop
-/// has left.
+/// @brief When a stop is interrupted, the voltage rises from its value at the end of the stop.
 /// @verifies FR-81
 TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   apply(12000, 0);
@@ -187,7 +186,8 @@ TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   EXPECT_EQ(apply(5000, -790), Tension(5000));
 }
 
-/// @brief A demand in the present orientation sets the count of the cycles without voltage to 0.
+/// @brief When a demand is in the present orientation, it sets the count of the cycles without
+/// voltage to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AgreementEndsTheCreep) {
   for (int cycle = 0; cycle < 10; ++cycle) {

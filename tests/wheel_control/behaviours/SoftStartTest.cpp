@@ -57,8 +57,8 @@ TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
   EXPECT_EQ(apply(24000), Tension(17000));
 }
 
-/// @brief If one SoftStart wraps another, both begin at the voltage that another behaviour has
-/// applied.
+/// @brief If one SoftStart wraps another SoftStart, both begin at the voltage that a different
+/// behaviour has applied.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_EachDecoratorBeginsAtTheVoltage) {
   SoftStart outer(static_cast<WheelBehaviour&>(softStart));

@@ -35,8 +35,8 @@ TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
   EXPECT_EQ(log, (CommandLog{{"tension", -600}, {"stop", 0}}));
 }
 
-/// @brief The voltage that resume() gets from another behaviour has no effect, because each call of
-/// apply() gets the present voltage.
+/// @brief resume() gets the voltage of another behaviour. This voltage has no effect, because each
+/// call of apply() gets the present voltage.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_StartsFromWhatItIsTold) {
   stop.resume(Tension(20000));

@@ -47,7 +47,7 @@ TEST_F(WheelOrderTest, FR93_ReadsTheCurrent) {
   EXPECT_NEAR(work.measured.current->count(), 2000, 10);
 }
 
-/// @brief A current without new samples becomes old, and is then reported as missing.
+/// @brief If a current has no new samples, it becomes old, and is then reported as missing.
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
   pass(false, kTwoAmperes);
@@ -86,7 +86,7 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief A current that is too high switches the driver off in the interrupt. In the second
+/// @brief When the current is too high, the interrupt switches the driver off. In the second
 /// control cycle after this trip, the driver is switched on again without voltage. The wheel then
 /// brakes.
 /// @verifies FR-89
@@ -166,7 +166,7 @@ TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
 }
 
 /// @brief A halt does not release the trip, even when the wheel is at rest for a long time. The
-/// order to release ends the trip.
+/// trip ends with the order to release.
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
   pass(true, kTooMuch);
@@ -234,8 +234,8 @@ TEST_F(WheelOrderTest, FR89_FR94_FR221_AcknowledgementInTheFirstCycleAfterATrip)
   EXPECT_FALSE(work.measured.cutOff);
 }
 
-/// @brief The faults of missing motion and of a late reversal continue during a halt. The order to
-/// release ends these faults.
+/// @brief The faults of missing motion and of a late reversal continue during a halt. These faults
+/// end with the order to release.
 /// @verifies FR-91
 /// @verifies FR-222
 TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {

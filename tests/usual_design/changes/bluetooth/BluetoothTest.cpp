@@ -73,7 +73,7 @@ TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
   EXPECT_FALSE(this->robot.report().stop());
 }
 
-/// @brief Bytes of the device that are not an order have no effect.
+/// @brief If bytes of the device are not an order, they have no effect.
 TYPED_TEST(BluetoothMode, PassesOverAllButOrders) {
   this->robot.commandByPc();
   for (std::uint16_t id = 2; id < 20; ++id) {
