@@ -41,8 +41,8 @@ class OrderStage {
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Writes the measurements and outputs of this cycle in place of the values of an earlier
-  /// cycle.
+  /// @brief Writes the measurements and outputs of this cycle. They replace the values of an
+  /// earlier cycle.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @isr{no}

@@ -30,8 +30,8 @@ constexpr Velocity kSlower(10);
 constexpr std::uint8_t kTooFastCycles = 3;
 
 // Limits for the fault: voltage, velocity and current do not match. The percentages cover a supply
-// of 21 to 29 V. They also cover the differences of resistance and motor constant between motors,
-// and the effect of the temperature on both.
+// of 21 to 29 V. Resistance and motor constant differ between motors, and change with the
+// temperature. The percentages also cover these differences.
 //
 // kResidual covers the offset of the current sensor, and values that change during a cycle.
 // kMaxIdleTension replaces kResidual while the voltage does not exceed kDriving, the voltage that
@@ -44,8 +44,9 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-// A value is still valid in the first cycle without a new value (FR-127). Therefore it is missing
-// for the second time in the third cycle without a new value.
+// In the first cycle without a new value, the old value is still valid (FR-127). The value is
+// missing from the second such cycle on. Therefore it is missing for the second time in the third
+// such cycle.
 constexpr std::uint8_t kMissingCycles = 2;
 
 // The current of a wheel whose voltage exceeds kDriving must change. If the measured current [mA]
@@ -160,8 +161,9 @@ WheelSupervision::Balance WheelSupervision::balanceOf(Velocity velocity, Current
 }
 
 // Checks whether the motor turns its wheel in the wrong direction. The wheel then draws less
-// current than its voltage and its velocity require. If a slope or the other wheels drag a wheel
-// against its voltage, its current matches its velocity, and this is no fault.
+// current than its voltage and its velocity require. On a slope, or when the other wheels drag a
+// wheel, this wheel can also turn in the direction opposite to its voltage. Its current then
+// matches its velocity, and this is no fault.
 bool WheelSupervision::opposes(const Balance& balance) {
   const bool forwards = balance.tension > Tension();
   const bool driven = magnitude(balance.tension) > kDriving;

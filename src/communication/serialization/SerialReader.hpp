@@ -24,8 +24,8 @@ class SerialReader final : public Reader {
   /// @brief Constructs a reader without an order and without a latched stop.
   SerialReader() = default;
 
-  /// @brief Begins the next cycle. Sets the time up to which the age of an order is measured. A
-  /// stop that was released in the previous cycle ends.
+  /// @brief Begins the next cycle. Sets the time up to which the age of an order is measured. If
+  /// the stop was released in the previous cycle, it ends now.
   /// @param clockPulse clock pulse of the present cycle
   /// @isr{no}
   /// @satisfies FR-20
