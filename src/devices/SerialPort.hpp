@@ -9,8 +9,8 @@
 namespace wr {
 
 /// @brief Port of a serial line, for sending and receiving bytes.
-/// @function Stores received bytes until the firmware reads them. Stores the bytes that the
-/// firmware writes until the port has sent these bytes.
+/// @function Stores received bytes until the firmware reads them. Stores written bytes until the
+/// port has sent them.
 /// @secret The method by which bytes are transferred between the serial line and the buffers of the
 /// port.
 class SerialPort {

@@ -139,8 +139,8 @@ class DirController final {
   /// @brief Checks whether the steering fails to follow the steps of the motor. A window of the
   /// check ends when at least 200 ms have passed and the steps amount to at least 0.6 degrees. Then
   /// the next window starts. The states call this method.
-  /// @return true if a window has ended, and the steering moved less than half of the angle of the
-  /// steps in this window
+  /// @return true if a window has ended, and in this window the steering has moved less than half
+  /// of the angle that the steps require
   /// @pre watch() was called, and the position is not lost.
   /// @isr{yes}
   /// @satisfies FR-111

@@ -58,8 +58,8 @@ class SteeringDevice final {
 
   /// @brief Sets the target rate of the motor. When the motor is switched on, its target rate is
   /// reset to 0.
-  /// @param demand rate [steps/s], positive to the left; a rate beyond the limit of the motor
-  /// counts as this limit
+  /// @param demand rate [steps/s], positive to the left; a rate beyond the limit of the motor is
+  /// reduced to this limit
   /// @isr{yes}
   /// @satisfies FR-103
   void turn(StepRate demand);

@@ -45,7 +45,7 @@ class ControlSystem {
 
   /// @brief Checks whether the system has completed the work that was ordered in a cycle.
   /// @param cycle number of the control cycle; the first cycle has the number 1
-  /// @return true if the work that was completed last is the work of this cycle.
+  /// @return true if the last completed work is the work of this cycle.
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 

@@ -32,7 +32,7 @@ class BasicMode final : public Mode {
   /// @param mCtrl controller whose data receive the set-points
   /// @pre newMessage() was true in this cycle.
   /// @post The order cannot be read again.
-  /// @errors An order that cannot be read completely does not change the set-points.
+  /// @errors If the order cannot be read completely, the set-points do not change.
   /// @satisfies FR-20
   /// @isr{no}
   void read(MainController& mCtrl) override;

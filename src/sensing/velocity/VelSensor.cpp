@@ -35,7 +35,7 @@ constexpr std::int32_t kEdgePerMicrosecond = kTurnPerMicrosecond / kEdgesPerTurn
 static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond,
               "the division must be exact");
 
-// A wheel without an edge for this time counts as being at rest.
+// If a wheel has no edge for this time, it is considered to be at rest.
 constexpr Microseconds kStandstill = milliseconds(500);
 
 // Returns the number of edges between two counts. A count can overflow. The result is correct even

@@ -4,7 +4,8 @@
 
 namespace wr {
 
-/// @brief An action on the steering that the controller orders without naming the steering device.
+/// @brief An action on the steering. The controller can order this action without naming the
+/// steering device.
 /// @function Lets the steering controller order an action that may need a speed of the motor.
 /// @secret The element of the steering on which a command acts.
 /// @role{steering-commands, Command}

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief An action on a wheel that the caller executes without naming the wheel.
+/// @brief An action on a wheel. The caller can execute this action without naming the wheel.
 ///
 /// @function Lets the controller and the behaviours of a wheel act on this wheel.
 ///
