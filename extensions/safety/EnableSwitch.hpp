@@ -20,10 +20,10 @@ namespace wr {
 /// successive pulses that order a stop are sufficient for a stop, even if the switch is in another
 /// position at the next cycle. In the position "PC" the orders of the remote control are not read.
 /// After an operator has moved the switch from "stop" through "PC" to "drive", latched faults are
-/// acknowledged by the next three orders that contain no stop. Orders that are read more than 1 s
-/// after this movement acknowledge nothing. Also latches a stop when two conditions are met for
-/// more than 2 s: the remote control moves the robot, and neither the sticks nor the switch change
-/// their pulses.
+/// acknowledged by the next three orders that contain no stop. If an order is read more than 1 s
+/// after this movement, it acknowledges nothing. Also latches a stop when two conditions are met
+/// for more than 2 s: the remote control moves the robot, and neither the sticks nor the switch
+/// change their pulses.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.
@@ -69,8 +69,8 @@ class EnableSwitch final : public ModeDecorator {
 
   /// @brief Reads the order of the remote control. After the switch has moved through the positions
   /// "stop", "PC" and "drive", latched faults are acknowledged by the next three orders that
-  /// contain no stop. Orders that are read more than 1 s after this movement acknowledge nothing.
-  /// @param mCtrl main controller that receives the set-points
+  /// contain no stop. If an order is read more than 1 s after this movement, it acknowledges
+  /// nothing. @param mCtrl main controller that receives the set-points
   /// @satisfies FR-288
   /// @isr{no}
   void read(MainController& mCtrl) override;

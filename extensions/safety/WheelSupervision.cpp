@@ -49,7 +49,7 @@ constexpr std::uint8_t kDeviatingCycles = 2;
 // such cycle.
 constexpr std::uint8_t kMissingCycles = 2;
 
-// The current of a wheel whose voltage exceeds kDriving must change. If the measured current [mA]
+// If the voltage of a wheel exceeds kDriving, its current must change. If the measured current [mA]
 // stays the same in this number of successive cycles, this is a fault.
 constexpr std::uint8_t kEqualCycles = 7;
 
@@ -84,9 +84,9 @@ Tension part(Tension tension, std::int32_t percent) {
   return magnitude(tension) * percent / kPercent;
 }
 
-// Counts the cycles in which a condition is true. Each cycle in which the condition is false
-// reduces the count by half a cycle. Returns true if the condition is true and the count has
-// reached its limit.
+// Counts the cycles in which a condition is true. If the condition is false in a cycle, the count
+// is reduced by half a cycle. Returns true if the condition is true and the count has reached its
+// limit.
 bool lasts(bool condition, std::uint8_t& halves, std::uint8_t limit) {
   const std::int32_t greatest = kHalves * limit;
   const std::int32_t counted = condition ? halves + kHalves : halves - 1;

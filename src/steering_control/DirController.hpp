@@ -118,10 +118,10 @@ class DirController final {
 
   /// @brief Checks whether the inputs of the steering contradict each other. They contradict each
   /// other if both end stops are reached. They also contradict each other if the measured position
-  /// differs by more than 3 degrees from the position that results from the steps of the motor
-  /// since the motor was switched on. In each second, the method subtracts up to 0.05 degrees from
-  /// this difference, because a push can move the motor by some steps.
-  /// The states call this method.
+  /// differs by more than 3 degrees from the computed position. The computed position results from
+  /// the steps of the motor since the motor was switched on. In each second, the method subtracts
+  /// up to 0.05 degrees from the difference, because a push can move the motor by some steps. The
+  /// states call this method.
   /// @return true if the inputs contradict each other
   /// @pre The position is not lost.
   /// @isr{yes}

@@ -103,8 +103,8 @@ class SteeringDevice final {
   /// @isr{yes}
   void changePower(SteeringPower& power);
 
-  /// @brief Switches the current of the motor on, and starts the time in which the motor settles.
-  /// The power states call this method.
+  /// @brief Switches the current of the motor on, and starts the settling time of the motor. The
+  /// power states call this method.
   /// @isr{yes}
   /// @satisfies FR-106
   /// @satisfies FR-107
@@ -117,7 +117,7 @@ class SteeringDevice final {
   void switchOff();
 
   /// @brief Returns whether the motor has settled. The power states call this method.
-  /// @return true if the time in which the motor settles has passed
+  /// @return true if the settling time of the motor has passed
   /// @isr{yes}
   /// @satisfies FR-107
   [[nodiscard]] bool settled() const;

@@ -101,7 +101,7 @@ void calibrateConverters();
 void startDevices();
 
 /// @brief Enables the interrupts of the devices and the threads.
-/// @pre All objects that the interrupt handlers call are constructed.
+/// @pre All objects of the interrupt handlers are constructed.
 /// @isr{no}
 void enableInterrupts();
 

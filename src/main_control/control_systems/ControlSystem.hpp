@@ -19,8 +19,8 @@ namespace wr {
 /// @patternapp{control-system-orders, Template Method, Main controller orders for control sub-systems}
 /// @why The main controller sends the same sequence of orders to all control systems. Each control
 /// system carries out an order in a different way.
-/// @changes The way in which one system carries out an order may change. A new order is one more
-/// step of the sequence.
+/// @changes One system may carry out an order in a different way. A new order is one more step of
+/// the sequence.
 class ControlSystem {
  public:
   ControlSystem(const ControlSystem&) = delete;

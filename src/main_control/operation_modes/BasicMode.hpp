@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief The reading mode with the steps that are the same for every source of orders.
 ///
-/// @function Reads one order from a Reader and saves the set-points of the order. Each other mode
-/// wraps a basic mode or another mode, and adds the behaviour that only its source needs.
+/// @function Reads one order from a Reader and saves the set-points of the order. The other modes
+/// wrap a basic mode or another mode. They add the behaviour that only their sources need.
 ///
 /// @secret The object into which an order of any source is read: an OrderMessage.
 ///

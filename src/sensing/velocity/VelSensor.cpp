@@ -16,7 +16,7 @@ namespace {
 // the assumed motor constant.
 constexpr Velocity kMaxVelocity{6000};
 
-// A wheel that turns at least this fast cannot come to rest within a cycle.
+// If a wheel turns at least this fast, it cannot come to rest within a cycle.
 constexpr Velocity kMoving{300};
 
 bool isMoving(Velocity velocity) {

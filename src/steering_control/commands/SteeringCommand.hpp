@@ -14,16 +14,16 @@ namespace wr {
 /// @why Switching the steering on or off, and setting its turn, need actions on several elements.
 /// The controller executes command objects. Therefore the controller does not depend on these
 /// elements.
-/// @changes The actions of a command may change. The elements on which a command acts may change. A
-/// new command may be needed.
+/// @changes The actions of a command, and the affected elements, may change. A new command may be
+/// needed.
 class SteeringCommand {
  public:
   SteeringCommand(const SteeringCommand&) = delete;
   SteeringCommand& operator=(const SteeringCommand&) = delete;
 
   /// @brief Executes the action.
-  /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left; a command that
-  /// needs no speed does not use this argument
+  /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left; this argument is
+  /// not used if the command needs no speed
   /// @isr{yes}
   virtual void execute(StepRate rate) = 0;
 
