@@ -70,7 +70,8 @@ class EnableSwitch final : public ModeDecorator {
   /// @brief Reads the order of the remote control. After the switch has moved through the positions
   /// "stop", "PC" and "drive", latched faults are acknowledged by the next three orders that
   /// contain no stop. If an order is read more than 1 s after this movement, it acknowledges
-  /// nothing. @param mCtrl main controller that receives the set-points
+  /// nothing.
+  /// @param mCtrl main controller that receives the set-points
   /// @satisfies FR-288
   /// @isr{no}
   void read(MainController& mCtrl) override;

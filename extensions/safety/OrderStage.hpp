@@ -12,7 +12,7 @@ namespace wr {
 /// @function Receives the order of each cycle in one call, and returns the measurements of the
 /// cycle.
 ///
-/// @secret The change of an order in a stage.
+/// @secret The change that a stage makes to an order.
 class OrderStage {
  public:
   OrderStage(const OrderStage&) = delete;

@@ -25,17 +25,18 @@ class ControlSystemBuilder {
   /// @isr{no}
   virtual void buildActuator() = 0;
 
-  /// @brief Builds the sensors. @pre The actuator is built. @errors If this step uses a part that
-  /// is missing, the program ends with the assertion PartMissing. If this step is called twice, the
-  /// program ends with PartBuiltTwice.
+  /// @brief Builds the sensors.
+  /// @pre The actuator is built.
+  /// @errors If this step uses a part that is missing, the program ends with the assertion
+  /// PartMissing. If this step is called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSensors() = 0;
 
   /// @brief Builds the controller.
-  /// @pre The actuator and the sensors are built. @errors If this step uses a part that is missing,
-  /// the program ends with the assertion PartMissing. If this step is called twice, the program
-  /// ends with PartBuiltTwice.
+  /// @pre The actuator and the sensors are built.
+  /// @errors If this step uses a part that is missing, the program ends with the assertion
+  /// PartMissing. If this step is called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildController() = 0;

@@ -149,8 +149,8 @@ class DirController final {
   /// @brief Returns the speed of the motor that turns the steering towards its target. The states
   /// call this method.
   /// @return speed that the algorithm computes [steps/s], -500 to 500; 0 if no order to follow a
-  /// set-point is in force, if the motor is not ready, or if the turn is towards an end stop that
-  /// is reached
+  /// set-point is in force, if the motor is not ready, or if it would turn towards a reached end
+  /// stop
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-101

@@ -44,8 +44,8 @@ class SerialReader final : public Reader {
   void latchStop();
 
   /// @brief Stores an order in place of the previous order. An order with a field out of range is
-  /// rejected and changes nothing. An accepted order releases the stop if it contains no stop and
-  /// all its wheel values are 0.
+  /// rejected and changes nothing. The stop is released if the order is accepted, contains no stop,
+  /// and has only wheel values of 0.
   /// @param payload the bytes of the order
   /// @param receivedAt time at which the last byte of its frame was received
   /// @return false when a field is out of its range

@@ -74,7 +74,8 @@ struct RcEdges {
 /// @brief Records the time of the edges of the remote control. The handler of the interrupt of
 /// these edges calls this function first. Then the handler serves the signals at which an edge
 /// occurred.
-/// @return the signals at which an edge occurred @isr{yes}
+/// @return the signals at which an edge occurred
+/// @isr{yes}
 RcEdges enterRcInterrupt();
 
 /// @brief Returns whether the first Hall sensor of any wheel has an edge that the handler of the
