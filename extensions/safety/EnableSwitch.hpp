@@ -16,10 +16,10 @@ namespace wr {
 ///
 /// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
 /// position "stop", or when its pulses are missing or out of their range (FR-285). Releases the
-/// stop when the switch is in another position and the velocity stick is not deflected. Two
-/// successive pulses that order a stop are sufficient for a stop, even if the switch is in another
-/// position at the next cycle. In the position "PC" the orders of the remote control are not read.
-/// After an operator has moved the switch from "stop" through "PC" to "drive", latched faults are
+/// stop when the switch is in another position and the velocity stick is not deflected. If two
+/// successive pulses order a stop, the stop is latched, even if the switch is in another position
+/// at the next cycle. In the position "PC" the orders of the remote control are not read. After an
+/// operator has moved the switch from "stop" through "PC" to "drive", latched faults are
 /// acknowledged by the next three orders that contain no stop. If an order is read more than 1 s
 /// after this movement, it acknowledges nothing. Also latches a stop when two conditions are met
 /// for more than 2 s: the remote control moves the robot, and neither the sticks nor the switch
