@@ -22,8 +22,8 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// turn.
   static constexpr Angle kDeadband{20};
 
-  /// @brief When the steering turns towards the target, it is stopped at this difference between
-  /// position and target. It comes to rest about one step later.
+  /// @brief Difference between position and target at which a turn ends: the motor is stopped, and
+  /// the steering comes to rest about one step later.
   static constexpr Angle kArrived{10};
 
   DeadbandTurn() = default;
