@@ -8,8 +8,8 @@ namespace wr {
 namespace {
 
 constexpr std::size_t kChunkSize = 64;
-// Greatest number of chunks in one call of read(). These chunks contain more bytes than arrive in
-// one control cycle at 115200 baud.
+// Greatest number of chunks in one call of read(). At 115200 baud, the bytes of one control cycle
+// do not fill these chunks.
 constexpr std::size_t kMaxChunks = 64;
 constexpr unsigned kDigit = 4;  // [bit] size of a hexadecimal digit
 constexpr std::size_t kCounterDigits = 8;

@@ -18,10 +18,10 @@ namespace wr {
 ///
 /// @function Extends a serial port. Adds a counter and a tag to each sent frame, between the coded
 /// bytes and the final zero byte. Drops a received frame if its tag is wrong, or if its counter is
-/// not greater than the counter of the last accepted frame. Returns all other received frames
-/// without counter and tag. Answers a dropped frame with a challenge, if the port has enough space.
-/// A challenge is a frame without counter and tag. The challenge contains the values with which an
-/// authorised sender computes its tags.
+/// not greater than the counter of the last accepted frame. Otherwise removes the counter and the
+/// tag, and returns the frame. Answers a dropped frame with a challenge, if the port has enough
+/// space. A challenge is a frame without counter and tag. The challenge contains the values with
+/// which an authorised sender computes its tags.
 ///
 /// @secret The coding of the counter and the tag of a frame, and the data from which the tag is
 /// computed: the random number of this start, the direction, the counter and the coded frame.
@@ -56,7 +56,7 @@ class SignedPort final : public SerialPort {
   /// @isr{no}
   [[nodiscard]] Instant receivedAt() const override;
 
-  /// @brief Returns the free space for bytes to send, minus the space for counter and tag.
+  /// @brief Returns the free space in the transmit buffer, minus the space for counter and tag.
   /// @return number of bytes of a coded frame that write() can accept now
   /// @isr{no}
   [[nodiscard]] std::size_t free() const override;

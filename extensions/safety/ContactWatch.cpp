@@ -24,11 +24,11 @@ void ContactWatch::sample() {
   }
 }
 
-// A tick can interrupt this function between two statements. If a tick after the first statement
-// records an opening, this call and the next call both report the opening. If the contact closes
-// after the second statement, a tick can record this closing before the third statement. The third
-// statement deletes this record. In this case the openings before and after this closing count as
-// one.
+// A tick can interrupt this function between two statements. If a tick records an opening between
+// the first and the third statement, this call and the next call both report this opening. If the
+// contact closes after the second statement, a tick can record the closing before the third
+// statement is executed. The third statement then deletes this record, and the openings before and
+// after the closing count as one opening.
 bool ContactWatch::opened() {
   const bool before = latched_.exchange(false, std::memory_order_relaxed);
   const bool open = contact_.level();

@@ -25,8 +25,8 @@ class ContactWatch final {
   ContactWatch& operator=(const ContactWatch&) = delete;
 
   /// @brief Reads the contact. Records an opening if the contact was open at three successive
-  /// ticks. An opening that the last call of opened() reported is not recorded again. The handler
-  /// of each tick calls this function.
+  /// ticks. If the last call of opened() reported an opening, the tick does not record the same
+  /// opening again. The handler of each tick calls this function.
   /// @satisfies FR-271
   /// @isr{yes}
   void sample();

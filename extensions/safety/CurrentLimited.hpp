@@ -14,8 +14,8 @@ namespace wr {
 /// voltage and the present voltage of the wheel. With this limit, no voltage raises the measured
 /// current above 12 A.
 ///
-/// @secret The greatest current that the control permits, and the computation of the limits of the
-/// voltage from this current.
+/// @secret The greatest current that the control permits, and the rule by which this current limits
+/// the voltage.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentLimited final : public WheelAlgorithm {

@@ -11,8 +11,8 @@ namespace wr {
 /// @brief The buffer of the pulses of the enable switch.
 ///
 /// @function Stores the width and the time of each valid pulse of the third channel of the remote
-/// control. When two successive pulses order a stop, also stores the width of the second pulse in a
-/// separate pipe. Later pulses that order no stop do not change the content of this pipe.
+/// control. If two successive pulses are stop orders, also stores the width of the second pulse in
+/// a separate pipe. Only such a pair of pulses changes the content of this pipe.
 ///
 /// @secret The storage of the position of the enable switch, and the number of pulses that confirm
 /// a stop.

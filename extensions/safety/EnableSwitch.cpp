@@ -17,12 +17,12 @@ constexpr Microseconds kMinDrivePulse(1750);
 
 constexpr Microseconds kLifetime = milliseconds(200);  // greatest age of a valid pulse
 
-// Number of orders that acknowledge faults after the switch has moved through the positions stop,
-// PC and drive.
+// After the switch has moved through the positions "stop", "PC" and "drive", this number of orders
+// can acknowledge faults.
 constexpr std::uint8_t kAcknowledgements = 3;
 
-// Time in which orders acknowledge faults after the switch has moved through the positions stop, PC
-// and drive. A later acknowledgement needs a new movement through these positions.
+// These orders acknowledge faults only within this time after the movement. A later acknowledgement
+// needs a new movement through these positions.
 constexpr Microseconds kAcknowledgeTime = milliseconds(1000);
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
@@ -35,7 +35,7 @@ std::int32_t deflectionOf(std::int32_t value, std::int32_t limit) {
   return (value * kFullDeflection + half) / limit;
 }
 
-// Returns whether a pulse shows the position stop of the switch.
+// Returns whether a pulse shows that the switch is in the position "stop".
 bool showsStop(Microseconds width) {
   return width >= EnableSwitch::kShortestPulse && width < EnableSwitch::kMinNoStopPulse;
 }
@@ -113,10 +113,11 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed_.has_value();
 }
 
-// Records the progress of the switch through the positions stop, PC and drive. Only an operator
-// moves the switch through the position PC: when the radio link returns, the output of the receiver
-// changes directly from stop to drive. The sequence ends when pulses are missing or out of their
-// range, because such pulses do not show the position stop.
+// Records the progress of the switch through the positions "stop", "PC" and "drive". Only an
+// operator moves the switch through the position "PC": when the radio link returns, the output of
+// the receiver changes directly from "stop" to "drive". Missing pulses and pulses out of their
+// range also stop the robot, but they do not show that the switch is in the position "stop".
+// Therefore they end the sequence.
 void EnableSwitch::advanceSequence(Instant now) {
   const std::optional<Stamped<Microseconds>> pulse = signals_.enable.read();
   if (now - drivenAt_ > kAcknowledgeTime) {

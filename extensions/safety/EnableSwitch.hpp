@@ -16,13 +16,14 @@ namespace wr {
 ///
 /// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
 /// position "stop", or when its pulses are missing or out of their range (FR-285). Releases the
-/// stop when the switch is in another position and the velocity stick is not deflected. Two
-/// successive pulses that order a stop are sufficient for a stop, even if the switch is in another
-/// position at the next cycle. In the position "PC" the orders of the remote control are not read.
-/// After an operator has moved the switch from stop through PC to drive, the next three orders
-/// without a stop acknowledge latched faults. Orders that are read more than 1 s after this
-/// movement acknowledge nothing. Also latches a stop when two conditions are met for more than 2 s:
-/// the remote control moves the robot, and neither the sticks nor the switch change their pulses.
+/// stop when the switch is in another position and the velocity stick is not deflected. If two
+/// successive pulses order a stop, the stop is latched, even if the switch is in another position
+/// at the next cycle. In the position "PC" the orders of the remote control are not read. After an
+/// operator has moved the switch from "stop" through "PC" to "drive", latched faults are
+/// acknowledged by the next three orders that contain no stop. If an order is read more than 1 s
+/// after this movement, it acknowledges nothing. Also latches a stop when two conditions are met
+/// for more than 2 s: the remote control moves the robot, and neither the sticks nor the switch
+/// change their pulses.
 ///
 /// @secret The orders that each position of the enable switch permits, and the moment when a stop
 /// by this switch ends.
@@ -67,14 +68,15 @@ class EnableSwitch final : public ModeDecorator {
   [[nodiscard]] bool newMessage() const override;
 
   /// @brief Reads the order of the remote control. After the switch has moved through the positions
-  /// stop, PC and drive, the next three orders without a stop acknowledge latched faults. Orders
-  /// that are read more than 1 s after this movement acknowledge nothing.
+  /// "stop", "PC" and "drive", latched faults are acknowledged by the next three orders that
+  /// contain no stop. If an order is read more than 1 s after this movement, it acknowledges
+  /// nothing.
   /// @param mCtrl main controller that receives the set-points
   /// @satisfies FR-288
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect. The mode that wraps this object changes the reading mode.
+  /// @brief Has no effect: only the outer mode, which wraps this object, changes the reading mode.
   /// @param mCtrl main controller whose reading mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
@@ -88,14 +90,14 @@ class EnableSwitch final : public ModeDecorator {
 
  private:
   enum class Position : std::uint8_t { Stop, Pc, Drive };
-  // Progress of the switch through the positions stop, PC and drive. The complete sequence
+  // Progress of the switch through the positions "stop", "PC" and "drive". The complete sequence
   // acknowledges faults.
   enum class Sequence : std::uint8_t { None, Stopped, Passed };
 
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
   void takePosition(Instant now);
   [[nodiscard]] bool stopConfirmed();
-  /// @brief Records the progress of the switch through the positions stop, PC and drive.
+  /// @brief Records the progress of the switch through the positions "stop", "PC" and "drive".
   /// @param now present time
   /// @satisfies FR-288
   void advanceSequence(Instant now);
@@ -110,7 +112,7 @@ class EnableSwitch final : public ModeDecorator {
   std::optional<Microseconds> confirmed_;
   Sequence sequence_ = Sequence::None;
   Instant drivenAt_{};                 // time at which the sequence was complete
-  std::uint8_t acknowledgements_ = 0;  // number of following orders that acknowledge faults
+  std::uint8_t acknowledgements_ = 0;  // number of orders that may still acknowledge faults
   bool stopped_ = true;
 };
 

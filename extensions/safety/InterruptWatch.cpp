@@ -10,9 +10,8 @@ namespace {
 // degree.
 constexpr Microseconds kLatestTick = milliseconds(20);
 
-// If Hall edges wait at this number of successive ticks, their interrupt counts as not served.
-// Edges that wait at fewer successive ticks are no fault, because new edges can arrive just before
-// a tick.
+// If a Hall edge waits at each of this number of successive ticks, the processor does not serve its
+// interrupt. A shorter wait is no fault, because a new edge can arrive just before a tick.
 constexpr std::uint8_t kWaitingTicks = 5;
 
 }  // namespace

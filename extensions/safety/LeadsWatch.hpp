@@ -15,8 +15,8 @@ namespace wr {
 /// sensor. Detects leads that are swapped after the model was learned: the sign of the induced
 /// voltage then changes from one cycle to the next.
 ///
-/// @secret The rule by which the model of a motor is learned, and the contradiction between
-/// measurements and model that shows swapped leads.
+/// @secret The rule by which the model of a motor is learned, and the rule by which swapped leads
+/// are detected.
 class LeadsWatch final {
  public:
   /// @brief Constructs the supervision with the model of the nominal motor.

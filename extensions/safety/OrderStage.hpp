@@ -12,7 +12,7 @@ namespace wr {
 /// @function Receives the order of each cycle in one call, and returns the measurements of the
 /// cycle.
 ///
-/// @secret The change of an order in a stage.
+/// @secret The change that a stage makes to an order.
 class OrderStage {
  public:
   OrderStage(const OrderStage&) = delete;
@@ -41,8 +41,8 @@ class OrderStage {
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Writes the measurements and outputs of this cycle in place of the values of an earlier
-  /// cycle.
+  /// @brief Writes the measurements and outputs of this cycle. They replace the values of an
+  /// earlier cycle.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @isr{no}

@@ -8,16 +8,16 @@ namespace wr {
 /// @brief A mode that keeps a stop order of its source in force after a reset.
 ///
 /// @function When a stop begins or ends, stores this change in a memory that a reset does not
-/// clear. A stop that was in force before a reset stays in force until the source sends neutral
+/// clear. If a stop was in force before a reset, it stays in force until the source sends neutral
 /// set-points without a stop.
 ///
-/// @secret The event that ends a stop that was stored before a reset.
+/// @secret The event that ends a stored stop after a reset.
 ///
 /// @role{mode-extensions, Concrete Decorator}
 class PersistentStop final : public ModeDecorator {
  public:
-  /// @brief Reads from the memory whether a stop was in force before the reset. A stop that was in
-  /// force stays in force.
+  /// @brief Reads from the memory whether a stop was in force before the reset. If it was in force,
+  /// it stays in force.
   /// @param wrapped the mode that this mode wraps
   /// @param memory memory of the stop; a reset does not clear this memory
   PersistentStop(Mode& wrapped, StopMemory& memory);
@@ -27,14 +27,14 @@ class PersistentStop final : public ModeDecorator {
   /// @isr{no}
   void serve() override;
 
-  /// @brief Reads an order. A neutral order without a stop ends a stop that was stored before the
-  /// reset.
+  /// @brief Reads an order. If the order is neutral and contains no stop, it ends the stop that was
+  /// stored before the reset.
   /// @param mCtrl main controller that receives the set-points
   /// @satisfies FR-290
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect. The mode that wraps this object changes the reading mode.
+  /// @brief Has no effect: only the outer mode, which wraps this object, changes the reading mode.
   /// @param mCtrl main controller whose reading mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

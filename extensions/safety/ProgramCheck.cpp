@@ -16,9 +16,9 @@ constexpr std::size_t kMaxWords = std::size_t{64} * 1024 / sizeof(ProgramCheck::
 // Time in which a changed bit is found.
 constexpr Microseconds kTimeToFind = milliseconds(300);
 
-// Number of steps for the sum of the whole program. Each tick permits one step. A bit that changes
-// after its word was added to the present sum is found only by the next sum. Therefore two sums
-// must fit into kTimeToFind. One tick of each sum is a reserve.
+// Number of steps for the sum of the whole program. Each tick permits one step. If a bit changes
+// after its word was added to the present sum, only the next sum shows this change. Therefore two
+// sums must fit into kTimeToFind. One tick of each sum is a reserve.
 constexpr std::size_t kStepsOfSum =
     kTimeToFind.count() / (2 * SystemConstants::instance().tickPeriod().count()) - 1;
 

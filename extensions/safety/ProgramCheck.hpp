@@ -43,7 +43,7 @@ class ProgramCheck final {
 
   /// @brief Adds the next words in RAM to the sum, at most once in each tick. In the first pass,
   /// also adds up the original words in the flash. Compares the two sums at the end of each pass.
-  /// The loop that waits for interrupts calls this function after each interrupt.
+  /// The idle program calls this function after each interrupt.
   /// @errors If the two sums differ, the program ends with the assertion ProgramChanged.
   /// @satisfies FR-309
   /// @isr{no}

@@ -48,8 +48,9 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  // The acknowledgement releases only a stop that a report has already shown. No report has shown
-  // an opening of the contact after the last cycle. Therefore such an opening latches a new stop.
+  // The acknowledgement releases only a stop that a report has already shown. If the contact has
+  // opened after the last cycle, no report has shown this opening yet. Therefore this opening
+  // latches a new stop.
   examineContact();
 }
 

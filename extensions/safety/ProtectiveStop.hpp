@@ -74,8 +74,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   void examineContact();
   /// @brief Compares the wheels with each other while they follow set-points.
   /// @param measurements measurements of the cycle
-  /// @param following true while the wheels follow set-points; false clears the records of the
-  /// comparison
+  /// @param following true while the wheels follow set-points; if it is false, the records of the
+  /// comparison are cleared
   /// @satisfies FR-297
   /// @satisfies FR-298
   void compareWheels(const Measurements& measurements, bool following);

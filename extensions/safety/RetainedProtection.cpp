@@ -6,8 +6,8 @@ namespace wr {
 
 namespace {
 
-// Bit pattern of valid content. Memory in which all bits are 0 or all bits are 1 does not contain
-// this pattern.
+// Bit pattern of valid content. If all bits of the memory are 0, or all bits are 1, the memory does
+// not contain this pattern.
 constexpr std::uint32_t kRetainedMark = 0x96C3'0000;
 constexpr std::uint32_t kMarkBits = 0xFFFF'0000;
 constexpr std::uint32_t kByte = 0xFF;

@@ -4,8 +4,8 @@ namespace wr {
 
 namespace {
 
-// The two values differ in all bits. Memory in which all bits are 0 or all bits are 1 contains
-// neither value.
+// The two values differ in all bits. If all bits of the memory are 0, or all bits are 1, the memory
+// contains neither value.
 constexpr std::uint32_t kStopped = 0x5AC3'3C69;
 constexpr std::uint32_t kReleased = 0xA53C'C396;
 

@@ -13,7 +13,7 @@ namespace wr {
 /// @function Receives the order of a cycle in several calls, and passes it to the first stage in
 /// one call. There are three orders: follow set-points, stand still, or acknowledge faults.
 ///
-/// @secret The rule by which the calls that form one order are combined into one call.
+/// @secret The rule by which the calls of one order are combined into one call.
 ///
 /// @role{control-system-orders, Concrete Class}
 class SafeSystem final : public ControlSystem {

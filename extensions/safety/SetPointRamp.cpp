@@ -11,7 +11,7 @@ namespace wr {
 namespace {
 
 // At 0.5 m/s^2 the velocity changes by 0.05 m/s in a cycle of 0.1 s. At 300 rpm of the motor shaft
-// the robot drives 0.85 m/s.
+// the robot drives at 0.85 m/s.
 constexpr std::int32_t kMaxChangePerCycle = 176;  // [0.1 rpm] in a cycle
 
 // Towards 0 a voltage falls by at most 2.4 V per cycle. The class Stop uses the same limit when it
@@ -61,8 +61,8 @@ std::int32_t unloadedVelocity(Tension tension) {
 }
 
 // Returns the ordered voltage, limited to the permitted change in this cycle. A change away from 0
-// is at most kMaxRisePerCycle. A change towards 0 is at most kMaxFallPerCycle, even if it continues
-// beyond 0. Beyond 0 the voltage is at most kMaxRisePerCycle.
+// is at most kMaxRisePerCycle. A change towards 0 is at most kMaxFallPerCycle, and can change the
+// sign of the voltage. The magnitude of the voltage is then at most kMaxRisePerCycle.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
       std::min(applied + kMaxFallPerCycle, std::max(applied, Tension()) + kMaxRisePerCycle);
@@ -148,8 +148,9 @@ void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t 
   share_ = std::clamp(share_ + (fast ? -kScaleFall : kScaleRise), kMinScale, kFullScale);
 }
 
-// Multiplies all velocities by most / greatest and by share_, and other set-points only by share_.
-// Therefore the ratio of the velocities does not change, and the robot stays on its circle.
+// Multiplies all velocities by `share_` and by the quotient `most / greatest`. Multiplies the other
+// set-points only by `share_`. Therefore the ratio of the velocities does not change, and the robot
+// stays on its circle.
 void SetPointRamp::limit(SetPoints& setPoints, std::int32_t most) const {
   std::int32_t greatest = most;
   for (const WheelSetPoint& setPoint : setPoints.wheels) {

@@ -20,7 +20,7 @@ namespace wr {
 /// factor lowers the set-points of all wheels.
 ///
 /// @secret The greatest change of a set-point in a cycle, the greatest velocity in a curve, and the
-/// rule by which a robot that is too fast slows down.
+/// rule by which the robot slows down when it is too fast.
 class SetPointRamp final : public OrderStageDecorator {
  public:
   /// @param wrapped stage that receives the limited set-points

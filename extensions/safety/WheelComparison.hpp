@@ -14,8 +14,8 @@ namespace wr {
 ///
 /// @function Counts the Hall edges of each wheel until the robot has driven 0.057 m, then compares
 /// the counts. The mean distance is the mean of the two middle distances of the four wheels. Finds
-/// a wheel that has moved at most half of the mean distance in two successive comparisons. Finds a
-/// wheel whose current is too high for too long.
+/// a wheel whose distance was at most half of the mean distance in each of two successive
+/// comparisons. Finds a wheel whose current is too high for too long.
 ///
 /// @secret The permitted difference between the wheels of one robot, and the distance and the time
 /// of a comparison.

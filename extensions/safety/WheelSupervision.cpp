@@ -30,8 +30,8 @@ constexpr Velocity kSlower(10);
 constexpr std::uint8_t kTooFastCycles = 3;
 
 // Limits for the fault: voltage, velocity and current do not match. The percentages cover a supply
-// of 21 to 29 V. They also cover the differences of resistance and motor constant between motors,
-// and the effect of the temperature on both.
+// of 21 to 29 V. Resistance and motor constant differ between motors, and change with the
+// temperature. The percentages also cover these differences.
 //
 // kResidual covers the offset of the current sensor, and values that change during a cycle.
 // kMaxIdleTension replaces kResidual while the voltage does not exceed kDriving, the voltage that
@@ -44,11 +44,12 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-// A value is still valid in the first cycle without a new value (FR-127). Therefore it is missing
-// for the second time in the third cycle without a new value.
+// In the first cycle without a new value, the old value is still valid (FR-127). The value is
+// missing from the second such cycle on. Therefore it is missing for the second time in the third
+// such cycle.
 constexpr std::uint8_t kMissingCycles = 2;
 
-// The current of a wheel whose voltage exceeds kDriving must change. If the measured current [mA]
+// If the voltage of a wheel exceeds kDriving, its current must change. If the measured current [mA]
 // stays the same in this number of successive cycles, this is a fault.
 constexpr std::uint8_t kEqualCycles = 7;
 
@@ -83,9 +84,9 @@ Tension part(Tension tension, std::int32_t percent) {
   return magnitude(tension) * percent / kPercent;
 }
 
-// Counts the cycles in which a condition is true. Each cycle in which the condition is false
-// reduces the count by half a cycle. Returns true if the condition is true and the count has
-// reached its limit.
+// Counts the cycles in which a condition is true. If the condition is false in a cycle, the count
+// is reduced by half a cycle. Returns true if the condition is true and the count has reached its
+// limit.
 bool lasts(bool condition, std::uint8_t& halves, std::uint8_t limit) {
   const std::int32_t greatest = kHalves * limit;
   const std::int32_t counted = condition ? halves + kHalves : halves - 1;
@@ -160,8 +161,9 @@ WheelSupervision::Balance WheelSupervision::balanceOf(Velocity velocity, Current
 }
 
 // Checks whether the motor turns its wheel in the wrong direction. The wheel then draws less
-// current than its voltage and its velocity require. If a slope or the other wheels drag a wheel
-// against its voltage, its current matches its velocity, and this is no fault.
+// current than its voltage and its velocity require. On a slope, or when the other wheels drag a
+// wheel, this wheel can also turn in the direction opposite to its voltage. Its current then
+// matches its velocity, and this is no fault.
 bool WheelSupervision::opposes(const Balance& balance) {
   const bool forwards = balance.tension > Tension();
   const bool driven = magnitude(balance.tension) > kDriving;

@@ -115,8 +115,8 @@ void CanPort::serve() {
   }
 }
 
-// The read of the control word locks the buffer, and the read of the timer unlocks the buffer. A
-// frame that arrives between these reads waits. When the buffer is unlocked, this frame is moved
+// Reading the control word locks the buffer, and reading the timer unlocks the buffer. If a frame
+// arrives between these two accesses, it waits. When the buffer is unlocked, this frame is moved
 // into the buffer and sets the flag. Therefore the flag is cleared before the buffer is unlocked.
 // The code BUSY shows that the controller is just moving a frame into the buffer.
 void CanPort::receive() {

@@ -27,7 +27,7 @@ class ControlSystemBuilder {
 
   /// @brief Builds the sensors.
   /// @pre The actuator is built.
-  /// @errors If a part that this step uses is missing, the program ends with the assertion
+  /// @errors If this step uses a part that is missing, the program ends with the assertion
   /// PartMissing. If this step is called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
@@ -35,7 +35,7 @@ class ControlSystemBuilder {
 
   /// @brief Builds the controller.
   /// @pre The actuator and the sensors are built.
-  /// @errors If a part that this step uses is missing, the program ends with the assertion
+  /// @errors If this step uses a part that is missing, the program ends with the assertion
   /// PartMissing. If this step is called twice, the program ends with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}

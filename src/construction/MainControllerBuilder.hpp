@@ -50,9 +50,9 @@ namespace wr {
 ///
 /// @function Builds and connects the link to the PC, the remote control, the reading modes, the
 /// operation states, the controller and the timer of its cycles. A product calls one build step for
-/// each of these parts. The steps are declared in the sequence in which they are called. A product
-/// that does not need a part omits the step of this part. An extension can build the reading modes
-/// and the operation states itself.
+/// each of these parts. The steps are declared in the sequence in which they are called. If a
+/// product does not need a part, it omits the step of this part. An extension can build the reading
+/// modes and the operation states itself.
 ///
 /// @secret The parts of the main controller, the references between these parts, and their storage.
 ///
@@ -127,8 +127,8 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildModes();
 
-  /// @brief Builds the reading mode PC for a product without other modes. A change of the mode
-  /// leads from PC to PC, because there is no other mode.
+  /// @brief Builds the reading mode PC for a product without other modes. A change of the mode sets
+  /// the mode PC again, because there is no other mode.
   /// @pre The link is built.
   /// @errors If a part is missing, the program ends with the assertion PartMissing. If modes are
   /// already built, the program ends with PartBuiltTwice.

@@ -9,7 +9,7 @@
 namespace wr {
 
 /// @brief Port of a serial line, for sending and receiving bytes.
-/// @function Stores received bytes until the firmware reads them. Stores bytes to send until the
+/// @function Stores received bytes until the firmware reads them. Stores written bytes until the
 /// port has sent them.
 /// @secret The method by which bytes are transferred between the serial line and the buffers of the
 /// port.
@@ -35,7 +35,7 @@ class SerialPort {
   /// @satisfies FR-33
   [[nodiscard]] virtual Instant receivedAt() const = 0;
 
-  /// @brief Returns the free space in the buffer for bytes to send.
+  /// @brief Returns the free space in the transmit buffer.
   /// @return number of bytes that write() can accept now
   /// @isr{no}
   /// @satisfies FR-64

@@ -61,7 +61,7 @@ class K64Board {
   /// @satisfies FR-206
   static void enableGuards();
 
-  /// @brief Sets the vector table that the core uses in place of the table in flash.
+  /// @brief Sets the vector table. The core then uses this table instead of the table in flash.
   /// @param table first word of the new vector table. The address of the table is a multiple of the
   /// next power of two above the size of the table [byte]
   /// @isr{no}

@@ -18,7 +18,7 @@ class K64Pit final : public PeriodicTimer {
   /// @param channel the channel; no other object may use it
   explicit constexpr K64Pit(Channel channel) : channel_(channel) {}
 
-  /// @brief Switches the timer on. Channels that already run continue.
+  /// @brief Switches the timer on. If a channel already runs, it continues.
   /// @pre The clock gates of the timers are open: K64Board::openGates() was called.
   /// @isr{no}
   /// @satisfies FR-1

@@ -36,7 +36,7 @@ class K64Port final : public EdgeInput {
   /// @isr{yes}
   [[nodiscard]] bool acknowledge() override;
 
-  /// @brief Returns whether an edge has occurred that is not acknowledged yet.
+  /// @brief Returns whether an edge has occurred and is not acknowledged yet.
   /// @return true when acknowledge() would return true
   /// @satisfies FR-200
   /// @isr{yes}

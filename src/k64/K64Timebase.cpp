@@ -41,9 +41,9 @@ std::uint32_t K64Timebase::awakeCycles() const {
   return dwt::CYCCNT.read().value - sleptCycles_;
 }
 
-// The interrupts are blocked during the sleep and until the counter has been read. Thus the
-// handler of the interrupt that ends the sleep runs later, and the processor cycles of this handler
-// do not count as sleep.
+// The interrupts are blocked during the sleep and until the counter has been read. When an
+// interrupt ends the sleep, its handler runs only after this reading. Thus the processor cycles of
+// the handler do not count as sleep.
 void K64Timebase::sleep() {
   closeInterrupts();
   const std::uint32_t before = dwt::CYCCNT.read().value;
@@ -57,7 +57,7 @@ Instant K64Timebase::now() const {
   std::uint32_t count = pit::CVAL.at(kChannel).read().value;
   if ((pit::TFLG.at(kChannel).read() & pit::TFLG_TIF).any()) {
     pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
-    // The counter is read again, because the first value may be from before the overflow.
+    // The counter is read again, because the first value may have been read before the overflow.
     count = pit::CVAL.at(kChannel).read().value;
     begin_ = begin_.afterPeriod();
   }

@@ -79,9 +79,9 @@ void K64Uart::receive() {
     if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
       break;
     }
-    // A read of the status and then of the byte clears the error flags. After an overrun the port
-    // receives nothing until these flags are cleared. Therefore the byte is read here even if it
-    // was already read before.
+    // The error flags are cleared by two reads: first of the status, then of the byte. After an
+    // overrun the port receives nothing until these flags are cleared. Therefore the byte is read
+    // here even if it was already read before.
     if ((status & uart::S1_FE).any()) {
       // After a wrong stop bit the receiver receives nothing until the flag is cleared. Therefore
       // the byte with this stop bit is the last byte in the FIFO.

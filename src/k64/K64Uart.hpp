@@ -28,7 +28,7 @@ class K64Uart final : public SerialPort {
   /// control cycle. The buffer also stores the bytes that arrive while a cycle is late.
   static constexpr std::size_t kReceiveBytes = 2048;
 
-  /// @brief Size of the buffer of bytes to send [bytes].
+  /// @brief Size of the transmit buffer [bytes].
   static constexpr std::size_t kSendBytes = 512;
 
   /// @brief A serial port that the firmware uses.

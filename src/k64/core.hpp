@@ -39,8 +39,8 @@ inline void finishInstructions() {
   asm volatile("dsb\n\tisb" ::: "memory");
 }
 
-/// @brief Sleeps until an interrupt is requested. An interrupt that closeInterrupts() blocks ends
-/// the sleep too.
+/// @brief Sleeps until an interrupt is requested. The sleep also ends if closeInterrupts() blocks
+/// this interrupt.
 inline void sleepUntilInterrupt() {
   asm volatile("dsb\n\twfi" ::: "memory");
 }

@@ -3,7 +3,7 @@
 // The registers of the microcontroller MK64FN1M0VLL12 that the firmware uses. Each peripheral has
 // its own namespace. The names of its registers and bits are the names in the reference manual
 // (K64P144M120SF5RM). The names of the core's registers are the names in the ARMv7-M architecture
-// manual. Bits that the firmware does not use have no name.
+// manual. If the firmware does not use a bit, this bit has no name.
 
 #include <cstdint>
 

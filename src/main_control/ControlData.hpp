@@ -56,7 +56,7 @@ class ControlData {
   /// @isr{no}
   void saveModeId(ModeId source);
 
-  /// @brief Records the set-points. Their source is the source that saveModeId() recorded last.
+  /// @brief Records the set-points. The last call of saveModeId() has recorded their source.
   /// @param setPoints set-points of the control systems
   /// @satisfies FR-19
   /// @satisfies FR-305

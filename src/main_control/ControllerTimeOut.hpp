@@ -18,8 +18,8 @@ class MainController;
 /// @patternapp{cycle-timer-interrupt, Command, Process timer interruptions for the main controller}
 /// @why A timer interrupt starts each control cycle. The timer executes a command object.
 /// Therefore the timer names no module that reacts to the interrupt.
-/// @changes The actions at the beginning of a cycle may change. The modules that these actions
-/// affect may change. The timer does not change.
+/// @changes The actions at the beginning of a cycle, and the affected modules, may change. The
+/// timer does not change.
 class ControllerTimeOut final : public Command {
  public:
   /// @param mCtrl controller that receives the clock pulses

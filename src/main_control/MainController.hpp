@@ -62,9 +62,9 @@ class MainController {
   void start();
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
-  /// @errors Before start() the pulse has no effect. A pulse that occurs before the previous cycle
-  /// has ended counts as an overrun. After the previous cycle has ended, only one more cycle runs,
-  /// even if several pulses occurred before this end.
+  /// @errors Before start() the pulse has no effect. If a pulse occurs before the previous cycle
+  /// has ended, this is an overrun. Even if several pulses occur before the previous cycle has
+  /// ended, only one more cycle runs after this cycle.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
@@ -133,7 +133,7 @@ class MainController {
 
   /// @brief Sends the report of this cycle to the PC.
   /// @param state operation state to report
-  /// @errors A report that the link cannot send is dropped. The link counts the dropped reports.
+  /// @errors If the link cannot send the report, it drops and counts the report.
   /// @satisfies FR-4
   /// @satisfies FR-5
   /// @satisfies FR-60

@@ -54,9 +54,9 @@ class Pipe {
     return value != nullptr ? std::optional(*value) : std::nullopt;
   }
 
-  /// @brief Returns the address of the newest value. A reader that needs only a part of the value
-  /// thus avoids a copy of the whole value. The address is valid until the next call of this method
-  /// or of read().
+  /// @brief Returns the address of the newest value. Thus a reader can use a part of the value,
+  /// without a copy of the whole value. The address is valid until the next call of this method or
+  /// of read().
   /// @return address of the newest value and its time; null before the first write
   /// @pre No other read is active.
   /// @isr{yes}

@@ -8,12 +8,12 @@ namespace wr {
 /// program has a fault.
 /// @datatype
 enum class AssertId : std::uint16_t {
-  PartMissing = 1,  ///< a builder needs a part that was not built yet
-  PoolFull = 2,     ///< more parts were added to a pool, a stage or a tick than it can contain
+  PartMissing = 1,         ///< a builder needs a part that was not built yet
+  PoolFull = 2,            ///< a pool, a stage or a tick got more parts than it can contain
   ThreadStartedTwice = 3,  ///< a control thread received a second command
   FrameTooLarge = 4,       ///< a frame is too large for its buffer
   PartBuiltTwice = 5,      ///< a builder was asked to build a part that it has already built
-  TimerFull = 6,           ///< more commands were added to SecondTimer than it can contain
+  TimerFull = 6,           ///< SecondTimer got more commands than it can contain
   InterruptLate = 7,       ///< an interrupt was not served in time
   ProgramChanged = 8       ///< the program in RAM differs from the original in flash
 };

@@ -118,10 +118,10 @@ class DirController final {
 
   /// @brief Checks whether the inputs of the steering contradict each other. They contradict each
   /// other if both end stops are reached. They also contradict each other if the measured position
-  /// differs by more than 3 degrees from the position that results from the steps of the motor
-  /// since the motor was switched on. In each second, the method subtracts up to 0.05 degrees from
-  /// this difference, because a push can move the motor by some steps.
-  /// The states call this method.
+  /// differs by more than 3 degrees from the computed position. The computed position results from
+  /// the steps of the motor since the motor was switched on. In each second, the method subtracts
+  /// up to 0.05 degrees from the difference, because a push can move the motor by some steps. The
+  /// states call this method.
   /// @return true if the inputs contradict each other
   /// @pre The position is not lost.
   /// @isr{yes}
@@ -139,8 +139,8 @@ class DirController final {
   /// @brief Checks whether the steering fails to follow the steps of the motor. A window of the
   /// check ends when at least 200 ms have passed and the steps amount to at least 0.6 degrees. Then
   /// the next window starts. The states call this method.
-  /// @return true if a window has ended, and the steering moved less than half of the angle of the
-  /// steps in this window
+  /// @return true if a window has ended, and in this window the steering has moved less than half
+  /// of the angle that the steps require
   /// @pre watch() was called, and the position is not lost.
   /// @isr{yes}
   /// @satisfies FR-111
@@ -149,8 +149,8 @@ class DirController final {
   /// @brief Returns the speed of the motor that turns the steering towards its target. The states
   /// call this method.
   /// @return speed that the algorithm computes [steps/s], -500 to 500; 0 if no order to follow a
-  /// set-point is in force, if the motor is not ready, or if the turn is towards an end stop that
-  /// is reached
+  /// set-point is in force, if the motor is not ready, or if it would turn towards a reached end
+  /// stop
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-101

@@ -58,8 +58,8 @@ class SteeringDevice final {
 
   /// @brief Sets the target rate of the motor. When the motor is switched on, its target rate is
   /// reset to 0.
-  /// @param demand rate [steps/s], positive to the left; a rate beyond the limit of the motor
-  /// counts as this limit
+  /// @param demand rate [steps/s], positive to the left; a rate beyond the limit of the motor is
+  /// reduced to this limit
   /// @isr{yes}
   /// @satisfies FR-103
   void turn(StepRate demand);
@@ -103,8 +103,8 @@ class SteeringDevice final {
   /// @isr{yes}
   void changePower(SteeringPower& power);
 
-  /// @brief Switches the current of the motor on, and starts the time in which the motor settles.
-  /// The power states call this method.
+  /// @brief Switches the current of the motor on, and starts the settling time of the motor. The
+  /// power states call this method.
   /// @isr{yes}
   /// @satisfies FR-106
   /// @satisfies FR-107
@@ -117,7 +117,7 @@ class SteeringDevice final {
   void switchOff();
 
   /// @brief Returns whether the motor has settled. The power states call this method.
-  /// @return true if the time in which the motor settles has passed
+  /// @return true if the settling time of the motor has passed
   /// @isr{yes}
   /// @satisfies FR-107
   [[nodiscard]] bool settled() const;

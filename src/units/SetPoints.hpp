@@ -70,7 +70,7 @@ struct SetPoints {
   bool acknowledge = false;  ///< true: the order moves nothing; if the order is neutral, it
                              ///< releases latched faults
   bool repeated = false;     ///< true: the order was read in an earlier cycle and is still in force
-  std::uint32_t sentAt = 0;  ///< time at which the order was sent, by the sender's clock [ms]
+  std::uint32_t sentAt = 0;  ///< time of the sender's clock when the order was sent [ms]
 
   /// @brief Checks whether the order is neutral, that is, whether the set-point of each wheel is 0.
   /// The quantities of the set-points do not matter.

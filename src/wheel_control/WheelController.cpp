@@ -118,10 +118,11 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint,
   blind_ = blind_ || effort_ >= kMaxEffort;
 }
 
-// Returns the share of a voltage that is added to effort_ while the wheel shows no motion. A motor
-// that turns undetected draws less current than a motor that its load keeps at rest. Therefore only
-// a small part of the voltage is added if the motor draws much current. However, while the wheel
-// follows a voltage order, a voltage of at most kMovingTension is added in full.
+// Returns the share of a voltage that is added to effort_ while the wheel shows no motion. If the
+// motor turns and its motion is not detected, it draws less current than a motor that is blocked by
+// its load. Therefore only a small part of the voltage is added if the motor draws much current.
+// However, while the wheel follows a voltage order, a voltage of at most kMovingTension is added in
+// full.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension,
                                      Current current) const {
   const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kMovingTension;
@@ -138,8 +139,8 @@ bool WheelController::isHeld(Current current) const {
 }
 
 // Counts the cycles in which a reversal waits until the wheel is slow. In such a cycle no voltage
-// is applied, although demand and set-point have the same sign. A wheel that is dragged faster than
-// its set-point has a demand with the opposite sign. Therefore the cycles of such a wheel do not
+// is applied, although demand and set-point have the same sign. If a wheel is dragged faster than
+// its set-point, its demand has the opposite sign. Therefore the cycles of such a wheel do not
 // count.
 void WheelController::watchReversal(const WheelSetPoint& setPoint, Tension demand) {
   const bool ordered =

@@ -1,4 +1,4 @@
-// Here the system tests run the firmware image with the CAN bus, on the virtual K64.
+// Here the system tests run, on the virtual K64, the firmware image that uses the CAN bus.
 
 #include <chrono>
 #include <memory>

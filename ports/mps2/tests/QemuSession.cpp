@@ -41,8 +41,8 @@ void QemuSession::run(std::initializer_list<std::uint32_t> places) {
   ticks_ += counter_ - counter;
   counter_ = counter;
   now_ = Time(static_cast<Time::rep>(ticks_ / kTicksPerMicrosecond));
-  // The clock pulse triggers the main thread. Therefore the time at which this thread begins is the
-  // time of the clock pulse.
+  // The clock pulse triggers the main thread. Therefore this thread begins at the time of the clock
+  // pulse.
   if (place_ == cycle_) {
     lastPulse_ = now_;
     run({rest_, end_});

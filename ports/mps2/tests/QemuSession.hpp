@@ -16,8 +16,8 @@ namespace wr::mps2 {
 
 /// @brief A session with the firmware on the emulated board. The board has no motors and no
 /// sensors, and its time advances step by step. send() passes bytes to the robot at once.
-/// sendBeforePulse() passes bytes up to 80 ms earlier than requested. The instruction that sleeps
-/// is replaced, because during a sleep QEMU uses the time of the host computer.
+/// sendBeforePulse() passes bytes up to 80 ms earlier than requested. The sleep instruction is
+/// replaced, because during a sleep QEMU uses the time of the host computer.
 class QemuSession final : public scenario::RobotSession {
  public:
   /// @brief Switches the robot on, and returns when its firmware is at rest for the first time.

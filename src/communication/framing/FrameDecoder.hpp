@@ -12,8 +12,8 @@ namespace wr {
 /// @brief Result of the decoding of received bytes.
 /// @datatype
 enum class Decoded : std::uint8_t {
-  Nothing,        ///< no frame ended; a zero byte without a frame before it is ignored
-  Whole,          ///< the bytes end a frame without an error
+  Nothing,        ///< no frame ended; a zero byte is ignored if no frame precedes it
+  Whole,          ///< the bytes end a frame that has no error
   Damaged,        ///< a frame with bad COBS, a bad CRC or a body of fewer than 5 bytes
   TooLong,        ///< a frame with a body of more than 205 bytes
   UnknownVersion  ///< a frame of another protocol version

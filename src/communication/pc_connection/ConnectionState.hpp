@@ -10,8 +10,8 @@ struct Frame;
 /// @brief A state of the connection with the PC.
 /// @function Handles the frames of the PC and checks the time limits, by the rules of one
 /// connection state.
-/// @secret The rules that differ between the states of the connection. A state without a rule for a
-/// frame counts the frame as unexpected.
+/// @secret The rules that differ between the states of the connection. If a state has no rule for a
+/// frame, it counts this frame as unexpected.
 /// @role{pc-mcu-connection, State}
 ///
 /// @patternapp{pc-mcu-connection, State, PC-MCU connection}

@@ -15,7 +15,7 @@ class OrderMessage final : public Serializable {
   /// order.
   static constexpr std::uint8_t kStop = 1;
 
-  /// @brief Constructs an order without a stop in which all set-points are 0.
+  /// @brief Constructs an order that contains no stop, and whose set-points are all 0.
   OrderMessage() = default;
 
   /// @param setPoints set-points of the order

@@ -22,8 +22,8 @@ class Reader {
   /// @isr{no}
   [[nodiscard]] virtual bool available() const = 0;
 
-  /// @brief Returns whether a stop that this source ordered is still latched. A stop has no time
-  /// limit, and the end of a connection does not release the stop.
+  /// @brief Returns whether a stop order of this source is still latched. A stop has no time limit,
+  /// and the end of a connection does not release the stop.
   /// @return true from the stop order until the source sends an order that contains no stop, and in
   /// which all wheel values are 0
   /// @isr{no}

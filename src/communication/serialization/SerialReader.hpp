@@ -24,8 +24,8 @@ class SerialReader final : public Reader {
   /// @brief Constructs a reader without an order and without a latched stop.
   SerialReader() = default;
 
-  /// @brief Begins the next cycle. Sets the time up to which the age of an order is measured. A
-  /// stop that was released in the previous cycle ends.
+  /// @brief Begins the next cycle. Sets the time up to which the age of an order is measured. If
+  /// the stop was released in the previous cycle, it ends now.
   /// @param clockPulse clock pulse of the present cycle
   /// @isr{no}
   /// @satisfies FR-20
@@ -44,8 +44,8 @@ class SerialReader final : public Reader {
   void latchStop();
 
   /// @brief Stores an order in place of the previous order. An order with a field out of range is
-  /// rejected and changes nothing. An accepted order releases the stop if it contains no stop and
-  /// all its wheel values are 0.
+  /// rejected and changes nothing. The stop is released if the order is accepted, contains no stop,
+  /// and has only wheel values of 0.
   /// @param payload the bytes of the order
   /// @param receivedAt time at which the last byte of its frame was received
   /// @return false when a field is out of its range

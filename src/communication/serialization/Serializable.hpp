@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief An object that can be read from a source or written to a destination.
 /// @function Reads an order from any source, and writes a report to any destination. A derived
-/// class overrides the operation for each direction in which its objects are transferred. An
-/// operation that is not overridden fails.
+/// class overrides the operation for each direction in which its objects are transferred. If an
+/// operation is not overridden, it fails.
 /// @secret The fields of an object, and the size and the sequence of these fields.
 /// @role{serializer, Serializable}
 ///

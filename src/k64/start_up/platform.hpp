@@ -63,7 +63,7 @@ extern K64Gpio redLight;
 /// @brief Cause of the last reset, and the fault before this reset.
 extern StartRecord startRecord;
 
-/// @brief Signals of the remote control that have an edge.
+/// @brief Signals of the remote control at which an edge occurred.
 /// @datatype
 struct RcEdges {
   bool velocity;   ///< true when the signal of the velocity stick has an edge
@@ -72,8 +72,9 @@ struct RcEdges {
 };
 
 /// @brief Records the time of the edges of the remote control. The handler of the interrupt of
-/// these edges calls this function first. Then the handler serves the signals that have an edge.
-/// @return the signals that have an edge
+/// these edges calls this function first. Then the handler serves the signals at which an edge
+/// occurred.
+/// @return the signals at which an edge occurred
 /// @isr{yes}
 RcEdges enterRcInterrupt();
 
@@ -101,7 +102,7 @@ void calibrateConverters();
 void startDevices();
 
 /// @brief Enables the interrupts of the devices and the threads.
-/// @pre All objects that the interrupt handlers call are constructed.
+/// @pre All objects of the interrupt handlers are constructed.
 /// @isr{no}
 void enableInterrupts();
 

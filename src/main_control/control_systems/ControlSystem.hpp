@@ -19,8 +19,8 @@ namespace wr {
 /// @patternapp{control-system-orders, Template Method, Main controller orders for control sub-systems}
 /// @why The main controller sends the same sequence of orders to all control systems. Each control
 /// system carries out an order in a different way.
-/// @changes The way in which one system carries out an order may change. A new order is one more
-/// step of the sequence.
+/// @changes One system may carry out an order in a different way. A new order is one more step of
+/// the sequence.
 class ControlSystem {
  public:
   ControlSystem(const ControlSystem&) = delete;
@@ -45,7 +45,7 @@ class ControlSystem {
 
   /// @brief Checks whether the system has completed the work that was ordered in a cycle.
   /// @param cycle number of the control cycle; the first cycle has the number 1
-  /// @return true if the work that was completed last is the work of this cycle.
+  /// @return true if the last completed work is the work of this cycle.
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 

@@ -60,9 +60,9 @@ class ControlSystemPool {
   [[nodiscard]] bool completed(std::uint32_t cycle) const;
 
   /// @brief Collects the measured and applied values of the control systems.
-  /// @param measurements receives the measured values; a value that no system measures stays
+  /// @param measurements receives the measured values; if no system measures a value, it stays
   /// missing
-  /// @param outputs receives the applied values; a value that no system applies stays missing
+  /// @param outputs receives the applied values; if no system applies a value, it stays missing
   /// @satisfies FR-62
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const;

@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief The reading mode with the steps that are the same for every source of orders.
 ///
-/// @function Reads one order from a Reader and saves the set-points of the order. Each other mode
-/// wraps a basic mode or another mode, and adds the behaviour that only its source needs.
+/// @function Reads one order from a Reader and saves the set-points of the order. The other modes
+/// wrap a basic mode or another mode. They add the behaviour that only their sources need.
 ///
 /// @secret The object into which an order of any source is read: an OrderMessage.
 ///
@@ -32,7 +32,7 @@ class BasicMode final : public Mode {
   /// @param mCtrl controller whose data receive the set-points
   /// @pre newMessage() was true in this cycle.
   /// @post The order cannot be read again.
-  /// @errors An order that cannot be read completely does not change the set-points.
+  /// @errors If the order cannot be read completely, the set-points do not change.
   /// @satisfies FR-20
   /// @isr{no}
   void read(MainController& mCtrl) override;

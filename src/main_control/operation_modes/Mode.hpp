@@ -29,7 +29,7 @@ enum class ModeId : std::uint8_t {
 /// @why The steps that read an order depend on the source: the system reads orders from the PC or
 /// from the remote control. Each mode is an object with its own steps. Therefore no other module
 /// has to check which mode is set.
-/// @changes The way in which a mode reads may change. A new source of orders, such as a Bluetooth
+/// @changes A mode may read orders in a different way. A new source of orders, such as a Bluetooth
 /// device, needs a new subclass of this class. No other module of Main Control changes.
 class Mode {
  public:

@@ -16,8 +16,8 @@ namespace wr {
 /// @patternapp{mode-extensions, Decorator, Operation modes as extensions of a basic task}
 /// @why The source of the orders determines the mode. The basic actions that read an order are the
 /// same in each mode. Each mode adds other actions to these basic actions.
-/// @changes The actions that a mode adds may change. The basic actions do not change. A new reading
-/// mode is one more decorator around the basic mode.
+/// @changes A mode may add different actions. The basic actions do not change. A new reading mode
+/// is one more decorator around the basic mode.
 class ModeDecorator : public Mode {
  public:
   void serve() override;

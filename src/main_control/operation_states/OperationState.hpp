@@ -31,8 +31,8 @@ enum class OperationStateId : std::uint8_t {
 /// @patternapp{operation-states, State, Operation states of the main controller}
 /// @why The steps of the main controller, and its orders to the control systems, depend on its
 /// operation state.
-/// @changes The behaviour of a state may change. A new state, such as a state that warns after some
-/// failed reads, is a new subclass of this class and does not change the other states.
+/// @changes The behaviour of a state may change. A new state, for example with a warning after some
+/// failed reads, needs a new subclass of this class. The other states do not change.
 ///
 /// @patternapp{read-orders, Template Method, Read orders in the operation states}
 /// @why Reading an order has the same steps in every state: check for a message, then execute one

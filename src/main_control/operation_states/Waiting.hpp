@@ -23,8 +23,8 @@ class Waiting final : public OperationState {
   /// the first read()
   /// @param next state that follows when the number of failed reads reaches its limit; it need not
   /// be constructed before the first read()
-  /// @param failedReads limit of the number of successive failed reads [2 to 255]; the failed read
-  /// that set this state counts as the first failed read
+  /// @param failedReads limit of the number of successive failed reads [2 to 255]; the first of
+  /// these reads is the read that set this state
   Waiting(OperationState& working, OperationState& next, std::uint8_t failedReads);
 
  private:
@@ -34,7 +34,8 @@ class Waiting final : public OperationState {
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Counts the failed read, and sets the next state when the number reaches its limit.
+  /// @brief Counts the failed read, and sets the next state when the number of failed reads reaches
+  /// its limit.
   /// @param mCtrl controller that reads
   /// @satisfies FR-15
   /// @satisfies FR-16

@@ -16,8 +16,8 @@ namespace {
 constexpr std::int32_t kMilliamperes = 33000;  // [mA]
 constexpr std::int32_t kRange = 4096;          // [steps of the converter]
 
-// Greatest mean that counts as a measurement [mA]. The range of the converter ends at 16.5 A in
-// each direction.
+// Greatest mean that is accepted as a measurement [mA]. The range of the converter ends at 16.5 A
+// in each direction.
 constexpr std::int32_t kMaxCurrent = 16000;
 
 }  // namespace

@@ -17,8 +17,7 @@ namespace wr {
 /// system}
 /// @why The current of a wheel is sampled at each interrupt of a timer. The timer executes a
 /// command object. Therefore the timer names no module of the wheels.
-/// @changes The actions in a tick may change. The modules that these actions affect may change. The
-/// timer does not change.
+/// @changes The actions in a tick, and the affected modules, may change. The timer does not change.
 class ReadCnt final : public Command {
  public:
   /// @param input converts the voltage of the sensor

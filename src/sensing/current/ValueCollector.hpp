@@ -9,10 +9,10 @@
 
 namespace wr {
 
-/// @brief Record of the samples of a current. Sum and number include all samples after the samples
-/// for the zero of the sensor. Both can overflow. A reader subtracts an earlier record from a later
-/// record. The differences are correct for at most ValueCollector::kMaxSamples samples. The
-/// difference of the sums is a signed number.
+/// @brief Record of the samples of a current. The first samples after the start only determine the
+/// zero of the sensor. Sum and number include all later samples, and can overflow. A reader
+/// subtracts an earlier record from a later record. The differences are correct for at most
+/// ValueCollector::kMaxSamples samples. The difference of the sums is a signed number.
 /// @datatype
 struct CurrentRecord {
   std::uint32_t sum =
@@ -40,8 +40,8 @@ class ValueCollector final {
   /// @brief Number of samples between two writes of the record.
   static constexpr std::uint32_t kGroupSize = 8;  // [samples]
 
-  /// @param overcurrent command that is executed in the interrupt at the fifth successive sample
-  /// that is too high, and at each further successive sample that is too high
+  /// @param overcurrent command that is executed in the interrupt: at the fifth successive sample
+  /// that is too high, and at each further such sample
   /// @param timebase returns the time of a sample
   ValueCollector(Command& overcurrent, const Timebase& timebase);
 

@@ -15,8 +15,8 @@ struct Edge {
   std::int8_t direction = 0;  ///< 1 forwards, -1 backwards; 0 if the signal has no direction
 };
 
-/// @brief Record of the edges of a signal. A value that no collector measures is empty. If no
-/// collector counts the edges, the count is 0.
+/// @brief Record of the edges of a signal. If no collector measures a value, this value is empty.
+/// If no collector counts the edges, the count is 0.
 /// @datatype
 struct Instants {
   std::optional<Instant> last;         ///< time of the last edge

@@ -16,7 +16,7 @@ namespace {
 // the assumed motor constant.
 constexpr Velocity kMaxVelocity{6000};
 
-// A wheel that turns at least this fast cannot come to rest within a cycle.
+// If a wheel turns at least this fast, it cannot come to rest within a cycle.
 constexpr Velocity kMoving{300};
 
 bool isMoving(Velocity velocity) {
@@ -35,7 +35,7 @@ constexpr std::int32_t kEdgePerMicrosecond = kTurnPerMicrosecond / kEdgesPerTurn
 static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond,
               "the division must be exact");
 
-// A wheel without an edge for this time counts as being at rest.
+// If a wheel has no edge for this time, it is considered to be at rest.
 constexpr Microseconds kStandstill = milliseconds(500);
 
 // Returns the number of edges between two counts. A count can overflow. The result is correct even

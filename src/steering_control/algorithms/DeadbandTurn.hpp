@@ -18,12 +18,12 @@ namespace wr {
 /// @role{steering-control-algorithm, Concrete Strategy}
 class DeadbandTurn final : public SteeringAlgorithm {
  public:
-  /// @brief Greatest difference between position and target at which a steering at rest stays at
-  /// rest.
+  /// @brief Greatest difference between position and target at which the steering does not begin to
+  /// turn.
   static constexpr Angle kDeadband{20};
 
-  /// @brief Difference between position and target at which a steering that turns towards the
-  /// target is stopped. The steering comes to rest about one step later.
+  /// @brief Difference between position and target at which a turn ends: the motor is stopped, and
+  /// the steering comes to rest about one step later.
   static constexpr Angle kArrived{10};
 
   DeadbandTurn() = default;

@@ -26,13 +26,13 @@ class PoweredOff final : public SteeringPower {
   /// @satisfies FR-113
   void disable(SteeringDevice& device) override;
 
-  /// @brief Does nothing, because a motor that is off makes no step.
+  /// @brief Does nothing, because the motor makes no step while it is off.
   /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-113
   void tick(SteeringDevice& device) override;
 
-  /// @brief Returns false, because a motor that is off cannot make steps.
+  /// @brief Returns false, because the motor cannot make steps while it is off.
   /// @param device steering device
   /// @return false
   /// @isr{yes}

@@ -11,9 +11,9 @@ class SteeringDevice;
 /// @role{steering-switch, State}
 ///
 /// @patternapp{steering-switch, State, Switch on and switch off the steering device}
-/// @why The actions that switch the steering on or off depend on whether the motor is on. The motor
-/// can make steps only while it is on. Each of these two cases is a module. Therefore no operation
-/// has to check whether the motor is on.
+/// @why The motor is either on or off, and an order to switch it on or off needs different actions
+/// in these two cases. The motor can make steps only while it is on. Each of these two cases is a
+/// module. Therefore no operation has to check whether the motor is on.
 /// @changes The actions that switch the motor on or off may change. Another case may be needed,
 /// such as a motor that is on with less current.
 class SteeringPower {

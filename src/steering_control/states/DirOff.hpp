@@ -5,7 +5,8 @@
 namespace wr {
 
 /// @brief The state in which the motor is off, because no order to follow a set-point is in force.
-/// @function Waits with the motor off. An order to follow a set-point switches the motor on.
+/// @function Waits with the motor off. Switches the motor on when an order to follow a set-point
+/// arrives.
 /// @secret The event that switches the steering on.
 /// @role{steering-controller-states, Concrete State}
 class DirOff final : public DirState {

@@ -39,9 +39,9 @@ class DirState {
   explicit DirState(SteeringState id);
   ~DirState() = default;
 
-  /// @brief Checks whether a state in which the motor is on must be left. If orders no longer
-  /// arrive, switches the motor off and sets the state off. Otherwise, if the steering cannot be
-  /// controlled, switches the motor off and sets the state fault.
+  /// @brief Checks whether the present state, in which the motor is on, must be left. If orders no
+  /// longer arrive, switches the motor off and sets the state `off`. Otherwise, if the steering
+  /// cannot be controlled, switches the motor off and sets the state `fault`.
   /// @param controller controller whose state changes
   /// @param off state that follows when orders no longer arrive
   /// @param fault state that follows when a fault occurs

@@ -27,7 +27,7 @@ struct PiGains {
 /// time.
 class PiRegulator final {
  public:
-  /// @brief Three copies of a number: a bit that changes in one copy has no effect.
+  /// @brief Three copies of a number: if a bit changes in one copy, this has no effect.
   /// @datatype
   using Copies = std::array<std::int32_t, 3>;
 

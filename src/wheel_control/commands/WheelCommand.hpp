@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief An action on a wheel that the caller executes without naming the wheel.
+/// @brief An action on a wheel. The caller can execute this action without naming the wheel.
 ///
 /// @function Lets the controller and the behaviours of a wheel act on this wheel.
 ///
@@ -15,8 +15,7 @@ namespace wr {
 /// @patternapp{wheel-commands, Command, Commands to control wheel behaviour}
 /// @why Stopping a wheel, setting its voltage and changing its orientation can affect several
 /// elements of the system. The caller does not name these elements.
-/// @changes The actions that carry out an order may change. The elements on which these actions
-/// have an effect may change.
+/// @changes The actions that carry out an order, and the affected elements, may change.
 class WheelCommand {
  public:
   WheelCommand(const WheelCommand&) = delete;

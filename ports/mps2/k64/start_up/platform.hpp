@@ -47,7 +47,7 @@ extern mps2::NoEdges rcDirectionPin;
 extern mps2::CmsdkTimebase& rcEdgeTime;
 extern StartRecord startRecord;
 
-/// @brief Signals of the remote control that have an edge.
+/// @brief Signals of the remote control at which an edge occurred.
 struct RcEdges {
   bool velocity;
   bool direction;
