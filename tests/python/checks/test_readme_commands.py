@@ -8,7 +8,7 @@ from traceability.checks.link_checks import missing_parts
 from traceability.checks.option_checks import literal_exit_codes, missing_options, wrong_values
 from traceability.checks.path_checks import missing_paths
 
-NONE = "no command or program that this page names has the option"
+NONE = "belongs to no command or program on this page"
 
 
 TOOL = """
