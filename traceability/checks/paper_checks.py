@@ -56,7 +56,7 @@ def _unstated(model: Model) -> Iterator[Finding]:
         for source in requirement.sources:
             pair = (source.name, f"requirement:{requirement.id}")
             if source.kind == "paper" and pair not in answered:
-                text = f"no statement of {source.name} of the paper names {requirement.id}"
+                text = f"{requirement.id} is named in no statement of {source.name} of the paper"
                 yield Finding(requirement.place, "paper-statement", text)
 
 
@@ -93,7 +93,7 @@ def _arrows(model: Model) -> Iterator[Finding]:
     fix = "correct the arrow, or name it in the entry of Figure 5 and write the reason as deviation"
     for connection in model.connections:
         if model.paper and connection.arrow not in said:
-            text = f"no entry of the concordance names the arrow {connection.arrow}"
+            text = f"the arrow {connection.arrow} is named in no entry of the concordance"
             yield Finding(connection.place, "paper-complete", text, fix)
 
 

@@ -398,8 +398,9 @@ def _tags(model: Model) -> Iterator[Finding]:
 
 
 def _lines(model: Model) -> Iterator[Finding]:
-    """Finds source lines of a method that no test of the method's requirements executes, and that
-    design/justified.toml does not justify."""
+    """Finds source lines of a method that need a justification, but have none in
+    design/justified.toml. A line needs one if no test of the method's requirements executes the
+    line."""
     if model.stale_on(HOST):
         return
     for gap in model.line_gaps:

@@ -298,7 +298,7 @@ def methods(requirements: Iterable[schema.Requirement]) -> dict[str, Any]:
 
 
 def driver_lines(model: Model) -> tuple[int, int]:
-    """Returns the number of lines of the drivers that were not executed in the image with recorded
-    lines, and the number of all their lines. Both are 0 if the lines were not measured."""
+    """Returns two numbers of lines of the drivers in the image with recorded lines: the lines that
+    were not executed, and all lines. Both numbers are 0 if the lines were not measured."""
     hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
     return hits.count(False), len(hits)

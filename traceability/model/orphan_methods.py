@@ -9,8 +9,8 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
-# For these kinds of justifications, the checks and not this module find the code that needs the
-# justification.
+# Some code needs a justification of one of these kinds. This code is found by the checks, and not
+# by this module.
 JUSTIFIED_BY_CHECKS = ("uncalled", "loop")
 
 
@@ -56,8 +56,9 @@ def tests_without(model: Model) -> list[Test]:
 
 
 def justify(model: Model, declared: Iterable[Justified]) -> Model:
-    """Records in each justification the names of the methods and tests that need it. For source
-    lines that no test of their requirements executes, records the reason from the justification."""
+    """Records in each justification the names of the methods and tests that need it. If the tests
+    of a method's requirements do not execute some source lines of the method, also records the
+    reason from the justification."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     reasons: dict[str, str] = {}

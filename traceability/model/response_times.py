@@ -3,8 +3,8 @@ the control cycle, and the time from an input to its effect.
 
 Each bound includes the time of the interrupts that can occur before the response. The computation
 assumes that each interrupt occurs as often as it can. Each bound also includes the longest time for
-which code of a lower priority blocks the interrupts. This time is added only once. After the block,
-code of a lower priority waits until the response."""
+which code of a lower priority blocks the interrupts. This time is added only once. When the
+interrupts are enabled again, code of a lower priority waits until the response."""
 
 from __future__ import annotations
 

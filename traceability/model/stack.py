@@ -271,8 +271,9 @@ class Prover:
         return list(dict.fromkeys(methods))
 
     def _kind_of(self, body: str, way: Sequence[tuple[str, int]]) -> str:
-        """Returns the class of the object on which the method ``body`` runs. If ``body`` is inlined
-        in a method of a subclass that calls it for its own object, returns this subclass."""
+        """Returns the class of the object on which the method ``body`` runs. A method of a subclass
+        can call ``body`` for its own object. If ``body`` is inlined in such a method, returns the
+        subclass."""
         kind = _class_of(body)
         for place in way[1:]:
             callers = {

@@ -86,8 +86,8 @@ class Facts:
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
     def named_by(self, user: str) -> Iterator[tuple[Place, str]]:
-        """Yields the classes that the code of a class names, or whose headers it includes, each
-        with its place."""
+        """Yields each class whose name is in the code of a class, or whose header this code
+        includes, with the place."""
         for name in self.names_of.get(user, []):
             yield name.place, name.target.split("::", maxsplit=1)[0]
         for include in self.includes_of.get(user, []):

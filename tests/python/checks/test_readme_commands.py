@@ -57,11 +57,11 @@ def test_commands_and_options_that_are_missing_are_found(tmp_path: Path) -> None
     assert found == [
         ("tools/sim.py", 3, "no command has the option --bord"),
         ("CONTRIBUTING.md", 1, "./wr stop has no --csv"),
-        ("README.md", 1, "* --gbd"),
+        ("README.md", 1, "the option --gbd *"),
         ("README.md", 3, "./wr has no fly"),
-        ("design/answers.toml", 3, "* --csv"),
-        ("docs/any.rst", 1, "* --csw"),
-        ("docs/page.rst", 1, "* --csv"),
+        ("design/answers.toml", 3, "the option --csv *"),
+        ("docs/any.rst", 1, "the option --csw *"),
+        ("docs/page.rst", 1, "the option --csv *"),
     ]
 
 
