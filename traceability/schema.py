@@ -1316,8 +1316,7 @@ class MadeChange:
 
     @property
     def new_lines(self) -> int:
-        """Returns the number of new lines in existing files. An edited line does not count as a new
-        line."""
+        """Returns the number of new lines in existing files. An edited line is not a new line."""
         return self.added_lines - self.composition_lines - self.outside_lines
 
 

@@ -28,8 +28,8 @@ class Shape:
 
     @property
     def replaced(self) -> list[str]:
-        """Returns the operations that the decorators implement without a call of the component. For
-        all other operations, a decorator calls the component and adds something."""
+        """Returns the operations that the decorators implement without a call of the component. In
+        each remaining operation, a decorator calls the component and adds something."""
         declared = self.facts.declared.applications.get(self.application.id)
         return declared.replaces if declared else []
 
@@ -242,8 +242,8 @@ def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
 
 
 def called(role: str) -> Callable[[Shape], Broken]:
-    """Finds Contexts that never call the abstract class with this role. Calls in inherited methods
-    of the Context count too."""
+    """Finds Contexts that never call the abstract class with this role. A call in an inherited
+    method of the Context is sufficient."""
 
     def clause(shape: Shape) -> Broken:
         for base in shape.playing(role):

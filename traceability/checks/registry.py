@@ -534,8 +534,8 @@ _FIXED = [
         "Pipe, or design/execution.toml declares its protection. If a member is declared as "
         "atomic, its type is atomic. If a member is declared as masked, each function that uses "
         "the member blocks the interrupts. If only its writes are declared as masked, each "
-        "function that changes the member blocks the interrupts. The idle program counts as a "
-        "context. Exactly one context writes each pipe, and exactly one context reads it.",
+        "function that changes the member blocks the interrupts. The idle program is also regarded "
+        "as a context. Exactly one context writes each pipe, and exactly one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
@@ -656,8 +656,8 @@ _FIXED = [
         "Each transition occurred in a passing test on the host. The recorded calls of the "
         "test show the transition: the Context calls the operation of the old state, and then "
         "calls methods of the new state. Of all states, only the new state has all these methods. "
-        "For each requirement that a transition names, a test of the requirement makes the "
-        "transition. Each change of the state in a test is a declared transition.",
+        "If a transition names a requirement, a test of this requirement makes the transition. "
+        "Each change of the state in a test is a declared transition.",
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
@@ -689,8 +689,8 @@ _FIXED = [
         "Each property is proven",
         "Spin explored every state of the model and found no sequence of events that violates the "
         "property.",
-        "A proof of an older design does not count. The check reports nothing until Spin has run "
-        "on the present design.",
+        "The check ignores proofs of an older design. It reports nothing until Spin has run on the "
+        "present design.",
         "correct the design, or the formula; the page 'Proofs' shows the counterexample.",
     ),
     Check(
@@ -757,8 +757,8 @@ _FIXED = [
         "Each tree names only methods that exist",
         "Every tree belongs to a requirement. Every node names a method that the named class "
         "declares or inherits. No requirement has two trees.",
-        "The check does not distinguish overloads: all methods with the same name in a class "
-        "count as one method.",
+        "The check does not distinguish overloads: if several methods of a class have the same "
+        "name, it regards them as one method.",
         "correct the name in the tree.",
     ),
     Check(
@@ -931,8 +931,8 @@ _FIXED = [
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
-        "check also verifies that a mutant made each of these changes, and that no test found this "
-        "mutant.",
+        "check also verifies two facts for each of these changes: a mutant made the change, and no "
+        "test found this mutant.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
@@ -992,9 +992,9 @@ _FIXED = [
         "serves the requirement. If a method serves no requirement, a passing test of any "
         "requirement is enough. Other lines are justified in design/justified.toml.",
         "The check does not read the code that only the K64 uses. The page of the virtual K64 "
-        "lists the lines of src/k64 that were not executed, and the files of the extensions that "
-        "are not measured. The check does not detect whether the test checks the effect of the "
-        "line.",
+        "lists the lines of src/k64 that were not executed. It also lists the files of the "
+        "extensions for which the executed lines are not measured. The check does not detect "
+        "whether the test checks the effect of the line.",
         "execute the line in a test of its requirement, remove it, or justify it in "
         "design/justified.toml.",
     ),
@@ -1188,11 +1188,11 @@ _FIXED = [
     Check(
         "doc-frame",
         "Numbers of the protocol agree with the code",
-        "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
-        "firmware, or names a constant of the firmware, the value has the same number as this "
-        "enumerator or constant. If a frame has the name of an enumerator of FrameType, the type "
-        "of the frame is the number of this enumerator. The client has a text for each cause of a "
-        "protective stop.",
+        "A value of an enumeration in design/frames.toml can have the name of an enumerator in the "
+        "firmware, or can name a constant of the firmware. The value then has the same number as "
+        "this enumerator or constant. If a frame has the name of an enumerator of FrameType, the "
+        "type of the frame is the number of this enumerator. The client has a text for each cause "
+        "of a protective stop.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",

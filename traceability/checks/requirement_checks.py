@@ -239,7 +239,7 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _spare(item: Justified) -> Sequence[str]:
     """Returns the names of a justification that are no longer necessary. If at least one name of an
-    entry is necessary, each name with "/" (a file or a folder) counts as necessary too."""
+    entry is necessary, each name with "/" (a file or a folder) is regarded as necessary too."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]

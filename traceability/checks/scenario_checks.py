@@ -183,8 +183,8 @@ class _Values:
         self._ranges = [(low, high) for low, high in ends]
 
     def __contains__(self, amount: Amount) -> bool:
-        """Returns whether a line has the value. Three other values count too: a time that is the
-        difference of two times, a percentage by which two numbers differ, and a value in the
+        """Returns whether a line has the value. Also returns true in three cases: the value is a
+        time and the difference of two times, a percentage by which two numbers differ, or the
         middle of an expected range."""
         kind, number = amount
         if number in self._numbers:

@@ -234,7 +234,7 @@ def _differs(row: Transition, change: Change) -> bool:
     """Compares the change in the code with the declared transition ``row``. Returns true if only
     the change or only the transition has a condition.
 
-    An event with a time, such as "after 2 s", counts as a condition of the transition. A guard
+    An event with a time, such as "after 2 s", is regarded as a condition of the transition. A guard
     about the state of another machine ("in ...") is not compared, because the code that calls the
     operation checks this guard.
     """
@@ -363,7 +363,7 @@ def _just_before(changes: list[Change], code: MachineCode, bodies: list[BodyFact
 
 
 def _always(method: str, facts: Facts) -> set[str]:
-    """Returns the methods that a method calls on each path."""
+    """Returns the methods that are called on every path through a method."""
     return {
         call.target
         for body in facts.bodies.get(method, [])

@@ -57,7 +57,8 @@ FILES = (
     ToolFile(
         junit_tests.NAME,
         "The results of the tests in the JUnit format. Each test has a property for each "
-        "requirement that it verifies. A result of older sources counts as skipped.",
+        "requirement that it verifies. A test is marked as skipped if its result belongs to older "
+        "sources.",
         lambda _root, model, report: junit_tests.junit_text(model, report),
     ),
     ToolFile(

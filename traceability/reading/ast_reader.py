@@ -126,7 +126,7 @@ class Reader:
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
         """Visits the children of a node. The first ``sure`` children are always executed. The other
-        children count as conditional."""
+        children are regarded as conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:

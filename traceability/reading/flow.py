@@ -170,8 +170,8 @@ class FlowReader:
         self.add(name, sources, place)
 
     def kept(self, sides: list[Cursor], place: Place) -> None:
-        """Records the flow of an assignment. After ``a[i] = b``, both ``a`` and ``i`` count as
-        references to ``b``."""
+        """Records the flow of an assignment. After ``a[i] = b``, both ``a`` and ``i`` are regarded
+        as references to ``b``."""
         sources = self.sources(sides[1])
         for name in self.sources(sides[0]) if sources else []:
             self.add(name, sources, place)
