@@ -1,5 +1,5 @@
-"""board-*: each kind of mistake that the virtual K64 detects is declared and tested, and each
-belief about the hardware has a source, for example the manual."""
+"""board-*: the virtual K64 detects some kinds of mistakes. Each of these kinds is declared and
+tested. Each belief about the hardware has a source, for example the manual."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""exec-*: the declared contexts (interrupts and threads) agree with the code, and data that several
-contexts share is protected."""
+"""exec-*: the declared contexts (interrupts and threads) agree with the code, and the shared data
+of several contexts is protected."""
 
 from __future__ import annotations
 

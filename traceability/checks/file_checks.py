@@ -71,8 +71,8 @@ def _composes(model: Model, folder: str) -> bool:
 
 
 def _outside(facts: Facts) -> Iterator[Finding]:
-    """Finds functions and classes that other files can use, and that are in the file of a module
-    but not part of its class."""
+    """Finds functions and classes in the file of a module, but outside the class of the module, if
+    other files can use them."""
     shared = {Path(item.file).stem for item in facts.declared.shared}
     for body in facts.syntax.bodies:
         stem = Path(body.place.file).stem

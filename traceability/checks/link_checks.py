@@ -274,8 +274,8 @@ def _built(root: Path) -> set[str]:
 
 def _targets(root: Path) -> set[str]:
     """Returns the programs and firmware images that CMake builds, with their folders below the
-    folder of the preset. The functions of CMake whose names end with "image" add an image without a
-    folder."""
+    folder of the preset. If the name of a CMake function ends with "image", the function adds an
+    image without a folder."""
     found = set()
     for file, text in texts_below(root, BUILDING, (".txt",)):
         values = dict(SET.findall(text))

@@ -77,9 +77,9 @@ def _ports(facts: Facts) -> Iterator[Finding]:
 def _specification(
     module: Module, model: Model, by_file: dict[str, list[ConstantFact]]
 ) -> Iterator[Finding]:
-    """Finds numbers in the specification of a module that are neither the value of a constant nor a
-    number in a requirement of the module. The constants are those of the module, of the modules
-    that it uses, and of SystemConstants."""
+    """Finds wrong numbers in the specification of a module. A number is right if a constant has
+    this value, or if a requirement of the module contains this number. The constants are those of
+    the module, of the modules that it uses, and of SystemConstants."""
     near = [
         model.modules[name] for name in (module.name, SHARED, *module.uses) if name in model.modules
     ]

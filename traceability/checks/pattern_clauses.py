@@ -107,7 +107,7 @@ class Shape:
                 yield place, target
 
     def marks(self, module: str) -> set[tuple[str, str]]:
-        """Returns the enumerators that the code of a class names, each as enumeration and
+        """Returns the enumerators in the code of a class. Each result is a pair of enumeration and
         enumerator."""
         return {
             (name.target, name.member)

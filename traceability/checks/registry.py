@@ -585,9 +585,9 @@ _FIXED = [
         "If a handler of the firmware image reaches a loop, or a memory copy of unknown size, this "
         "loop or copy has a bound. The bound is the constant in the head of the loop, or a "
         "declared number above the loop or the copy. For a loop over a std::array, the declared "
-        "bound is not lower than the number of elements. A bound that is a formula or a name can "
-        "be lower if the loop reads only the first elements. The target of each indirect call is "
-        "known. No lock of the interrupts contains a loop or a call.",
+        "bound is not lower than the number of elements. The bound can be a smaller number if it "
+        "is a formula or a name, and the loop reads only the first elements. The target of each "
+        "indirect call is known. No lock of the interrupts contains a loop or a call.",
         "If a loop does not read a std::array, the check cannot judge whether the declared bound "
         "is right. It does not read loops that run only before the first interrupt. It reads only "
         "the firmware image of weeding_robot.",

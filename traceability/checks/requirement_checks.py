@@ -1,4 +1,5 @@
-"""req-* and suspect-*: code satisfies each requirement, and passed tests or metrics verify it.
+"""req-* and suspect-*: each requirement is satisfied by code, and is verified by passed tests or by
+metrics.
 
 Also checks that the texts on which a requirement depends are unchanged since the baseline, and that
 each recorded review is valid.

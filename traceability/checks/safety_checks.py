@@ -208,8 +208,8 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _priorities(model: Model) -> Iterator[Finding]:
-    """Finds requirements with a priority that is too low. The levels of the safety goals that a
-    requirement serves determine the lowest priority that the requirement may have."""
+    """Finds requirements with a priority that is too low. A requirement serves safety goals. The
+    levels of these goals determine the lowest permitted priority of the requirement."""
     case = model.safety
     for requirement in model.requirements.values():
         demanded = [

@@ -1,5 +1,5 @@
-"""fsm-*: each state machine in design/fsm has the same transitions as the code, and passed tests
-make each of these transitions."""
+"""fsm-*: each state machine in design/fsm has the same transitions as the code, and each of these
+transitions occurs in a passed test."""
 
 from __future__ import annotations
 

@@ -99,8 +99,8 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Returns a map from the number of an interrupt line to the name of its handler. The map
-    contains the interrupt lines that no call in the firmware enables. Of each list of handlers in
+    """Returns a map from the number of an interrupt line to the name of its handler. An interrupt
+    line is in the map if it is not enabled by a call in the firmware. Of each list of handlers in
     the vector table, only the first interrupt line is examined."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {

@@ -1,4 +1,4 @@
-"""Computes the metrics of a run. A metric that this run did not measure is null in
+"""Computes the metrics of a run. If this run did not measure a metric, the metric is null in
 ``build/metrics.json``."""
 
 from __future__ import annotations
@@ -96,8 +96,8 @@ def of_task(root: Path, file: Path) -> dict[str, Any]:
 
 
 def release(root: Path, commit: str) -> dict[str, Any]:
-    """Returns the metric that is true if the files of the two builds of this commit are equal byte
-    by byte. Returns no metric if the builds were not compared."""
+    """Returns a metric that states whether the files of the two builds of this commit are equal
+    byte by byte. Returns no metric if the builds were not compared."""
     record = read_object(root / RELEASE)
     if not record or not commit or not record["commit"].startswith(commit):
         return {}

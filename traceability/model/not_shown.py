@@ -260,8 +260,8 @@ def _measurements(model: Model) -> Iterator[NotShown]:
     if missed:
         yield NotShown(
             f"In the image {RECORDED}, the tests did not execute {missed} of the {total} lines of "
-            "src/k64. No reasons are stated for these lines. The lines that the tests of the "
-            "released images execute are not measured.",
+            "src/k64. No reasons are stated for these lines. For the released images, the "
+            "executed lines are not measured.",
             "virtual_k64",
         )
     if files := unmeasured_drivers(model):

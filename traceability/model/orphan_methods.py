@@ -18,9 +18,9 @@ def serving_methods(model: Model) -> set[str]:
     """Returns the methods that serve a requirement. A method serves a requirement if it has a
     ``@satisfies`` tag, or if an invocation tree contains it.
 
-    If a method serves a requirement, the method that it overrides and all other methods that
-    override the same method also serve a requirement. If a method of a class serves a requirement,
-    the constructors of the class also serve a requirement."""
+    A virtual method and all methods that override it belong together: if one of them serves a
+    requirement, all of them do. If a method of a class serves a requirement, the constructors of
+    the class also serve a requirement."""
     methods = {item.id: item for item in model.methods}
     served = {item.id for item in methods.values() if item.satisfies}
     for requirement in model.requirements.values():

@@ -276,8 +276,8 @@ def _busy(
 
 
 def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noise: bool) -> int:
-    """Returns how often an interrupt can occur in a period of ``cycles`` processor cycles. Requests
-    that already wait when this period begins are included.
+    """Returns how often an interrupt can occur in a period of ``cycles`` processor cycles. If a
+    request already waits at the beginning of this period, it is included.
 
     With noise, an input can cause ``bound.noise`` interrupts each time after the handler of the
     tick has run. The computation adds one tick to the period, because such interrupts can begin in

@@ -214,8 +214,8 @@ class Prover:
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
         """Returns true if a further nested call of a method is impossible. This is true in two
-        cases: all objects of the chain that have this method already execute it, or a later object
-        of the chain already executes one of its methods."""
+        cases: all objects with this method in the chain already execute the method, or a later
+        object of the chain already executes one of its methods."""
         method = short_name(self.graph[symbol].name)
         if method not in self.most:
             return False
