@@ -87,7 +87,7 @@ _FIXED = [
         "syntax-error",
         "Code without errors",
         "The syntax tree of every file below src and extensions has no error.",
-        "The check does not find an error that only another compiler or another target reports.",
+        "The check does not find an error that occurs only with another compiler or another target.",
         "correct the code as the message explains.",
     ),
     Check(
@@ -153,7 +153,7 @@ _FIXED = [
     Check(
         "module-logic",
         "Each design module is in a logic module",
-        "Every class with a separate header is in a folder below src or extensions that has a "
+        "Below src and extensions, every class with a separate header is in a folder that has a "
         "module.dox.",
         "The check cannot judge whether the header is in the right folder. The designer decides "
         "this.",
@@ -242,13 +242,13 @@ _FIXED = [
     Check(
         "module-swapped",
         "No parts are swapped",
-        "The check compares the name of each initialised member or variable in src, extensions and "
-        "ports with its value. If an aggregate has the members step and direction, the value of "
+        "In src, extensions and ports, the check compares the name of each initialised member or "
+        "variable with its value. If an aggregate has the members step and direction, the value of "
         "step is not an object with the name direction. If the name and the value have a common "
-        "word, they do not contain different words of a pair. For example, the value of leftEnd is "
-        "not steering_right_end. The pairs are left and right, front and rear, inner and outer, "
-        "forward and backward, upper and lower, first and second, A and B, step and direction, "
-        "velocity and direction.",
+        "word, and the name contains one word of a pair, the value does not contain the other word "
+        "of this pair. For example, the value of leftEnd is not steering_right_end. The pairs are "
+        "left and right, front and rear, inner and outer, forward and backward, upper and lower, "
+        "first and second, A and B, step and direction, velocity and direction.",
         "The check does not find swapped arguments of a function, or parts whose names have no "
         "such words.",
         "correct the value, or rename the part.",
