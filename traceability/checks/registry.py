@@ -87,7 +87,7 @@ _FIXED = [
         "syntax-error",
         "Code without errors",
         "The syntax tree of every file below src and extensions has no error.",
-        "The check does not find an error that occurs only with another compiler or another target.",
+        "The check does not find an error that only occurs with another compiler or target.",
         "correct the code as the message explains.",
     ),
     Check(
@@ -243,12 +243,13 @@ _FIXED = [
         "module-swapped",
         "No parts are swapped",
         "In src, extensions and ports, the check compares the name of each initialised member or "
-        "variable with its value. If an aggregate has the members step and direction, the value of "
-        "step is not an object with the name direction. If the name and the value have a common "
-        "word, and the name contains one word of a pair, the value does not contain the other word "
-        "of this pair. For example, the value of leftEnd is not steering_right_end. The pairs are "
-        "left and right, front and rear, inner and outer, forward and backward, upper and lower, "
-        "first and second, A and B, step and direction, velocity and direction.",
+        "variable with its value. In an aggregate, the value of a member is not an object with the "
+        "name of another member. For example, the value of step is not direction. If the name and "
+        "the value have a common word, and the name contains one word of a pair, the value does "
+        "not contain the other word of this pair. For example, the value of leftEnd is not "
+        "steering_right_end. The pairs are left and right, front and rear, inner and outer, "
+        "forward and backward, upper and lower, first and second, A and B, step and direction, "
+        "velocity and direction.",
         "The check does not find swapped arguments of a function, or parts whose names have no "
         "such words.",
         "correct the value, or rename the part.",
