@@ -38,9 +38,9 @@ class Param:
 
 @dataclass(frozen=True)
 class Call:
-    """A call in the source text. ``targets`` are the called method and the methods that override it
-    in the classes of the objects that the products pass to the caller. If no such object is known,
-    ``wired`` is false, and ``targets`` contains all overriding methods."""
+    """A call in the source text. The products pass objects to the caller. ``targets`` are the
+    called method, and the methods that override it in the classes of these objects. If no such
+    object is known, ``wired`` is false, and ``targets`` contains all overriding methods."""
 
     target: str
     virtual: bool
@@ -354,8 +354,8 @@ class FileCoverage:
 
 @dataclass(frozen=True)
 class LineGap:
-    """Source lines of a method that no test of the method's requirements executes. ``reason`` is
-    the justification, if design/justified.toml contains one."""
+    """Source lines of a method. No test of the method's requirements executes these lines.
+    ``reason`` is the justification, if design/justified.toml contains one."""
 
     method: str
     place: Place
@@ -534,8 +534,8 @@ class Requirement:
 
     @property
     def reviewed(self) -> bool:
-        """Returns whether a person reviewed the present texts of the requirement and answered no
-        question with "no"."""
+        """Returns whether a person reviewed the present texts of the requirement, and did not give
+        the answer "no" to any question."""
         return any(review.holds and not review.open_points for review in self.reviews)
 
     @property
@@ -857,7 +857,7 @@ class BuildEvidence:
     tool_tests: Mapping[str, Counts | None] = field(default_factory=dict)
     failed: Sequence[str] = ()  # Python tests whose last run failed
     repeated: Sequence[str] = ()  # Python tests that failed at first, and then ran once more
-    # file of Python tests -> number of its functions with tests that only ./wr test --long runs
+    # file of Python tests -> number of its functions with long tests (see ./wr test --long)
     long_tests: Mapping[str, int] = field(default_factory=dict)
     exemptions: Sequence[Exemption] = ()
 
@@ -1009,7 +1009,7 @@ class ExecutionContext:
     # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)
     intended: int | None = None  # priority that the design states
-    # the function that the program after a reset executes when the interrupts are enabled
+    # the function that the program executes after a reset when the interrupts are enabled
     idle: str = ""
 
 
@@ -1317,8 +1317,7 @@ class MadeChange:
 
     @property
     def new_lines(self) -> int:
-        """Returns the number of new lines in existing files. An edited line does not count as a new
-        line."""
+        """Returns the number of new lines in existing files. An edited line is not a new line."""
         return self.added_lines - self.composition_lines - self.outside_lines
 
 

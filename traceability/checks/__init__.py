@@ -57,8 +57,8 @@ FAMILIES = (
 
 
 def run_checks(model: Model, facts: Facts) -> Report:
-    """Runs all checks, except the checks of the links of the site, and returns the report with
-    their sorted findings. The site is built later."""
+    """Runs all checks and returns the report with their sorted findings. The links of the site are
+    not checked here, because the site is built later."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
     all_findings = [finding for family in families for finding in family(model, facts)]
     clauses, broken = pattern_checks.decide(model, facts)

@@ -1,5 +1,5 @@
-"""arch-*: each module that the architecture names exists, each connection begins and ends at
-elements of the right kind, and the code contains each connection that the architecture declares."""
+"""arch-*: each module in the architecture exists, each connection begins and ends at elements of
+the right kind, and the code contains each connection that the architecture declares."""
 
 from __future__ import annotations
 
@@ -78,8 +78,9 @@ def _elements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _ends(model: Model, kind: str, end: str, owner: str, facts: Facts) -> Iterator[Finding]:
-    """Finds connections of the kind ``kind`` with a wrong module at the end ``end``: a module that
-    belongs to no element of the kind ``owner``."""
+    """Finds connections of the kind ``kind`` that have a wrong module at one end. The argument
+    ``end`` selects this end. A module is wrong if it belongs to no element of the kind
+    ``owner``."""
     elements = [element for element in model.architecture if element.kind == owner]
     modules = {name for element in elements for name in element.modules}
     ends = {getattr(each, end): each for each in model.connections if each.kind == kind}

@@ -1,5 +1,5 @@
-"""board-*: each kind of mistake that the virtual K64 detects is declared and tested, and each
-belief about the hardware has a source, for example the manual."""
+"""board-*: the virtual K64 detects some kinds of mistakes. Each of these kinds is declared and
+tested. Each belief about the hardware has a source, for example the manual."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 def _findings(model: Model) -> Iterator[Finding]:
     for finding in model.board_findings.values():
         if not finding.tests:
-            text = f"no test in tests/sim/emulator names the finding {finding.id}"
+            text = f"the finding {finding.id} is named in no test in tests/sim/emulator"
             yield Finding(finding.place, "board-finding", text)
     for fault in model.driver_faults or []:
         if fault.finding and fault.finding not in model.board_findings:

@@ -1,5 +1,5 @@
-"""exec-*: the declared contexts (interrupts and threads) agree with the code, and data that several
-contexts share is protected."""
+"""exec-*: the declared contexts (interrupts and threads) agree with the code, and the shared data
+of several contexts is protected."""
 
 from __future__ import annotations
 
@@ -220,8 +220,9 @@ def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds floating-point numbers in code that an interrupt executes. They are a fault, because
-    the processor then also saves the floating-point registers, and the interrupt takes longer."""
+    """Finds floating-point numbers in code that an interrupt executes. If an interrupt uses such
+    numbers, the processor also saves the floating-point registers, and the interrupt takes
+    longer."""
     findings: dict[Place, Finding] = {}
     for context, reached in _of_interrupts(model, facts):
         for body in (body for name in reached for body in facts.bodies.get(name, [])):
@@ -233,8 +234,9 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _loops(facts: Facts) -> Iterator[Finding]:
-    """Finds loops that do not count their iterations, if design/justified.toml has no entry for
-    their function. Also finds entries of design/justified.toml whose function has no such loop."""
+    """Finds functions with a loop that does not count its iterations. A function is permitted if
+    design/justified.toml has an entry for it. Also finds entries for functions without such a
+    loop."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
@@ -261,7 +263,8 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled(facts: Facts) -> Iterator[Finding]:
-    """Finds interrupt lines that have a handler in the vector table but that no call enables."""
+    """Finds interrupt lines that no call enables although the vector table has a handler for
+    them."""
     for line, handler in silent_lines(facts).items():
         place = facts.bodies[handler][0].place if handler in facts.bodies else DECLARED
         said = f"the vector table has {handler} at interrupt line {line}"

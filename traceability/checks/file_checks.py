@@ -71,8 +71,8 @@ def _composes(model: Model, folder: str) -> bool:
 
 
 def _outside(facts: Facts) -> Iterator[Finding]:
-    """Finds functions and classes that other files can use, and that are in the file of a module
-    but not part of its class."""
+    """Finds functions and classes in the file of a module, but outside the class of the module, if
+    other files can use them."""
     shared = {Path(item.file).stem for item in facts.declared.shared}
     for body in facts.syntax.bodies:
         stem = Path(body.place.file).stem
@@ -92,8 +92,8 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _loose(facts: Facts) -> Iterator[Finding]:
-    """Finds variables in the file of a module that exist as long as the program runs and are not
-    members of a class. All objects of the module would share such a variable."""
+    """Finds variables in the file of a module that are not members of a class and exist as long as
+    the program runs. All objects of the module would share such a variable."""
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)
         if module in facts.modules:
@@ -124,8 +124,8 @@ def _preprocessor(root: Path) -> Iterator[Finding]:
 
 
 def _locks(root: Path) -> Iterator[Finding]:
-    """Finds packages that a file setup/*.in demands, and that its lock file does not contain in a
-    permitted version."""
+    """Compares each file setup/*.in with its lock file. Finds demanded packages that the lock file
+    does not contain in a permitted version."""
     for file in sorted((root / "setup").glob("*.in")):
         locked: dict[str, str] = dict(LOCKED.findall(text_of(file.with_suffix(".lock"))))
         for place, line in lines_below(root, [str(file.relative_to(root))], ()):

@@ -1,4 +1,4 @@
-"""req-unknown: each id of a requirement, hazard, safety goal or assumption in a text exists."""
+"""req-unknown: each id in a text belongs to a requirement, hazard, safety goal or assumption."""
 
 from __future__ import annotations
 

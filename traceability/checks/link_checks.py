@@ -1,5 +1,5 @@
-"""link-site: the built site has no dead link. link-doc: the products, programs and pins that
-hand-written pages name exist."""
+"""link-site: the built site has no dead link. link-doc: the products, programs and pins in
+hand-written pages exist."""
 
 from __future__ import annotations
 
@@ -179,8 +179,8 @@ def _others(links: list[tuple[str, str]]) -> str:
 
 
 def dead_clicks(site: Path) -> Iterator[Finding]:
-    """Finds clicks in design/questions.toml whose target page the site does not contain. The clicks
-    are the links that lead a reader to the answer of a question."""
+    """Finds clicks in design/questions.toml that lead to no page of the site. The clicks are the
+    links that lead a reader to the answer of a question."""
     lines = text_of(site.resolve().parent.parent / QUESTIONS).splitlines()
     for number, line in enumerate(lines, 1):
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
@@ -274,8 +274,8 @@ def _built(root: Path) -> set[str]:
 
 def _targets(root: Path) -> set[str]:
     """Returns the programs and firmware images that CMake builds, with their folders below the
-    folder of the preset. The functions of CMake whose names end with "image" add an image without a
-    folder."""
+    folder of the preset. If the name of a CMake function ends with "image", the function adds an
+    image without a folder."""
     found = set()
     for file, text in texts_below(root, BUILDING, (".txt",)):
         values = dict(SET.findall(text))

@@ -85,8 +85,8 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _unused_parts(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds members that are objects of a design module, but that the code only constructs: no
-    function uses such a member, and no other object gets a reference to it."""
+    """Finds unused members that are objects of a design module: the code constructs such a member,
+    but no function uses the member, and no other object gets a reference to it."""
     used = {place for flow in facts.syntax.flows for place in flow.sources}
     for body in facts.syntax.bodies:
         used |= {f"field {member}" for member in body.touches}
@@ -103,8 +103,8 @@ def _unused_parts(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _assertions(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds methods whose @errors names an assertion that neither the method nor a called function
-    contains."""
+    """Finds methods with a wrong assertion in @errors: neither the method nor a called function
+    contains this assertion."""
     named = {
         value.name for one in facts.syntax.classes if one.name == ASSERTIONS for value in one.values
     }
@@ -153,7 +153,7 @@ def _products(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds methods of data types that contain a condition or a loop."""
+    """Finds conditions and loops in methods of data types."""
     for body in facts.syntax.bodies:
         if (module := model.modules.get(body.owner)) and module.datatype and body.branches:
             text = f"{body.id} has a condition or a loop, but {body.owner} is a data type"
@@ -175,8 +175,8 @@ def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
 
 
 def _written(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds modules that design/modules.toml lists but the code does not contain. Also reports if
-    the number of listed modules differs from the number in the paper."""
+    """Finds names in design/modules.toml for which the code has no module. Also reports if the
+    number of listed modules differs from the number in the paper."""
     names = facts.declared.names
     written = {name: str(Path(fact.place.file).parent) for name, fact in facts.classes.items()}
     for logic, place in facts.declared.name_places.items():
@@ -227,7 +227,7 @@ def words_of(text: str) -> str:
 
 
 def _nested(facts: Facts) -> Iterator[Finding]:
-    """Finds public nested classes of a module that have no @brief."""
+    """Finds public nested classes without a @brief."""
     modules = facts.modules
     for fact in facts.syntax.classes:
         public = fact.access == "public" and fact.name.split("::")[0] in modules
@@ -236,7 +236,7 @@ def _nested(facts: Facts) -> Iterator[Finding]:
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
-    """Finds public declarations in headers that have no comment. Registers need no comment, because
+    """Finds public declarations without a comment in headers. Registers need no comment, because
     the manual of the microcontroller describes them."""
     spec = [finding.place for finding in findings if finding.check == "module-spec"]
     seen = {(place.file, place.line) for place in spec}
@@ -257,8 +257,8 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
 
 
 def _units(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds descriptions of a parameter, a result or a data member whose unit differs from the unit
-    of the type."""
+    """Finds a parameter, a result or a data member if the unit in its description differs from the
+    unit of its type."""
     # each element: place, name, type, description
     texts: list[tuple[Place, str, str, str]] = []
     for module in model.modules.values():

@@ -1,8 +1,8 @@
-"""doc-name: each name of the code in a text exists in the code or in the paper.
+"""doc-name: if a text contains a name of the code, the name exists in the code or in the paper.
 
 A text is a comment of the code, a page, or a text of design/. In a page, a name is a literal, or a
-name such as Class::method. Each test that a page or a text of design/ names exists. The attributes
-of a report that the pages name are the attributes in the code of the client.
+name such as Class::method. If a page or a text of design/ names a test, this test exists. If a page
+names an attribute of a report, the code of the client has this attribute.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _constants(facts: Facts) -> Iterator[Finding]:
-    """Finds constants and formulas that texts of design/ insert, and that have no value."""
+    """Finds constants and formulas that have no value although a text of design/ inserts them."""
     for place, line in lines_below(facts.root, ("design",), (".toml",)):
         for formula in ROLE.findall(line):
             if formula_text(formula, facts.declared.entries.constants) is None:
@@ -209,9 +209,9 @@ def _fields(root: Path) -> set[str]:
 
 
 def _functions(model: Model, words: Words, comments: list[tuple[Place, str]]) -> Iterator[Finding]:
-    """Finds, in comments, names of functions that do not exist. A function that a comment of a
-    module names belongs to the files of this module, or is a method of a module that this module
-    uses."""
+    """Finds, in comments, names of functions that do not exist. If a comment of a module names a
+    function, the function must be in the files of this module, or must be a method of a module that
+    this module uses."""
     syntax = words.facts.syntax
     functions: list[BodyFact | MethodFact] = [*syntax.bodies]
     functions += [method for each in syntax.classes for method in each.methods]

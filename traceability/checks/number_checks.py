@@ -54,8 +54,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _ports(facts: Facts) -> Iterator[Finding]:
-    """Finds numbers in the README of a port that are the value of neither a constant of the port
-    nor a constant of SystemConstants."""
+    """Finds wrong numbers in the README of a port: no constant of the port or of SystemConstants
+    has such a number as its value."""
     shared = [
         quantity_of(constant)
         for constant in facts.syntax.values
@@ -77,9 +77,9 @@ def _ports(facts: Facts) -> Iterator[Finding]:
 def _specification(
     module: Module, model: Model, by_file: dict[str, list[ConstantFact]]
 ) -> Iterator[Finding]:
-    """Finds numbers in the specification of a module that are neither the value of a constant nor a
-    number in a requirement of the module. The constants are those of the module, of the modules
-    that it uses, and of SystemConstants."""
+    """Finds wrong numbers in the specification of a module. A number is right if a constant has
+    this value, or if a requirement of the module contains this number. The constants are those of
+    the module, of the modules that it uses, and of SystemConstants."""
     near = [
         model.modules[name] for name in (module.name, SHARED, *module.uses) if name in model.modules
     ]
@@ -103,8 +103,9 @@ def _specification(
 
 
 def _is_stated(stated: Quantity, constants: list[Quantity]) -> bool:
-    """Returns whether a constant has the number and the unit of a text. For a count, a constant
-    with this number and without a unit is sufficient if no constant has the unit of the count."""
+    """Returns whether a constant has the number and the unit of a text. If the text states a count
+    and no constant has the unit of this count, a constant with the same number and without a unit
+    is sufficient."""
     if stated.kind in COUNTS and not any(one.kind == stated.kind for one in constants):
         return any(is_same(stated, one) for one in constants)
     return stated in constants

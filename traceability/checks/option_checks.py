@@ -96,7 +96,7 @@ def _wrong_in(section: list[Line], options: _Options) -> Iterator[Finding]:
                 yield Finding(place, "link-doc", f"./wr has no {command}", FIX)
         for word in _alone(line) if "--" in line else ():
             if word not in of_section:
-                text = f"no command or program that this page names has the option {word}"
+                text = f"the option {word} belongs to no command or program on this page"
                 yield Finding(place, "link-doc", text, "name an option that exists")
 
 
@@ -116,7 +116,7 @@ def _is_comment(place: Place, line: str) -> bool:
 
 
 def _wrong_in_programs(root: Path, options: _Options) -> Iterator[Finding]:
-    """Finds options in help texts, messages and docstrings that no command or program has."""
+    """Searches help texts, messages and docstrings for options that no command or program has."""
     for file, line, text in texts_of_programs(root):
         for word in OPTION.findall(OTHER_PROGRAM.sub("", text)):
             if word not in options.all:

@@ -47,8 +47,8 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _unstated(model: Model) -> Iterator[Finding]:
-    """Finds requirements that name a place of the paper as their source, but that no statement of
-    this place lists in ``here``."""
+    """Finds requirements whose source is a place of the paper, if no statement of this place lists
+    the requirement in ``here``."""
     answered = {
         (statement.where, target) for statement in model.statements for target in statement.here
     }
@@ -56,7 +56,7 @@ def _unstated(model: Model) -> Iterator[Finding]:
         for source in requirement.sources:
             pair = (source.name, f"requirement:{requirement.id}")
             if source.kind == "paper" and pair not in answered:
-                text = f"no statement of {source.name} of the paper names {requirement.id}"
+                text = f"{requirement.id} is named in no statement of {source.name} of the paper"
                 yield Finding(requirement.place, "paper-statement", text)
 
 
@@ -88,12 +88,12 @@ def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _arrows(model: Model) -> Iterator[Finding]:
-    """Finds arrows of the high-level diagram that no entry of the concordance names."""
+    """Finds arrows of the high-level diagram that are in no entry of the concordance."""
     said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
     fix = "correct the arrow, or name it in the entry of Figure 5 and write the reason as deviation"
     for connection in model.connections:
         if model.paper and connection.arrow not in said:
-            text = f"no entry of the concordance names the arrow {connection.arrow}"
+            text = f"the arrow {connection.arrow} is named in no entry of the concordance"
             yield Finding(connection.place, "paper-complete", text, fix)
 
 

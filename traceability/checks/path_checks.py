@@ -1,4 +1,4 @@
-"""link-doc: the files and folders that texts name exist."""
+"""link-doc: the files and folders in texts exist."""
 
 from __future__ import annotations
 

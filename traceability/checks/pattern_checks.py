@@ -250,8 +250,8 @@ def _has_subclass_role(subclass: str, binding: RoleBinding, model: Model, facts:
 
     For most patterns, a role in any application of one of the base classes is sufficient. Each
     subclass of a Command or of a Builder, for example, has its own application. For State, Strategy
-    and Abstract Class, the role must belong to this application. Decorators and the components that
-    they decorate are an exception: they need no second role.
+    and Abstract Class, the role must belong to this application. There is one exception: Decorators
+    and their components need no second role.
     """
     module = model.modules.get(subclass)
     for role in module.roles if module else []:

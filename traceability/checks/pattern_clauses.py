@@ -28,8 +28,8 @@ class Shape:
 
     @property
     def replaced(self) -> list[str]:
-        """Returns the operations that the decorators implement without a call of the component. For
-        all other operations, a decorator calls the component and adds something."""
+        """Returns the operations that the decorators implement without a call of the component. In
+        each remaining operation, a decorator calls the component and adds something."""
         declared = self.facts.declared.applications.get(self.application.id)
         return declared.replaces if declared else []
 
@@ -100,14 +100,14 @@ class Shape:
         return False
 
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
-        """Yields the places at which the code of a class names one of the target classes or
-        includes its header. Yields the target with each place."""
+        """Yields each place at which the code of a class contains the name of a target class or
+        includes the header of a target class. Yields the target class with each place."""
         for place, target in self.facts.named_by(by):
             if target in targets and target != by:
                 yield place, target
 
     def marks(self, module: str) -> set[tuple[str, str]]:
-        """Returns the enumerators that the code of a class names, each as enumeration and
+        """Returns the enumerators in the code of a class. Each result is a pair of enumeration and
         enumerator."""
         return {
             (name.target, name.member)
@@ -193,8 +193,8 @@ def named(shape: Shape, module: str, hidden: list[str]) -> Broken:
 
 
 def state_unmarked(shape: Shape) -> Broken:
-    """Finds each Context that uses the enumerator of a state. Of all states, only this state uses
-    the enumerator. The Context could therefore detect the state by this enumerator."""
+    """Finds each Context that could detect a state by an enumerator: the Context uses an enumerator
+    that only one of the states uses."""
     states = shape.playing("Concrete State")
     marks = [mark for state in states for mark in shape.marks(state)]
     own = {mark: state for state in states for mark in shape.marks(state) if marks.count(mark) == 1}
@@ -242,8 +242,8 @@ def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
 
 
 def called(role: str) -> Callable[[Shape], Broken]:
-    """Finds Contexts that never call the abstract class with this role. Calls in inherited methods
-    of the Context count too."""
+    """Finds Contexts that never call the abstract class with this role. A call in an inherited
+    method of the Context is sufficient."""
 
     def clause(shape: Shape) -> Broken:
         for base in shape.playing(role):
@@ -383,7 +383,7 @@ def template_nonvirtual(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
         plain = template_methods(shape, module)
         if not plain:
-            text = f"{module} has no template method: a method that calls primitives, not virtual"
+            text = f"{module} has no template method: no method without virtual calls primitives"
             yield shape.place(module), text
         for method in shape.methods(module):
             if method.virtual and method.id in primitives_called(shape, module):
@@ -521,8 +521,7 @@ def passes_steps_on(shape: Shape, builder: str) -> bool:
 
 
 def builder_parts(shape: Shape) -> Broken:
-    """Finds places at which a module that is not a builder constructs an object that only a builder
-    may construct."""
+    """Finds objects that only a builder may construct, but that another module constructs."""
     builders = shape.playing("Concrete Builder")
     for part in sorted(parts_of(shape, builders)):
         for place, maker in makers(shape, part):

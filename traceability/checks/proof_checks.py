@@ -1,5 +1,5 @@
-"""proof-*: Spin has proven each property, and the model that Spin explores agrees with the design
-and the code."""
+"""proof-*: Spin has proven each property, and the explored model agrees with the design and the
+code."""
 
 from __future__ import annotations
 

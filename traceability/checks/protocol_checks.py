@@ -128,7 +128,7 @@ def not_in_body(body: bytes, text: str, layouts: dict[int, Layout]) -> Iterator[
             right = (float(amount) * (-1 if side == "right" else 1), unit) in with_unit
         elif of_word:
             right = number in (*of_word, ".".join(of_word))
-        else:  # An address, or the 2 in "wheel 2", is a value or the end of the name of a value.
+        else:  # An address is a value. The 2 in "wheel 2" is the end of the name of a value.
             shown = str(int(number, 16)) if number.startswith("0x") else number
             right = any(
                 str(value) == shown or (value and name.endswith(number))

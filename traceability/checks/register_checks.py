@@ -181,7 +181,7 @@ def _page(address: int) -> int:
 
 
 def _borrowed(facts: Facts) -> Iterator[Finding]:
-    """Finds blocks in the table of registers that name a register of another block."""
+    """Finds a block in the table of registers if it names a register of another block."""
     own = {place.line: block for place, block, _ in lines_of_blocks(facts.root)}
     for fact in facts.syntax.blocks:
         in_table = fact.place.file == fact.file == REGISTERS

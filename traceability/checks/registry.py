@@ -87,7 +87,7 @@ _FIXED = [
         "syntax-error",
         "Code without errors",
         "The syntax tree of every file below src and extensions has no error.",
-        "The check does not find an error that only another compiler or another target reports.",
+        "The check does not find an error that only occurs with another compiler or target.",
         "correct the code as the message explains.",
     ),
     Check(
@@ -123,17 +123,18 @@ _FIXED = [
     Check(
         "doc-name",
         "Names in texts exist in the code",
-        "Each class, method, function, constant or value that a text names exists in the code or "
-        "in the paper. The texts are the comments of the code and the texts of design/. In pages, "
-        "only literals and each Class::method count. Each test that a page or a text of design/ "
-        "names exists. If a page states that a class derives from another class, this is true. "
-        "Each constant and formula that a text of design/ inserts has a value. Each attribute of a "
-        "report that a page names is an attribute of the client's classes, and the table of these "
-        "attributes in docs/client.rst is complete. mypy finds no wrong name, parameter or type in "
-        "the Python examples on the pages. A function that a comment of a module names without a "
-        "class, such as start(), is in the files of this module, or is a method of a module that "
-        "this module uses. `paper-stale` checks the names in design/concordance.toml. "
-        "`pattern-change` checks the names in design/changes.toml.",
+        "If a text names a class, method, function, constant or value, this name exists in the "
+        "code or in the paper. The texts are the comments of the code and the texts of design/. In "
+        "pages, the check reads only literals and names of the form Class::method. If a page or a "
+        "text of design/ names a test, this test exists. If a page states that a class derives "
+        "from another class, this is true. Each constant and formula that a text of design/ "
+        "inserts has a value. If a page names an attribute of a report, the classes of the client "
+        "have this attribute. The table of these attributes in docs/client.rst is complete. mypy "
+        "finds no wrong name, parameter or type in the Python examples on the pages. If a comment "
+        "of a module names a function without a class, such as start(), the function is in the "
+        "files of this module, or is a method of a module that this module uses. `paper-stale` "
+        "checks the names in design/concordance.toml. `pattern-change` checks the names in "
+        "design/changes.toml.",
         "The check does not find a wrong name that is also an English word. It does not find a "
         "name whose meaning has changed. In a Python example, it does not check names that come "
         "from packages other than the client.",
@@ -152,7 +153,7 @@ _FIXED = [
     Check(
         "module-logic",
         "Each design module is in a logic module",
-        "Every class with a separate header is in a folder below src or extensions that has a "
+        "Below src and extensions, every class with a separate header is in a folder that has a "
         "module.dox.",
         "The check cannot judge whether the header is in the right folder. The designer decides "
         "this.",
@@ -215,14 +216,14 @@ _FIXED = [
         "the number in the paper. Modules of extensions are not counted.",
         "The check cannot judge whether the list is correct.",
         "remove the module, mark a value type with @datatype, or add the module to "
-        "design/modules.toml and increase total there.",
+        "design/modules.toml and increase the key total of this file.",
     ),
     Check(
         "module-used",
         "Each design module is part of a product",
         "Every design module is used: a composition names the module, or a used module names it. "
         "If a member of a class is an object of a design module, the member is used or passed on. "
-        "Every module that design/products.toml lists exists, and this file lists every concrete "
+        "If design/products.toml lists a module, this module exists. The file lists every concrete "
         "class of the extensions.",
         "The check does not detect whether the product ever executes the code of the module. It "
         "also does not detect whether CMake builds the composition.",
@@ -231,20 +232,21 @@ _FIXED = [
     Check(
         "module-errors",
         "A documented assertion is in the code",
-        "Each assertion that @errors of a method names is in this method, or in a function that "
-        "the method calls directly or indirectly.",
-        "The check does not find an assertion that no @errors names. It does not detect whether "
-        "the stated condition is the condition of the assertion. It reads only methods of the "
-        "product weeding_robot.",
+        "If @errors of a method names an assertion, this assertion is in the method, or in a "
+        "function that the method calls directly or indirectly.",
+        "The check does not detect that an assertion is missing in @errors. It does not detect "
+        "whether the stated condition is the condition of the assertion. It reads only methods of "
+        "the product weeding_robot.",
         "name the assertion that the code has.",
     ),
     Check(
         "module-swapped",
         "No parts are swapped",
-        "The check compares the name of each initialised member or variable in src, extensions and "
-        "ports with its value. In an aggregate with the members step and direction, the value of "
-        "step is no object with the name direction. If the name and the value have a common word, "
-        "they do not contain different words of a pair. For example, the value of leftEnd is not "
+        "In src, extensions and ports, the check compares the name of each initialised member or "
+        "variable with its value. In an aggregate, the value of a member is not an object with the "
+        "name of another member. For example, the value of step is not direction. If the name and "
+        "the value have a common word, and the name contains one word of a pair, the value does "
+        "not contain the other word of this pair. For example, the value of leftEnd is not "
         "steering_right_end. The pairs are left and right, front and rear, inner and outer, "
         "forward and backward, upper and lower, first and second, A and B, step and direction, "
         "velocity and direction.",
@@ -443,20 +445,20 @@ _FIXED = [
     Check(
         "uses-unused",
         "Each allowed use occurs in the code",
-        "Every use that design/uses.toml allows occurs in the code, and only one entry allows "
-        "this use. Every declared cycle exists in the code, within the declared folder.",
+        "If design/uses.toml allows a use, this use occurs in the code, and only one entry allows "
+        "it. Every declared cycle exists in the code, within the declared folder.",
         "The check cannot judge whether the declared reason is good.",
         "remove the entry.",
     ),
     Check(
         "arch-module",
         "The architecture names modules that exist and are connected",
-        "Every module that design/architecture.toml names in an element, a group or a connection "
-        "exists. Every connector that a connection names exists as an element. A module of a "
-        "controller, process, sensor or event is in a connection or a group, and belongs to only "
-        "one of these elements. Each command goes from a module of a controller to a module of a "
-        "process. Each physical connection begins at a module of a process, and ends at a module "
-        "of a sensor. Each process has a physical connection.",
+        "If an element, a group or a connection in design/architecture.toml names a module, this "
+        "module exists. If a connection names a connector, this connector exists as an element. A "
+        "module of a controller, process, sensor or event is in a connection or a group, and "
+        "belongs to only one of these elements. Each command goes from a module of a controller to "
+        "a module of a process. Each physical connection begins at a module of a process, and ends "
+        "at a module of a sensor. Each process has a physical connection.",
         "The check cannot judge whether two connected modules belong to the same element.",
         "correct the name, or the connection.",
     ),
@@ -476,10 +478,10 @@ _FIXED = [
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the vector table belongs to one context of design/execution.toml, "
-        "and a call enables the interrupt line of this handler. Each handler, thread body and "
-        "shared member that design/execution.toml names exists. The program after a reset calls "
-        "the idle program. The interrupt lines of a context have the declared priority of the "
-        "context. Each pipe of the robot has a name.",
+        "and a call enables the interrupt line of this handler. If design/execution.toml names a "
+        "handler, a thread body or a shared member, the code contains this part. The program that "
+        "runs after a reset calls the idle program. The interrupt lines of a context have the "
+        "declared priority of the context. Each pipe of the robot has a name.",
         "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
@@ -497,7 +499,8 @@ _FIXED = [
     Check(
         "exec-float",
         "No floating point in an interrupt",
-        "A function that the handler of an interrupt reaches uses no floating-point numbers.",
+        "If the handler of an interrupt reaches a function, this function uses no floating-point "
+        "numbers.",
         "The check does not read functions of the toolchain. It does not follow calls through "
         "pointers to functions. It reads only the product weeding_robot.",
         "compute with integers.",
@@ -510,7 +513,7 @@ _FIXED = [
         "The check does not prove that the condition of a `for` becomes false.",
         "count the iterations in the head of the loop, or state in design/justified.toml why the "
         "loop ends.",
-        "A loop that does not end blocks its thread or interrupt forever. The longest time of a "
+        "If a loop does not end, it blocks its thread or interrupt forever. The longest time of a "
         "cycle can be computed only if each loop has a greatest number of iterations.",
     ),
     Check(
@@ -528,19 +531,19 @@ _FIXED = [
     Check(
         "exec-shared",
         "Shared data of contexts is protected",
-        "A member that one context changes and another context uses is a Pipe, or "
-        "design/execution.toml declares its protection. A member that is declared as atomic is "
-        "atomic. If a member is declared as masked, each function that uses the member blocks the "
-        "interrupts. If only its writes are declared as masked, each function that changes the "
-        "member blocks the interrupts. The idle program counts as a context. Exactly one context "
-        "writes each pipe, and exactly one context reads it.",
+        "If one context changes a member and another context uses this member, the member is a "
+        "Pipe, or design/execution.toml declares its protection. If a member is declared as "
+        "atomic, its type is atomic. If a member is declared as masked, each function that uses "
+        "the member blocks the interrupts. If only its writes are declared as masked, each "
+        "function that changes the member blocks the interrupts. The idle program is also regarded "
+        "as a context. Exactly one context writes each pipe, and exactly one context reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
         "the threads of two wheels. After a reset, the program starts the timers and the sensors "
         "when the interrupts are already enabled. The check does not read the calls that start "
-        "them. It does not read members of data types. Instead, it reads the members in which "
-        "modules store values of these data types.",
+        "these timers and sensors. It does not read members of data types. Instead, it reads the "
+        "members in which modules store values of these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
@@ -580,12 +583,12 @@ _FIXED = [
     Check(
         "time-bound",
         "Each loop of the firmware image has a bound",
-        "Each loop that a handler of the firmware image reaches has a bound. Each memory copy of "
-        "unknown size that a handler reaches has a bound too. The bound is the constant in the "
-        "head of the loop, or a declared number above the loop or the copy. For a loop over a "
-        "std::array, the declared bound is not lower than the number of elements. A bound that is "
-        "a formula or a name can be lower if the loop reads only the first elements. The target of "
-        "each indirect call is known. No lock of the interrupts contains a loop or a call.",
+        "If a handler of the firmware image reaches a loop, or a memory copy of unknown size, this "
+        "loop or copy has a bound. The bound is the constant in the head of the loop, or a "
+        "declared number above the loop or the copy. For a loop over a std::array, the declared "
+        "bound is not lower than the number of elements. The bound can be a smaller number if it "
+        "is a formula or a name, and the loop reads only the first elements. The target of each "
+        "indirect call is known. No lock of the interrupts contains a loop or a call.",
         "If a loop does not read a std::array, the check cannot judge whether the declared bound "
         "is right. It does not read loops that run only before the first interrupt. It reads only "
         "the firmware image of weeding_robot.",
@@ -633,15 +636,16 @@ _FIXED = [
         "of a state has only one declared transition, the check compares the condition of this "
         "transition. A guard, or an event with a time, is a condition. The transition has a "
         "condition if the code makes the change on some paths only. The transition has no "
-        "condition if the code makes the change on every path. The transitions of a state with the "
-        "same event are declared in the order in which the code evaluates their guards. A guard "
-        "that names a state of another machine, such as 'in Reconnecting', is not compared. The "
-        "table [guards] of the file lists the conditions of each guard. Before each change, the "
-        "code checks the conditions of the guard. The table [actions] of the file lists the "
-        "methods of each action. Before each change, the code calls the methods of the action. If "
-        "an operation calls a method of this table, a transition of the operation has this action. "
-        "If the function with a change always calls such a method between the previous change and "
-        "this change, the transition of the change has this action.",
+        "condition if the code makes the change on every path. If several transitions of a state "
+        "have the same event, they are declared in the order in which the code evaluates their "
+        "guards. A guard that names a state of another machine, such as 'in Reconnecting', is not "
+        "compared. The table [guards] of the file lists the conditions of each guard. Before each "
+        "change, the code checks the conditions of the guard. The table [actions] of the file "
+        "lists the methods of each action. Before each change, the code calls the methods of the "
+        "action. If an operation calls a method of this table, a transition of the operation has "
+        "the action of this method. A function that changes the state can call such a method on "
+        "every path to the change, after any earlier change. In this case, the transition of the "
+        "change has the action of this method.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -653,8 +657,8 @@ _FIXED = [
         "Each transition occurred in a passing test on the host. The recorded calls of the "
         "test show the transition: the Context calls the operation of the old state, and then "
         "calls methods of the new state. Of all states, only the new state has all these methods. "
-        "For each requirement that a transition names, a test of the requirement makes the "
-        "transition. Each change of the state in a test is a declared transition.",
+        "If a transition names a requirement, a test of this requirement makes the transition. "
+        "Each change of the state in a test is a declared transition.",
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
@@ -686,8 +690,8 @@ _FIXED = [
         "Each property is proven",
         "Spin explored every state of the model and found no sequence of events that violates the "
         "property.",
-        "A proof of an older design does not count. The check reports nothing until Spin has run "
-        "on the present design.",
+        "The check ignores proofs of an older design. It reports nothing until Spin has run on the "
+        "present design.",
         "correct the design, or the formula; the page 'Proofs' shows the counterexample.",
     ),
     Check(
@@ -695,8 +699,8 @@ _FIXED = [
         "Controllers and sensors are independent",
         "If design/uses.toml separates two modules, neither module names the other module or "
         "includes its header. No controller names a sensor, and no sensor names a controller.",
-        "The check does not find a third module that passes a reference to a sensor to a "
-        "controller, or a reference to a controller to a sensor.",
+        "The check does not find a third module from which a controller receives a reference to a "
+        "sensor, or from which a sensor receives a reference to a controller.",
         "pass the value through a pipe.",
     ),
     Check(
@@ -723,10 +727,10 @@ _FIXED = [
     Check(
         "secret-open",
         "No access except through the interface",
-        "No module has public variables. Each friend of a module is nested in this module. No "
-        "operation returns a reference or a pointer with which a caller can change a member whose "
-        "type contains no class of the project, such as a number. No source file declares a name "
-        "that another source file defines.",
+        "No module has public variables. Each friend of a module is nested in this module. A type "
+        "is plain if it contains no class of the project. An example is the type of a number. No "
+        "operation returns a reference or a pointer with which a caller can change a member of a "
+        "plain type. No source file declares a name that another source file defines.",
         "The check does not find an operation that returns a reference to a whole object inside "
         "the module, such as an object that a builder contains.",
         "make the data private and add an operation to the module.",
@@ -754,8 +758,8 @@ _FIXED = [
         "Each tree names only methods that exist",
         "Every tree belongs to a requirement. Every node names a method that the named class "
         "declares or inherits. No requirement has two trees.",
-        "The check does not distinguish overloads: all methods with the same name in a class "
-        "count as one method.",
+        "The check does not distinguish overloads: if several methods of a class have the same "
+        "name, it regards them as one method.",
         "correct the name in the tree.",
     ),
     Check(
@@ -763,8 +767,8 @@ _FIXED = [
         "Each edge of a tree is a possible call",
         "For each edge of a tree, the body of the parent method contains a call that can execute "
         "the child method. A call of a virtual method executes the methods of the objects that the "
-        "constructors of the products connect. If no such object is found, it can execute every "
-        "method that overrides it.",
+        "constructors of the products connect. If no such object is found, the check assumes that "
+        "the call can execute every overriding method.",
         "The check does not detect whether the call is ever executed. It does not follow calls "
         "through pointers to functions.",
         "restore the call in the code, or change the tree.",
@@ -773,9 +777,9 @@ _FIXED = [
         "tree-order",
         "The order and the number of calls match the tree",
         "The body of each parent makes the calls in the order of the tree. If a node has no mark, "
-        "one statement without a condition calls the method of the node. The mark ? means a call "
-        "under a condition, or a call after a return under a condition. The mark * means a call in "
-        "a loop or by several statements.",
+        "one statement without a condition calls the method of the node. The mark ? means a "
+        "conditional call, or a call after a conditional return. The mark * means a call in a loop "
+        "or by several statements.",
         "The check does not detect which condition guards the call, or the order of calls in "
         "different iterations of a loop.",
         "restore the code, or correct the order or the mark in the tree.",
@@ -795,8 +799,8 @@ _FIXED = [
         "At least one test of the requirement has passed, and its recorded calls contain all calls "
         "of the tree. Each child is called during the call of its parent, and the children are "
         "called in the order of the tree.",
-        "Operations that only the drivers of the K64 implement, such as reading a pin, do not "
-        "exist on the host. In a test on the host, the check ignores them. It compares nothing "
+        "Some operations, such as reading a pin, exist only in the drivers of the K64, and not on "
+        "the host. In a test on the host, the check ignores these operations. It compares nothing "
         "while the test results are older than the sources.",
         "correct the tree, or make the calls in a test of the requirement.",
     ),
@@ -812,11 +816,12 @@ _FIXED = [
         "req-attribute",
         "Requirements have level, product and method",
         "Every requirement has one @level: system, software or driver. It has a @product: all, or "
-        "names of products that exist. The @product of a requirement FR-n names each product that "
-        "contains all modules that satisfy the requirement. Each named product contains at least "
-        "one of these modules. Every requirement has one @method of verification: test, analysis, "
-        "measurement or inspection. If the method is test, the @verifies of a test names the "
-        "requirement. If the method is measurement or analysis, the requirement has @evidence.",
+        "names of products that exist. If a product contains all modules that satisfy a "
+        "requirement FR-n, the @product of the requirement names this product. Each named product "
+        "contains at least one of these modules. Every requirement has one @method of "
+        "verification: test, analysis, measurement or inspection. If the method is test, the "
+        "@verifies of a test names the requirement. If the method is measurement or analysis, the "
+        "requirement has @evidence.",
         "The check cannot judge whether the method suits the requirement. It does not detect that "
         "@partly is missing although a part of the requirement is not verified.",
         "write the attribute, or correct its value.",
@@ -845,9 +850,9 @@ _FIXED = [
         "design/closed_loop.toml names a requirement, this requirement states the limit of the "
         "metric. If the metric is an error, the requirement can state the limit as a percentage of "
         "the target.",
-        "The check leaves out 0, 1 and two without a unit. A formula may differ by 0.5 % from the "
-        "number in the text, because the text is rounded. The check cannot judge whether the "
-        "linked constant causes the property that the sentence demands.",
+        "The check leaves out the numbers 0, 1 and 2 if they have no unit. A formula may differ by "
+        "0.5 % from the number in the text, because the text is rounded. The check cannot judge "
+        "whether the linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
         "design/requirement_numbers.toml. If the code has no constant for the number, add the "
         "number to an entry [[without]] there.",
@@ -895,10 +900,9 @@ _FIXED = [
         "req-method",
         "Each public method serves a requirement",
         "Each public method of a design module is tagged with @satisfies or has a node in a tree. "
-        "If a method has a tag or a node, the method that it overrides and the other methods that "
-        "override the same method need none. A constructor serves the requirements of its module. "
-        "Other methods are justified in design/justified.toml. Each @satisfies is in the comment "
-        "of a method of a module.",
+        "A virtual method and all methods that override it need only one tag or node together. A "
+        "constructor serves the requirements of its module. Other methods are justified in "
+        "design/justified.toml. Each @satisfies is in the comment of a method of a module.",
         "The check cannot judge whether the requirement needs the method.",
         "tag the method with @satisfies, use it in a tree, remove it, or justify it in "
         "design/justified.toml.",
@@ -930,8 +934,8 @@ _FIXED = [
         "Every name in design/justified.toml is a method, a test or a source line that needs a "
         "justification. Every entry of design/mutants.toml quotes a source line of its method, and "
         "lists changes of this line. When all mutants of the present sources have been tried, the "
-        "check also verifies that a mutant made each of these changes, and that no test found this "
-        "mutant.",
+        "check also verifies two facts for each of these changes: a mutant made the change, and no "
+        "test found this mutant.",
         "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
@@ -939,8 +943,8 @@ _FIXED = [
         "req-evidence",
         "Each metric of a requirement meets its bound",
         "Each @evidence of a requirement names a metric and a bound. The metric was measured in "
-        "this run, and its value meets the bound. A bound has the form at most, at least or "
-        "exactly.",
+        "this run, and its value meets the bound. The form of a bound is 'at most', 'at least' or "
+        "'exactly'.",
         "The check cannot judge whether the metric shows the property that the requirement "
         "demands.",
         "run ./wr test --all to measure the metric; if the value is beyond its bound, correct the "
@@ -957,26 +961,27 @@ _FIXED = [
     Check(
         "req-unknown",
         "Each id of a requirement in a tag or a text exists",
-        "Every @satisfies and @verifies names one requirement of requirements/. Every requirement "
-        "that a transition of a state machine or a metric in design/closed_loop.toml names exists. "
-        "Every id of a requirement, hazard, safety goal or assumption in a comment, a page, a text "
-        "of design/ or another text exists.",
+        "Every @satisfies and @verifies names one requirement of requirements/. If a transition of "
+        "a state machine or a metric in design/closed_loop.toml names a requirement, this "
+        "requirement exists. If a comment, a page, a text of design/ or another text contains an "
+        "id, a requirement, hazard, safety goal or assumption with this id exists.",
         "The check does not find an id that exists, but is wrong. It does not read the tests of "
         "the tools, because these tests name ids that do not exist.",
         "correct the id.",
     ),
     Check(
         "req-name",
-        "A test whose name begins with the id of a requirement verifies the requirement",
-        "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
+        "Tests that are named after a requirement verify it",
+        "If the name of a test begins with the id of a requirement, such as FR41_, the test has "
+        "the @verifies for that id.",
         "The check does not read tests whose names do not begin with an id.",
         "write the tag @verifies above the test, or rename the test.",
     ),
     Check(
         "req-stale",
         "Results belong to the present sources",
-        "The last test run used exactly the present sources. The firmware image whose size and "
-        "stack use are checked was also built from the present sources.",
+        "The last test run used exactly the present sources. The tools check the size and the "
+        "stack use of the firmware image. This image was also built from the present sources.",
         "The check has no known limits, because it compares contents and not dates.",
         "run ./wr test.",
     ),
@@ -990,9 +995,9 @@ _FIXED = [
         "serves the requirement. If a method serves no requirement, a passing test of any "
         "requirement is enough. Other lines are justified in design/justified.toml.",
         "The check does not read the code that only the K64 uses. The page of the virtual K64 "
-        "lists the lines of src/k64 that were not executed, and the files of the extensions that "
-        "are not measured. The check does not detect whether the test checks the effect of the "
-        "line.",
+        "lists the lines of src/k64 that were not executed. It also lists the files of the "
+        "extensions for which the executed lines are not measured. The check does not detect "
+        "whether the test checks the effect of the line.",
         "execute the line in a test of its requirement, remove it, or justify it in "
         "design/justified.toml.",
     ),
@@ -1047,7 +1052,7 @@ _FIXED = [
     Check(
         "hazard-requirement",
         "Requirements name existing goals",
-        "Each safety goal that a requirement names in @goal exists.",
+        "If a requirement names a safety goal in @goal, this goal exists.",
         "The check does not find a missing tag: suspect-requirement reports a removed tag. "
         "The check cannot judge whether the requirement really contributes to the goal. If some "
         "requirements of a goal are not verified, the check reports nothing, but the page of the "
@@ -1058,13 +1063,13 @@ _FIXED = [
         "hazard-scenario",
         "Fault scenarios have a goal, and their tests passed",
         "Every file of sim/scenario/safety names a safety goal, and each named goal exists. At "
-        "least one hazard lists the file. Each hazard that lists the file has a safety goal that "
-        "the file names. A test plays the scenario, and this test passed on each target for which "
+        "least one hazard lists the file. If a hazard lists the file, the file names a safety goal "
+        "of this hazard. A test plays the scenario, and this test passed on each target for which "
         "it is built.",
         "The check does not find faults without a scenario. If a scenario no longer names one of "
-        "its goals, suspect-requirement reports this. The check cannot judge whether a hazard "
-        "occurs in the scenarios that it lists. It ignores test results that are older than the "
-        "sources.",
+        "its goals, suspect-requirement reports this. The check cannot judge whether the listed "
+        "scenarios of a hazard really show this hazard. It ignores test results that are older "
+        "than the sources.",
         "complete the links, play the scenario in a test, or correct the failure.",
     ),
     Check(
@@ -1077,8 +1082,8 @@ _FIXED = [
     Check(
         "hazard-priority",
         "Safety goals determine the lowest priority",
-        "The priority of a requirement is at least the priority that design/safety_case.toml "
-        "derives from the level of its safety goals.",
+        "For the level of each safety goal, design/safety_case.toml states a lowest priority. If a "
+        "requirement serves the goal, the requirement has at least this priority.",
         "The check ignores requirements that serve no safety goal.",
         "raise the priority.",
     ),
@@ -1127,8 +1132,8 @@ _FIXED = [
         "req-review",
         "Each recorded review is valid",
         "Each record in requirements/reviews.toml names a person with an address. According to "
-        "git, this person wrote no line of the reviewed texts. The record has a remark and an "
-        "answer to each question.",
+        "git, this person wrote no line of the reviewed texts. The record answers each question, "
+        "and has a remark.",
         "The check cannot judge whether the reviewer was careful. It reports nothing for a "
         "requirement without a review. The page of the requirement shows that the review is "
         "missing.",
@@ -1137,9 +1142,10 @@ _FIXED = [
     Check(
         "paper-complete",
         "The concordance with the paper is complete",
-        "Every picture, table, section and named element of the paper that design/paper.toml lists "
-        "has one entry in design/concordance.toml. The entry names the counterpart of the element, "
-        "or the reason why there is none. Entries name each arrow of the high-level diagram.",
+        "design/paper.toml lists the pictures, tables, sections and named elements of the paper. "
+        "Each of them has one entry in design/concordance.toml. The entry names the counterpart of "
+        "the element, or the reason why there is none. Entries name each arrow of the high-level "
+        "diagram.",
         "The check does not find an element that is missing in the list. The list was written by "
         "hand from the paper.",
         "write the entry in design/concordance.toml, or correct its kind or name.",
@@ -1185,11 +1191,11 @@ _FIXED = [
     Check(
         "doc-frame",
         "Numbers of the protocol agree with the code",
-        "If a value of an enumeration in design/frames.toml has the name of an enumerator in the "
-        "firmware, or names a constant of the firmware, the value has the same number as this "
-        "enumerator or constant. If a frame has the name of an enumerator of FrameType, the type "
-        "of the frame is the number of this enumerator. The client has a text for each cause of a "
-        "protective stop.",
+        "A value of an enumeration in design/frames.toml can have the name of an enumerator in the "
+        "firmware, or can name a constant of the firmware. The value then has the same number as "
+        "this enumerator or constant. If a frame has the name of an enumerator of FrameType, the "
+        "type of the frame is the number of this enumerator. The client has a text for each cause "
+        "of a protective stop.",
         "The check does not compare the fields of the frames, the types of the fields and their "
         "limits. Tests compare them.",
         "correct the number, and never use a number of the protocol for a new meaning.",
@@ -1217,7 +1223,7 @@ _FIXED = [
         "the firmware names each file of sim/scenario/examples.",
         "The check does not decide whether this test plays the file. It does not find a wrong "
         "number that is equal to a value in another line of the scenario. It does not read a "
-        "number that follows the word about.",
+        "number after the word 'about'.",
         "correct the comment or the scenario, or name the requirement that states the number.",
     ),
     Check(
@@ -1225,27 +1231,27 @@ _FIXED = [
         "Links of hand-written pages",
         "Every reference in docs/ has a target. The check reads pages, requirements, comments, "
         "texts of design/ and other texts. If a path in such a text begins with a folder of the "
-        "project, the path exists. Each command of ./wr that a page names exists with its "
-        "options. An option without a command is an option of a command or a program that the "
-        "page names. If an option has a list of values, a value after the option is in this "
-        "list. Each product, program, firmware image, folder of the build, pin and key that a "
-        "page or a text of design/ names exists too. The file src/k64/pins.hpp contains each of "
-        "these pins, in its table or in a comment about unused pins. The README of a port can also "
-        "name the pins of this port. If one of these texts names a signal or a connector directly "
-        "next to a pin, src/k64/pins.hpp lists the same signal or connector for this pin. Pages "
-        "and help texts insert the exit codes.",
+        "project, the path exists. If a page names a command of ./wr, this command and its options "
+        "exist. An option without a command is an option of a command or a program that the page "
+        "names. If an option has a list of values, a value after the option is in this list. If a "
+        "page or a text of design/ names a product, program, firmware image, folder of the build, "
+        "pin or key, this part exists too. The file src/k64/pins.hpp contains each named pin, in "
+        "its table or in a comment about unused pins. The README of a port can also name the pins "
+        "of this port. If one of these texts names a signal or a connector directly next to a pin, "
+        "src/k64/pins.hpp lists the same signal or connector for this pin. Pages and help texts "
+        "insert the exit codes.",
         "The check cannot judge whether the link has the right target. It accepts an option "
         "without a command if any command on the page has this option, even if the sentence is "
         "about another command. It does not find a wrong pin in a sentence that does not contain "
-        "the words of the table of pins. It accepts a pin that only a comment of src/k64/pins.hpp "
-        "names.",
+        "the words of the table of pins. It accepts a pin that occurs only in a comment of "
+        "src/k64/pins.hpp.",
         "correct the target.",
     ),
     Check(
         "link-site",
         "Links of the site",
-        "The page and the anchor to which a link of the site leads exist. This also applies to the "
-        "links in diagrams. Every address that design/questions.toml lists in `clicks` has a page.",
+        "Each link of the site leads to an existing page and an existing anchor. This also applies "
+        "to the links in diagrams. In design/questions.toml, every address in `clicks` has a page.",
         "The check does not follow links to other sites.",
         "correct the source of the page.",
     ),

@@ -1,4 +1,5 @@
-"""req-* and suspect-*: code satisfies each requirement, and passed tests or metrics verify it.
+"""req-* and suspect-*: each requirement is satisfied by code, and is verified by passed tests or by
+metrics.
 
 Also checks that the texts on which a requirement depends are unchanged since the baseline, and that
 each recorded review is valid.
@@ -239,7 +240,7 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _spare(item: Justified) -> Sequence[str]:
     """Returns the names of a justification that are no longer necessary. If at least one name of an
-    entry is necessary, each name with "/" (a file or a folder) counts as necessary too."""
+    entry is necessary, each name with "/" (a file or a folder) is regarded as necessary too."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -398,8 +399,9 @@ def _tags(model: Model) -> Iterator[Finding]:
 
 
 def _lines(model: Model) -> Iterator[Finding]:
-    """Finds source lines of a method that no test of the method's requirements executes, and that
-    design/justified.toml does not justify."""
+    """Finds source lines of a method that need a justification, but have none in
+    design/justified.toml. A line needs one if no test of the method's requirements executes the
+    line."""
     if model.stale_on(HOST):
         return
     for gap in model.line_gaps:

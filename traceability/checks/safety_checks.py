@@ -34,7 +34,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds ids with a wrong form (the id of a hazard must be HZ-n). Also finds names in the safety
-    case that nothing declares."""
+    case that are not declared."""
     case = model.safety
     kinds = (("HZ", case.hazards), ("SG", case.goals), ("AU", case.assumptions))
     for prefix, items in kinds:
@@ -164,7 +164,8 @@ def _requirements(model: Model) -> Iterator[Finding]:
 def _scenarios(model: Model) -> Iterator[Finding]:
     """Finds fault scenarios that name no goal, or a goal that does not exist. Finds hazards and
     fault scenarios without a common goal, if the hazard lists the scenario. Also finds fault
-    scenarios that no hazard lists, that no test plays, or whose tests did not pass."""
+    scenarios that are listed in no hazard or played in no test, and fault scenarios whose tests did
+    not pass."""
     hazards = model.safety.hazards.values()
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"
@@ -186,11 +187,11 @@ def _scenarios(model: Model) -> Iterator[Finding]:
                 )
                 yield Finding(where, check, text, fix)
         if not listing:
-            text = f"no hazard lists the scenario {scenario.name}"
+            text = f"the scenario {scenario.name} is listed in no hazard"
             fix = "add it to the scenarios of a hazard in design/safety_case.toml"
             yield Finding(where, check, text, fix)
         if not scenario.tests:
-            text = f"no test plays the scenario {scenario.name}"
+            text = f"the scenario {scenario.name} is played in no test"
             yield Finding(where, check, text)
         elif (state := scenario_state(model, scenario)) in ("failed", "unverified"):
             word = "failed" if state == "failed" else "did not pass"
@@ -199,7 +200,7 @@ def _scenarios(model: Model) -> Iterator[Finding]:
 
 
 def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds assumptions of use that no hazard names."""
+    """Finds assumptions of use that are named in no hazard."""
     for assumption in model.safety.assumptions.values():
         if not assumption.hazards:
             text = f"{assumption.id} covers no hazard"
@@ -207,8 +208,8 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _priorities(model: Model) -> Iterator[Finding]:
-    """Finds requirements with a priority that is too low. The levels of the safety goals that a
-    requirement serves determine the lowest priority that the requirement may have."""
+    """Finds requirements with a priority that is too low. A requirement serves safety goals. The
+    levels of these goals determine the lowest permitted priority of the requirement."""
     case = model.safety
     for requirement in model.requirements.values():
         demanded = [

@@ -1,6 +1,6 @@
 """doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. Each
 number with a unit in a comment of a scenario is also in a line of the scenario, or in a requirement
-that the comment names. A test names each example scenario."""
+that the comment names. Each example scenario is named in a test."""
 
 from __future__ import annotations
 
@@ -77,15 +77,17 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def unplayed_examples(root: Path) -> Iterator[Finding]:
-    """Finds example scenarios that no test names. Only the files of tests that name the folder of
-    the examples count."""
+    """Finds example scenarios that are named in no test. Only those files of tests are read that
+    contain the name of the folder of the examples."""
     tests = texts_below(root, ("tests",), (".cpp",))
     playing = "".join(text for _, text in tests if EXAMPLES in text)
     for path in files_below(root, (EXAMPLES,), (".scenario",)):
         if not plays(path.stem, "", playing, ()):
             place = Place(str(path.relative_to(root)), 1)
             fix = "play it in tests/system/ExampleScenariosTest.cpp"
-            yield Finding(place, "doc-scenario", f"no test names the scenario {path.stem}", fix)
+            yield Finding(
+                place, "doc-scenario", f"the scenario {path.stem} is named in no test", fix
+            )
 
 
 # ---- words of the page -------------------------------------------------------
@@ -144,8 +146,9 @@ def _wrong_faults(root: Path) -> Iterator[Finding]:
 
 
 def missing_numbers(scenario: str, requirements: dict[str, str]) -> Iterator[tuple[int, str]]:
-    """Yields the numbers with a unit in the comments of a scenario that are neither in its lines
-    nor in a requirement that its comments name. Each result consists of the line and the number."""
+    """Yields each number with a unit that is in a comment of a scenario, but neither in a line of
+    the scenario nor in a requirement that the comments name. Each result consists of the line and
+    the number."""
     parts = [line.partition("#") for line in scenario.splitlines()]
     has_value = _Values([code for code, _, _ in parts])
     comment, starts = "", []
@@ -180,8 +183,8 @@ class _Values:
         self._ranges = [(low, high) for low, high in ends]
 
     def __contains__(self, amount: Amount) -> bool:
-        """Returns whether a line has the value. Three other values count too: a time that is the
-        difference of two times, a percentage by which two numbers differ, and a value in the
+        """Returns whether a line has the value. Also returns true in three cases: the value is a
+        time and the difference of two times, a percentage by which two numbers differ, or the
         middle of an expected range."""
         kind, number = amount
         if number in self._numbers:

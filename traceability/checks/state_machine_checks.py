@@ -1,5 +1,5 @@
-"""fsm-*: each state machine in design/fsm has the same transitions as the code, and passed tests
-make each of these transitions."""
+"""fsm-*: each state machine in design/fsm has the same transitions as the code, and each of these
+transitions occurs in a passed test."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ def _machines_missing(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds states, events, operations and requirements that a state machine names but that do not
-    exist."""
+    """Finds states, events, operations and requirements that do not exist although a state machine
+    names them."""
 
     def finding(text: str, fix: str, name: str, entry: Place = machine.place) -> Finding:
         return Finding(facts.line_in(entry, name), "fsm-declared", text, fix)
@@ -129,8 +129,8 @@ def _asked_for(
 
 
 def _serves_event(requirement: Requirement, step: Transition, machine: StateMachine) -> bool:
-    """Returns whether an operation of the event of a transition, or a method of its action, serves
-    a requirement."""
+    """Returns whether the event or the action of a transition serves a requirement. The event
+    serves the requirement through its operation, and the action through one of its methods."""
     operation, actions = machine.events[step.event], machine.actions.get(step.action, [])
     return any(
         method.rpartition("::")[2] == operation or method in actions
@@ -231,10 +231,10 @@ def _out_of_order(rows: list[Transition], changes: list[Change]) -> Iterator[Fin
 
 
 def _differs(row: Transition, change: Change) -> bool:
-    """Returns true if only one of two has a condition: the change in the code, or the declared
-    transition ``row``.
+    """Compares the change in the code with the declared transition ``row``. Returns true if only
+    the change or only the transition has a condition.
 
-    An event with a time, such as "after 2 s", counts as a condition of the transition. A guard
+    An event with a time, such as "after 2 s", is regarded as a condition of the transition. A guard
     about the state of another machine ("in ...") is not compared, because the code that calls the
     operation checks this guard.
     """
@@ -332,8 +332,8 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
-    """Returns the methods that can be called before a state change. In the function that contains
-    the change, only the calls above the change count."""
+    """Returns the methods that can be called before a state change. A call in the same function as
+    the change must be above the change."""
     return {
         call.target
         for change in changes
@@ -363,7 +363,7 @@ def _just_before(changes: list[Change], code: MachineCode, bodies: list[BodyFact
 
 
 def _always(method: str, facts: Facts) -> set[str]:
-    """Returns the methods that a method calls on each path."""
+    """Returns the methods that are called on every path through a method."""
     return {
         call.target
         for body in facts.bodies.get(method, [])

@@ -28,7 +28,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds times that cannot be computed, and measured runs that needed more time."""
+    """Finds times that cannot be computed, and runs whose measured time is greater than the
+    computed time."""
     if model.times is None:
         return
     loads = model.campaigns.get(LOADS)
@@ -54,8 +55,9 @@ def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _low_bounds(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds loops over an array with a bound that is lower than the number of elements. A bound
-    that is a formula or a name can be lower if its loop reads only the first elements."""
+    """Finds loops over an array with a bound that is lower than the number of elements. The bound
+    can be a smaller number if it is a formula or a name, and the loop reads only the first
+    elements."""
     bounds = Bounds(facts.root, model.integers)
     before = ""
     for place, line in lines_below(facts.root, DESIGN, (".cpp", ".hpp")):

@@ -66,7 +66,8 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
 
 
 def _may_call(node: TreeNode, child: TreeNode, facts: Facts) -> bool:
-    """Returns whether the code of ``node`` can call ``child`` if it is connected to the object."""
+    """Returns whether the code of ``node`` contains a call that can execute ``child``. The objects
+    that the products connect are not considered."""
     called = {
         target
         for name in accepted(node, facts)

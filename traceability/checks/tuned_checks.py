@@ -83,8 +83,8 @@ def _unknown(model: Model, facts: Facts, constants: dict[str, Written]) -> Itera
 
 
 def _read_by(constant: Written) -> set[str]:
-    """Returns the constants of the same file that the source line of a constant names. The constant
-    itself is included."""
+    """Returns the constant itself, and the constants of the same file whose names are in the source
+    line of the constant."""
     file = constant.name.split("::", maxsplit=1)[0]
     return {f"{file}::{name}" for name in re.findall(r"\bk[A-Z]\w*", constant.code)}
 
@@ -114,8 +114,9 @@ def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> It
 
 
 def _counted_in_cycles(model: Model, facts: Facts) -> Iterator[tuple[str, Place]]:
-    """Yields the constants of the times and of the numbers of bytes in a requirement whose
-    rationale counts cycles. Each constant has its place in design/requirement_numbers.toml."""
+    """Examines each requirement whose rationale counts cycles. Yields the constants for the times
+    and the numbers of bytes in this requirement. Each constant has its place in
+    design/requirement_numbers.toml."""
     for entry in facts.declared.numbers:
         requirement = model.requirements.get(entry.requirement)
         if requirement and COUNTED.search(requirement.rationale):

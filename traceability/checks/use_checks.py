@@ -40,7 +40,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _drivers(model: Model, root: Path) -> Iterator[Finding]:
-    """Finds files of the firmware outside the folders of the K64 that name a driver or the
+    """Searches the firmware outside the folders of the K64 for files that name a driver or the
     microcontroller, in the code or in a comment."""
     drivers = {module.name for module in model.modules.values() if is_board(module.header)}
     for place, line in lines_below(root, DESIGN, (".hpp", ".cpp", ".dox")):

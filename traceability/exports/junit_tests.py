@@ -14,8 +14,8 @@ NAME = "tests.xml"
 
 def junit_text(model: Model, _report: Report) -> str:
     """Returns the JUnit file. It has one test suite for each target. A test case has a property
-    ``requirement`` for each requirement that the test verifies. A result of older sources counts as
-    skipped."""
+    ``requirement`` for each requirement that the test verifies. A test is marked as skipped if its
+    result belongs to older sources."""
     top = ET.Element("testsuites", name="weeding_robot")
     for target in model.results_hashes:
         suite = ET.SubElement(top, "testsuite", name=target)

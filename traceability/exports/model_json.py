@@ -16,8 +16,8 @@ from traceability.model.report import Report, words_of
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-# The fields of the JSON file that are in the report and not in the model, by the data class to
-# which they are added.
+# Data class -> fields that are added to the JSON objects of this class. These fields are in the
+# report and not in the model.
 VERDICT = {"state": str, "reasons": list[str]}
 ADDED: dict[type, dict[str, Any]] = {
     Model: {"findings": list[schema.Finding]},

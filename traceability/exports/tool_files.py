@@ -40,8 +40,8 @@ FILES = (
     ToolFile(
         requirement_files.CSV,
         "The requirements with their attributes and verdicts, as a table. The column verified_by "
-        "contains the tests of a requirement, and the column satisfied_by its methods, separated "
-        "by spaces. The results and targets of the tests are in verification.json.",
+        "contains the tests of a requirement. The column satisfied_by contains its methods. Spaces "
+        "separate the names. The results and targets of the tests are in verification.json.",
         lambda _root, model, report: requirement_files.csv_text(model, report),
     ),
     ToolFile(
@@ -57,7 +57,8 @@ FILES = (
     ToolFile(
         junit_tests.NAME,
         "The results of the tests in the JUnit format. Each test has a property for each "
-        "requirement that it verifies. A result of older sources counts as skipped.",
+        "requirement that it verifies. A test is marked as skipped if its result belongs to older "
+        "sources.",
         lambda _root, model, report: junit_tests.junit_text(model, report),
     ),
     ToolFile(

@@ -84,8 +84,8 @@ class VerifiedRequirement:
 
 @dataclass(frozen=True)
 class Verification:
-    """The verification of all requirements. ``justified`` lists the source lines that no test of
-    their requirements executes, with the reasons."""
+    """The verification of all requirements. ``justified`` lists source lines with a justification:
+    no test of the line's requirements executes the line."""
 
     commit: str
     sources: str

@@ -28,8 +28,8 @@ FACT = re.compile(
 )
 # A wrong instruction on these pages can endanger people. Each change of their words needs a review.
 SAFETY_PAGES = ("docs/bring_up.rst", "docs/hazards.rst")
-# A text with at most this number of words counts as a name and not as a sentence. It is left out
-# here, because other checks compare names with the code.
+# A text with at most this number of words is regarded as a name and not as a sentence. It is left
+# out here, because other checks compare names with the code.
 WORDS = 3
 
 

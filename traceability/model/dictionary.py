@@ -52,8 +52,8 @@ def parts_of(name: str, facts: Facts) -> list[FieldFact]:
 
 
 def unit_text(kind: str, model: Model) -> str:
-    """Returns the description of the value type that a C++ type names, for example of Velocity for
-    ``std::optional<Velocity>``. The description contains the unit."""
+    """Returns the description of the value type in a C++ type. For ``std::optional<Velocity>``,
+    this is the description of Velocity. The description contains the unit."""
     named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
     return named[-1].brief if named else ""
 

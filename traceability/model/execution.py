@@ -25,8 +25,8 @@ DISPATCH = "Command::execute"  # operation that the handler of a thread calls
 ENABLE = "K64Thread::enable"  # method with the arguments: interrupt line, priority of this line
 
 
-# context -> method that the context may execute while the other contexts run -> first caller of
-# this method that was found
+# context -> method that the context may execute while the other contexts run -> the caller of this
+# method that was found first
 Methods = dict[str, Ways[str]]
 
 
@@ -99,8 +99,8 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Returns a map from the number of an interrupt line to the name of its handler. The map
-    contains the interrupt lines that no call in the firmware enables. Of each list of handlers in
+    """Returns a map from the number of an interrupt line to the name of its handler. An interrupt
+    line is in the map if it is not enabled by a call in the firmware. Of each list of handlers in
     the vector table, only the first interrupt line is examined."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
@@ -114,8 +114,8 @@ def line_priorities(facts: Facts) -> dict[int, str]:
     """Returns a map from each interrupt line to the name of the constant with its priority. This
     constant is an argument of the call that enables the interrupt line."""
     priorities = _enabling(facts)
-    # A loop in the firmware enables interrupt lines that no constant names. Such a line has the
-    # same priority as the nearest interrupt line with a lower number and a known priority.
+    # A loop in the firmware enables interrupt lines for which there is no constant. Such a line has
+    # the same priority as the nearest interrupt line with a lower number and a known priority.
     for lines in handler_lines(facts).values():
         for line in lines:
             below = [first for first in priorities if first <= line]
@@ -126,8 +126,8 @@ def line_priorities(facts: Facts) -> dict[int, str]:
 
 def _enabling(facts: Facts) -> dict[int, str]:
     """Returns a map from the number of an interrupt line to the name of the constant with its
-    priority. The map contains the interrupt lines that a call of ``K64Thread::enable`` names by a
-    constant."""
+    priority. The map contains an interrupt line if a constant for its number is passed to
+    ``K64Thread::enable``."""
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:

@@ -2,9 +2,9 @@
 change, and the requirements, patterns, tests and safety goals to review again.
 
 A change of a module or value type may affect the modules and value types that name it, call it or
-derive from it. In the same way, each affected module may affect further modules. A module that
-names only an abstract base class of a changed module does not count as affected. If such a module
-can call a method of the changed module through the base class, ``callers`` lists the module."""
+derive from it. In the same way, each affected module may affect further modules. If a module names
+only an abstract base class of a changed module, it is not regarded as affected. If such a module
+can call a method of the changed module through the base class, it is listed in ``callers``."""
 
 from __future__ import annotations
 
@@ -91,8 +91,8 @@ class Impacts:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:
-        """Returns true if the module ``owner`` calls exactly this method. A call of the abstract
-        method that this method overrides does not count."""
+        """Returns true if the module ``owner`` calls exactly this method. If the method overrides
+        an abstract method, calls of the abstract method are ignored."""
         calls = (call for method in self.model.modules[owner].methods for call in method.calls)
         return any(call.target == method for call in calls)
 

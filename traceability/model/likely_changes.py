@@ -1,5 +1,5 @@
-"""Finds the work that the likely change of each pattern application needs, and the modules that
-this change does not edit.
+"""Finds the necessary work for the likely change of each pattern application. Also finds the
+modules that this change does not edit.
 
 For each pattern, ``design/changes.toml`` contains the steps of its likely change and the role of
 the new class. The modules to edit, the affected requirements and the affected tests are found in
@@ -80,8 +80,8 @@ def _naming(model: Model, present: list[str]) -> list[str]:
 
 
 def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
-    """Returns the requirements that a method of the modules satisfies, and the requirements with a
-    method of the modules in their invocation trees."""
+    """Returns the requirements of the modules. A requirement is included if a method of a module
+    satisfies it, or if its invocation tree contains a method of a module."""
     return [
         requirement.id
         for requirement in model.requirements.values()

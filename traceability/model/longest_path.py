@@ -91,7 +91,7 @@ class Problem:
         """Returns true if the condition of the loop is at the end of each iteration, as in a
         do-while loop. The loop may have further exits in the middle of an iteration.
 
-        A jump out of the loop to a block that is never executed does not count as an exit. An
+        A jump out of the loop is no exit if its target is a block that is never executed. An
         example of such a block is the failure branch of an assertion."""
         never = {start for start, most in self.counted if most == 0}
 

@@ -1,4 +1,4 @@
-"""Computes the metrics of a run. A metric that this run did not measure is null in
+"""Computes the metrics of a run. If this run did not measure a metric, the metric is null in
 ``build/metrics.json``."""
 
 from __future__ import annotations
@@ -97,8 +97,8 @@ def of_task(root: Path, file: Path) -> dict[str, Any]:
 
 
 def release(root: Path, commit: str) -> dict[str, Any]:
-    """Returns the metric that is true if the files of the two builds of this commit are equal byte
-    by byte. Returns no metric if the builds were not compared."""
+    """Returns a metric that states whether the files of the two builds of this commit are equal
+    byte by byte. Returns no metric if the builds were not compared."""
     record = read_object(root / RELEASE)
     if not record or not commit or not record["commit"].startswith(commit):
         return {}
@@ -300,7 +300,7 @@ def methods(requirements: Iterable[schema.Requirement]) -> dict[str, Any]:
 
 
 def driver_lines(model: Model) -> tuple[int, int]:
-    """Returns the number of lines of the drivers that were not executed in the image with recorded
-    lines, and the number of all their lines. Both are 0 if the lines were not measured."""
+    """Returns two numbers of lines of the drivers in the image with recorded lines: the lines that
+    were not executed, and all lines. Both numbers are 0 if the lines were not measured."""
     hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
     return hits.count(False), len(hits)

@@ -41,7 +41,7 @@ STATES = {
     "unverified": "requirements that are not verified (evidence is missing, or a value is out of "
     "its bound)",
 }
-OLD_DRIVES = "last played at commit"  # words of a known exception about drives that were played
+OLD_DRIVES = "last played at commit"  # words of a known exception from a run of random drives
 
 
 @dataclass(frozen=True)
@@ -107,9 +107,9 @@ def by_method(model: Model, report: Report) -> str:
 def _sources(model: Model) -> Iterator[NotShown]:
     if model.safety.goals:
         yield NotShown(
-            "Some evidence is from some of the products only. The section “Tested products” names "
-            "the products with which the fault scenarios were played, and the product of each "
-            "calculation and measurement.",
+            "Some evidence exists only for some of the products. The section “Tested products” "
+            "names the products with which the fault scenarios were played, and the product of "
+            "each calculation and measurement.",
             "safety",
         )
     if shared := sum(belief.shared for belief in model.beliefs):
@@ -219,13 +219,13 @@ def targets_of(model: Model, requirement: Requirement) -> list[str]:
 
 
 def _missing_runs(model: Model) -> Iterator[NotShown]:
-    """Returns the results that this build lacks, and the examples of changes and the ports whose
-    tests did not all pass. ``_sources`` lists missing test results of a target."""
+    """Yields the results that this build lacks. Also yields the number of examples of changes and
+    the ports with a test that did not pass. ``_sources`` lists missing test results of a target."""
     coverage = model.measured.get("coverage.line")
     results = (
         (coverage, "The combined coverage of the tests was not measured", "requirements"),
         (model.board_lines, "The executed lines of the drivers were not measured", "virtual_k64"),
-        (model.driver_faults, "The faults seeded in the drivers were not run", "virtual_k64"),
+        (model.driver_faults, "The faults seeded in the drivers were not tried", "virtual_k64"),
         (model.bench, "The times of the control cycle were not measured", "bench"),
         (model.stack, "The longest times and the largest stack were not calculated", "execution"),
         (model.proofs.results, "The properties of the state machines were not proved", "proofs"),
@@ -260,8 +260,8 @@ def _measurements(model: Model) -> Iterator[NotShown]:
     if missed:
         yield NotShown(
             f"In the image {RECORDED}, the tests did not execute {missed} of the {total} lines of "
-            "src/k64. No reasons are stated for these lines. The lines that the tests of the "
-            "released images execute are not measured.",
+            "src/k64. No reasons are stated for these lines. For the released images, the "
+            "executed lines are not measured.",
             "virtual_k64",
         )
     if files := unmeasured_drivers(model):
@@ -336,10 +336,10 @@ def _reactions(result: Mapping[str, Any]) -> str:
     """Returns the numbers of the faults after which the firmware did not react correctly."""
     counts = result["outcomes"]
     return (
-        f" Of {_count(result['cases'], 'fault')}, {counts['silent']} caused wrong outputs that no "
-        f"report showed, {counts['late']} were detected too late or had an effect after the reset, "
-        f"and {counts['hung']} stopped all answers. {counts['stopped']} were not judged, because "
-        "the virtual board could not continue."
+        f" Of {_count(result['cases'], 'fault')}, {counts['silent']} caused wrong outputs "
+        f"without a report, {counts['late']} were detected too late or had an effect after the "
+        f"reset, and {counts['hung']} stopped all answers. {counts['stopped']} were not judged, "
+        "because the virtual board could not continue."
     )
 
 

@@ -9,8 +9,8 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
-# For these kinds of justifications, the checks and not this module find the code that needs the
-# justification.
+# Some code needs a justification of one of these kinds. This code is found by the checks, and not
+# by this module.
 JUSTIFIED_BY_CHECKS = ("uncalled", "loop")
 
 
@@ -18,9 +18,9 @@ def serving_methods(model: Model) -> set[str]:
     """Returns the methods that serve a requirement. A method serves a requirement if it has a
     ``@satisfies`` tag, or if an invocation tree contains it.
 
-    If a method serves a requirement, the method that it overrides and all other methods that
-    override the same method also serve a requirement. If a method of a class serves a requirement,
-    the constructors of the class also serve a requirement."""
+    A virtual method and all methods that override it belong together: if one of them serves a
+    requirement, all of them do. If a method of a class serves a requirement, the constructors of
+    the class also serve a requirement."""
     methods = {item.id: item for item in model.methods}
     served = {item.id for item in methods.values() if item.satisfies}
     for requirement in model.requirements.values():
@@ -56,8 +56,9 @@ def tests_without(model: Model) -> list[Test]:
 
 
 def justify(model: Model, declared: Iterable[Justified]) -> Model:
-    """Records in each justification the names of the methods and tests that need it. For source
-    lines that no test of their requirements executes, records the reason from the justification."""
+    """Records in each justification the names of the methods and tests that need it. If the tests
+    of a method's requirements do not execute some source lines of the method, also records the
+    reason from the justification."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     reasons: dict[str, str] = {}

@@ -64,8 +64,8 @@ _STATED = re.compile(
     rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(_IN_WORDS)})"
     rf"(?:(?: successive)? ?(?P<unit>{_UNIT})(?![\w/])|{_LIST})"
 )
-# A number that may have no unit. It is not a part of a name, an exponent, 0, 1 or two: such numbers
-# are in many sentences that state no property of the firmware.
+# A number that may have no unit. Parts of names and exponents do not match. The numbers in _TRIVIAL
+# are left out, because they are in many sentences that state no property of the firmware.
 _BARE = re.compile(
     rf"(?<![\w.^/-])(?P<number>\d+(?:\.\d+)?|{'|'.join(_IN_WORDS)})(?![\w.]*\w|-\w|:)"
 )

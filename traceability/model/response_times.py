@@ -3,8 +3,8 @@ the control cycle, and the time from an input to its effect.
 
 Each bound includes the time of the interrupts that can occur before the response. The computation
 assumes that each interrupt occurs as often as it can. Each bound also includes the longest time for
-which code of a lower priority blocks the interrupts. This time is added only once. After the block,
-code of a lower priority waits until the response."""
+which code of a lower priority blocks the interrupts. This time is added only once. When the
+interrupts are enabled again, code of a lower priority waits until the response."""
 
 from __future__ import annotations
 
@@ -279,8 +279,8 @@ def _busy(
 
 
 def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noise: bool) -> int:
-    """Returns how often an interrupt can occur in a period of ``cycles`` processor cycles. Requests
-    that already wait when this period begins are included.
+    """Returns how often an interrupt can occur in a period of ``cycles`` processor cycles. If a
+    request already waits at the beginning of this period, it is included.
 
     With noise, an input can cause ``bound.noise`` interrupts each time after the handler of the
     tick has run. The computation adds one tick to the period, because such interrupts can begin in

@@ -80,7 +80,7 @@ LINKS = "links"  # the table of the baseline with the texts of each requirement
 TEXTS_OF_REVIEW = ("requirement", "reviewer", "email", "date", "commit", "state", "remark")
 DATE = r"\d{4}-[01]\d-[0-3]\d"
 QUESTIONS = {
-    "text": "Is the requirement clear and complete, and does it contradict no other requirement?",
+    "text": "Is the requirement clear, complete and consistent with the other requirements?",
     "reasons": "Are the rationale, source, safety goals and hazards of the requirement right?",
     "methods": "Do the specifications and the bodies of its methods do what the requirement "
     "demands?",

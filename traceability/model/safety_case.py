@@ -22,8 +22,8 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
     scenarios, and the cost of the safety functions.
 
     If the file of a parameterised test names the folder of the scenarios, the test may execute any
-    scenario. The recordings of the test show which scenarios the test executed. Such a test without
-    recordings counts as a test of all scenarios."""
+    scenario. The recordings of the test show which scenarios the test executed. If such a test has
+    no recordings, it is regarded as a test of all scenarios."""
     case = facts.declared.safety
     if not case.goals:
         return case

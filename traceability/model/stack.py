@@ -214,8 +214,8 @@ class Prover:
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
         """Returns true if a further nested call of a method is impossible. This is true in two
-        cases: all objects of the chain that have this method already execute it, or a later object
-        of the chain already executes one of its methods."""
+        cases: all objects with this method in the chain already execute the method, or a later
+        object of the chain already executes one of its methods."""
         method = short_name(self.graph[symbol].name)
         if method not in self.most:
             return False
@@ -271,8 +271,9 @@ class Prover:
         return list(dict.fromkeys(methods))
 
     def _kind_of(self, body: str, way: Sequence[tuple[str, int]]) -> str:
-        """Returns the class of the object on which the method ``body`` runs. If ``body`` is inlined
-        in a method of a subclass that calls it for its own object, returns this subclass."""
+        """Returns the class of the object on which the method ``body`` runs. A method of a subclass
+        can call ``body`` for its own object. If ``body`` is inlined in such a method, returns the
+        subclass."""
         kind = _class_of(body)
         for place in way[1:]:
             callers = {

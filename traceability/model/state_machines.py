@@ -183,8 +183,8 @@ class _Changes:
         return list(dict.fromkeys(states)) or [""]
 
     def initial(self) -> set[str]:
-        """Returns the initial states. A state is an initial state if the class with the objects
-        of the states passes it to an object that is not a state."""
+        """Returns the initial states. The class with the objects of the states passes states to
+        other objects. A state is an initial state if the other object is not a state."""
         members = {
             f"field {self.code.storage}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.storage)]

@@ -28,8 +28,8 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A limit for the calls of ``method`` that one call of ``within`` causes. The declared facts
-    about ``within`` limit ``counter``, which is the number of these calls."""
+    """A limit for the number of calls of ``method`` during one call of ``within``. In the declared
+    facts about ``within``, this number has the name ``counter`` and is limited."""
 
     method: str
     within: str
@@ -38,8 +38,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A limit for the iterations of the loop in ``method``. It applies to the sum of the iterations
-    in all calls that one call of ``within`` causes.
+    """A limit for the iterations of the loop in ``method``. It applies to one call of ``within``:
+    all calls of ``method`` during this call together have at most this number of iterations.
 
     If ``counter`` is empty, the limit is the number ``rounds``. Otherwise, ``counter`` is the name
     of the sum, and the declared facts about ``within`` limit this sum."""

@@ -1,5 +1,5 @@
-"""Finds the source lines and branches of each requirement's methods that the passing tests of the
-requirement executed."""
+"""Finds the executed source lines and branches in the methods of each requirement. Only the passing
+tests of the same requirement are considered."""
 
 from __future__ import annotations
 
@@ -93,9 +93,9 @@ class Owners:
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
-    """Yields the source lines of each method that the tests of its requirements do not execute on
-    the host. For a method without a requirement, the tests of all requirements count. Drivers are
-    left out, because a separate page shows their source lines."""
+    """Yields the source lines of a method if the tests of its requirements do not execute these
+    lines on the host. For a method without a requirement, the tests of all requirements are
+    considered. Drivers are left out, because a separate page shows their source lines."""
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}
     for body in facts.syntax.bodies:

@@ -126,7 +126,7 @@ class Reader:
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
         """Visits the children of a node. The first ``sure`` children are always executed. The other
-        children count as conditional."""
+        children are regarded as conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:
@@ -371,8 +371,8 @@ class Reader:
         return call
 
     def unresolved(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records a call in a template whose target depends on the template parameters. Only the
-        name of the called method is known."""
+        """Records a call in a template if the target of the call depends on the template
+        parameters. Only the name of the called method is known."""
         if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
             name = [token.spelling for token in cursor.get_tokens()][-1:]
             body.calls += [CallFact(f"{ANY_CLASS}::{part}", False, place) for part in name]
@@ -458,7 +458,7 @@ class Reader:
                 self.facts.blocks.append(fact)
 
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
-        """Records the class whose object ``field_.emplace(...)`` constructs. The data member
+        """Records the class of the object that ``field_.emplace(...)`` constructs. The data member
         contains this object by value."""
         member = next((part for part in cursor.walk_preorder() if flow.is_field(part)), None)
         if member is None:

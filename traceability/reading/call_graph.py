@@ -114,7 +114,7 @@ def _symbol(title: str) -> str:
 
 def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
     """Records the stack frame of a function. If several translation units contain functions with
-    the same symbol, these functions count as one function with the largest frame."""
+    the same symbol, these functions are regarded as one function with the largest frame."""
     function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]

@@ -23,10 +23,10 @@ RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
 # Folders of the composition, whose files create the objects and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
-# The file with the composition of the pattern design in the comparison with the baseline design.
+# The composition of the pattern design. The comparison with the baseline design uses this file.
 COMPARED = "tests/usual_design/patterns/PatternDesign."
-# A test suite whose name ends with this word executes the firmware image of a change on the virtual
-# K64.
+# If the name of a test suite ends with this word, the suite executes the firmware image of a change
+# on the virtual K64.
 ON_BOARD = "OnBoard"
 CLASS = re.compile(r"^class (\w+)(?: final)?(?: : public (\w+))?", re.MULTILINE)
 PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)

@@ -61,7 +61,7 @@ def options_of_programs(root: Path) -> dict[str, set[str]]:
 
 
 def accepted_values(root: Path) -> dict[str, set[str]]:
-    """Returns the words that each option with a list of values accepts. If several commands or
+    """Returns the accepted words of each option that has a list of values. If several commands or
     programs have the option, returns the words of all of them."""
     values: dict[str, set[str]] = {}
     for path in files_below(root, (PROGRAMS,), (".cpp", ".hpp")):
@@ -143,7 +143,8 @@ def _references(file: str, node: ast.expr, imported: dict[str, str]) -> Iterator
 
 
 def _declared(functions: dict[Name, _Function], names: set[Name]) -> set[str]:
-    """Returns the options that the given functions and the functions called by them declare."""
+    """Returns the options that are declared by the given functions or by functions that they
+    call."""
     none = _Function()
     reached = reached_from(names, lambda name: functions.get(name, none).calls)
     return {option for name in reached for option in functions.get(name, none).options}

@@ -49,7 +49,7 @@ NEXT_ARGUMENT = re.compile(r"(?<!\\),\s*")
 class Tag:
     """A tag of a comment. ``text`` is the paragraph of the tag, ``more`` are the paragraphs after
     this paragraph, and ``source`` is the original text. The text before the first tag of a comment
-    counts as a tag without a name."""
+    is regarded as a tag without a name."""
 
     name: str
     arguments: list[str]

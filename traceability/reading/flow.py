@@ -170,8 +170,8 @@ class FlowReader:
         self.add(name, sources, place)
 
     def kept(self, sides: list[Cursor], place: Place) -> None:
-        """Records the flow of an assignment. After ``a[i] = b``, both ``a`` and ``i`` count as
-        references to ``b``."""
+        """Records the flow of an assignment. After ``a[i] = b``, both ``a`` and ``i`` are regarded
+        as references to ``b``."""
         sources = self.sources(sides[1])
         for name in self.sources(sides[0]) if sources else []:
             self.add(name, sources, place)
@@ -272,7 +272,7 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """Returns how many of the first parts of a statement are always executed. The other parts
+    """Returns a number N: the first N parts of a statement are always executed. The other parts
     depend on a condition."""
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
@@ -297,7 +297,7 @@ def is_field(cursor: Cursor) -> bool:
 
 
 def method_in_template(call: Cursor) -> Cursor | None:
-    """Returns the method of a class template that a call inside another template names."""
+    """Returns the called method of a class template. The call is inside another template."""
     callee = next(call.get_children(), None) if call.kind == CursorKind.CALL_EXPR else None
     if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
         return None

@@ -128,7 +128,7 @@ def texts_of_tree(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_method(text: str, name: str) -> Iterator[str]:
-    """Yields the comment and the declaration of each method with this name that has a comment."""
+    """Yields the comment and the declaration of each method that has this name and a comment."""
     named = re.compile(rf"(?<![\w.:>]){re.escape(_last(name))}\(")
     return (whole for _, declaration, whole in specifications(text) if named.search(declaration))
 

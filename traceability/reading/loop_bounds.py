@@ -58,7 +58,7 @@ class Bounds:
         try:
             rounds = self.value(match[1] if match else head[2] if head else "")
         except (KeyError, SyntaxError, ValueError):
-            # If the bound contains an unknown name, the loop counts as a loop without a bound.
+            # If the bound contains an unknown name, the loop is regarded as a loop without a bound.
             return None
         return Bound(rounds, match is not None and match[2] is not None)
 

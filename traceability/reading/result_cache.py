@@ -19,7 +19,7 @@ def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result
     """Returns the result of ``make``, which depends only on ``parts``. If the cache does not
     contain the result, calls ``make`` and stores the result.
 
-    Two parts count as equal if their ``repr`` is equal."""
+    Two parts are regarded as equal if their ``repr`` is equal."""
     key = hashlib.sha256("\0".join(map(repr, parts)).encode()).hexdigest()
     if path.exists():
         with path.open("rb") as stream:

@@ -92,8 +92,8 @@ def day_of(record: Path) -> str:
 
 
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
-    """Returns the numbers that the tests of a target reported in a property. Only tests that ran
-    the named firmware image count."""
+    """Returns the numbers that the tests of a target reported in a property. A test is included
+    only if it ran the named firmware image."""
     content = read_object(root / RESULTS / f"{RUNS[binding]}.json")
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
     return [int(test[name]) for test in tests if name in test and test.get("image") == image]

@@ -1,7 +1,8 @@
 """Counts the files and lines that were added or edited for the safety functions since a base
 commit.
 
-In edited files, only lines of code count. New files outside ``extensions/safety`` do not count."""
+In edited files, only lines of code are counted. New files outside ``extensions/safety`` are not
+counted."""
 
 from __future__ import annotations
 
@@ -97,9 +98,8 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """Returns the correction that names the file. If no correction names the file, returns the
-    correction that names the innermost folder above the file. Returns None if no correction names
-    the file or a folder above it."""
+    """Returns the correction for the file. If there is none, returns the correction for the
+    innermost folder above the file. If there is no such correction either, returns None."""
     matching = [
         (len(path), correction)
         for correction in corrections

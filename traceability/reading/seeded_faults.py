@@ -115,8 +115,8 @@ class Outcome:
 
 
 def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str) -> None:
-    """Writes the outcomes. ``left_out`` is the number of faults that were not tried, because the
-    test results or the built site that these faults need did not exist."""
+    """Writes the outcomes. ``left_out`` is the number of faults that were not tried. For these
+    faults, the necessary test results or the built site did not exist."""
     record = {
         "commit": commit,
         "left_out": left_out,

@@ -86,8 +86,8 @@ class Facts:
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
     def named_by(self, user: str) -> Iterator[tuple[Place, str]]:
-        """Yields the classes that the code of a class names, or whose headers it includes, each
-        with its place."""
+        """Yields each class whose name is in the code of a class, or whose header this code
+        includes, with the place."""
         for name in self.names_of.get(user, []):
             yield name.place, name.target.split("::", maxsplit=1)[0]
         for include in self.includes_of.get(user, []):
@@ -385,8 +385,8 @@ class References:
 
     def own_targets(self, call: CallFact, kind: str) -> list[str]:
         """Returns the methods that a call may execute, if the calling method is a method of an
-        object of exactly the class ``kind``. A member that a base class declares then refers only
-        to objects that the constructors of ``kind`` pass to the base class."""
+        object of exactly the class ``kind``. If a base class declares a member, this member then
+        refers only to objects that the constructors of ``kind`` pass to the base class."""
         owner = call.target.rpartition("::")[0]
         if not call.virtual:
             return [call.target]
@@ -446,8 +446,8 @@ class References:
         """Returns all methods and functions that the functions in ``start`` may call, directly or
         indirectly. For each of them, the result contains the first caller that was found.
 
-        ``within`` maps a virtual method to an overriding method. A call of such a virtual method
-        counts as a call of only this overriding method. Calls inside the methods in ``ends`` are
+        ``within`` maps a virtual method to an overriding method. A call of such a virtual method is
+        regarded as a call of only this overriding method. Calls inside the methods in ``ends`` are
         not followed."""
 
         def next_of(caller: str) -> Iterator[str]:

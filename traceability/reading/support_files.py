@@ -64,8 +64,8 @@ class SupportFiles:
         ]
 
     def _played(self, file: str, test: str) -> set[str]:
-        """Returns the scenarios that the test or its parameters name. If they name a folder,
-        returns all scenarios in this folder."""
+        """Returns the scenarios whose names are in the test or in its parameters. For the name of a
+        folder, returns all scenarios in this folder."""
         suite = test.split(".", maxsplit=1)[0]
         bodies = [case.body for case in read_tests(self.text(file)) if case.id == test]
         lists = re.findall(

@@ -256,8 +256,8 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
     """Searches for an invocation tree in the rows of a recording. The call of a child must be
     inside the call of its parent. The calls of the children must have the order of the tree.
 
-    If an interrupt occurs during the call of the parent, the calls by this interrupt do not count
-    as calls of the parent. After a post, the posted method may run later, and in another
+    If an interrupt occurs during the call of the parent, the calls by this interrupt are not
+    regarded as calls of the parent. After a post, the posted method may run later, and in another
     activation."""
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}

@@ -8,7 +8,7 @@ from traceability.checks.link_checks import missing_parts
 from traceability.checks.option_checks import literal_exit_codes, missing_options, wrong_values
 from traceability.checks.path_checks import missing_paths
 
-NONE = "no command or program that this page names has the option"
+NONE = "belongs to no command or program on this page"
 
 
 TOOL = """
@@ -57,11 +57,11 @@ def test_commands_and_options_that_are_missing_are_found(tmp_path: Path) -> None
     assert found == [
         ("tools/sim.py", 3, "no command has the option --bord"),
         ("CONTRIBUTING.md", 1, "./wr stop has no --csv"),
-        ("README.md", 1, "* --gbd"),
+        ("README.md", 1, "the option --gbd *"),
         ("README.md", 3, "./wr has no fly"),
-        ("design/answers.toml", 3, "* --csv"),
-        ("docs/any.rst", 1, "* --csw"),
-        ("docs/page.rst", 1, "* --csv"),
+        ("design/answers.toml", 3, "the option --csv *"),
+        ("docs/any.rst", 1, "the option --csw *"),
+        ("docs/page.rst", 1, "the option --csv *"),
     ]
 
 

@@ -69,7 +69,7 @@ def check(root: Path, model: Model) -> list[Finding]:
             ('["lost"]\nanswer', '["lost", "slope"]\nanswer'),
             "HZ-1 names slope, which is not declared",
         ),
-        (('scenarios = ["lost"]\nanswer', "answer"), "no hazard lists the scenario lost"),
+        (('scenarios = ["lost"]\nanswer', "answer"), "the scenario lost is listed in no hazard"),
     ],
 )
 def test_a_change_of_the_case_is_found(tmp_path: Path, change: tuple[str, str], text: str) -> None:
@@ -187,4 +187,4 @@ def test_a_test_plays_each_scenario(
     results = model.tests["Safety.FR1_Stops"].results
     results[HOST] = replace(results[HOST], recordings=played)
     texts = [one.text for one in check(tmp_path, model)]
-    assert texts == ["no test plays the scenario lost"] * found
+    assert texts == ["the scenario lost is played in no test"] * found

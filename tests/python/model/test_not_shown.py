@@ -70,7 +70,7 @@ def test_results_that_this_build_lacks_are_listed(tmp_path: Path) -> None:
     loop = LoopScenario("a", "A", "", "", Place("a", 1), [], [], {HOST: LoopRun(True, "")})
     port = Port("A", "", "", "", "", {}, 0, 0, {"A.B": "failed"}, {}, {})
     missing = {
-        "The faults seeded in the drivers were not run with these sources.",
+        "The faults seeded in the drivers were not tried with these sources.",
         "The times of the control cycle were not measured with these sources.",
         "1 of 1 scenarios of the control performance have not been run with these sources on both "
         "targets.",
