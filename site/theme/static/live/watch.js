@@ -57,7 +57,7 @@
     element(
       "a",
       { href: `${place.dataset.root}run.html?${new URLSearchParams(query)}` },
-      "Open in Run the robot",
+      "Open in “Run the robot”",
     );
 
   /* ---- a scenario with marked modules -------------------------------------------------------------------------- */
@@ -210,7 +210,7 @@
     button.disabled = false;
     button.textContent = "Again";
     if (!data.scenario) {
-      say("No scenario that this page can play makes all these calls. See the tests below.");
+      say("None of the scenarios makes all these calls. See the tests below.");
       return;
     }
     const time = String(Math.round(data.at));
