@@ -131,8 +131,8 @@
   const inDrawings = (selector) => drawings.flatMap((svg) => [...svg.querySelectorAll(selector)]);
 
   /* Returns the connecting lines of a call in a class diagram: the line from the caller to the module that declares
-     the operation, and the inheritance lines from there to the module that implements the operation. PlantUML gives a
-     line of a call the id "Caller-Declarer", and an inheritance line the id "Base_-Derived". */
+     the operation, and the inheritance lines from this module to the module that implements the operation. PlantUML
+     gives a line of a call the id "Caller-Declarer", and an inheritance line the id "Base_-Derived". */
   function linesOf(from, to) {
     const line = (name) => inDrawings(`path[id^="pattern-"][id$="-${name}"]`)[0];
     for (const way of waysUp(to, 4)) {
