@@ -601,8 +601,8 @@ class SafetyGoal:
     title: str
     text: str
     safe_states: Sequence[str]
-    # the longest time that the firmware may need until the safe state, or until the beginning of
-    # the halt that leads to this state
+    # the longest time that the firmware may need until the safe state, or until the halt to this
+    # state begins
     time: float
     formula: str
     because: str
@@ -1009,7 +1009,7 @@ class ExecutionContext:
     # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)
     intended: int | None = None  # priority that the design states
-    # the function that the program executes after a reset when the interrupts are enabled
+    # the function that the program calls after a reset, when it has enabled the interrupts
     idle: str = ""
 
 

@@ -12,7 +12,7 @@ CAUSES = {
     "end stops are reached",
     "overcurrent": "the current of a motor was too high",
     "no motion": "a wheel has voltage, and its Hall sensors show no motion",
-    "wrong direction": "a wheel turns against its voltage: motor leads or Hall wires are swapped",
+    "wrong direction": "a wheel turns in the wrong direction: swapped motor leads or Hall wires",
     "overspeed": "a wheel was faster than allowed",
     "tracking error": "velocity and current of a wheel do not match its voltage",
     "missing measurement": "a measured value is missing",

@@ -41,7 +41,7 @@ STATES = {
     "unverified": "requirements that are not verified (evidence is missing, or a value is out of "
     "its bound)",
 }
-OLD_DRIVES = "last played at commit"  # words of a known exception from a run of random drives
+OLD_DRIVES = "last ran at commit"  # words of a known exception about simulated drives
 
 
 @dataclass(frozen=True)

@@ -17,9 +17,9 @@
   const [CHANNEL, MESSAGE, CHUNK] = [0x04, 0x05, 0x06];
   const HEAD = 9; // kind and length of a record
   const LENGTH = 4; // length of a text
-  const CHANNEL_TOPIC = 4; // the topic follows the numbers of the channel and of its schema
-  const MESSAGE_DATA = 22; // the data follow the channel, the sequence number and two times
-  const CHUNK_COMPRESSION = 28; // the name of the compression follows two times, the size and the CRC
+  const CHANNEL_TOPIC = 4; // the topic is after the numbers of the channel and of its schema
+  const MESSAGE_DATA = 22; // the data are after the channel, the sequence number and two times
+  const CHUNK_COMPRESSION = 28; // the name of the compression is after two times, the size and the CRC
 
   /* ---- reading ---- */
 

@@ -13,7 +13,7 @@
       "need needs of on or our shall should so than that the their them then there these they thing this those " +
       "through to want was way we were what when where which who whose will with work works would you your").split(" "),
   );
-  /* The weight of a group is less than 1 if readers seldom search for its entries. All other groups have the weight
+  /* The weight of a group is less than 1 if readers seldom search for its entries. The other groups have the weight
      1. */
   const WEIGHTS = {
     "Logic modules": 0.97,

@@ -116,7 +116,7 @@ def test_goals_with_results_of_old_drives_are_listed(tmp_path: Path) -> None:
     write_case(tmp_path)
     model = make_model(tmp_path)
     name, goal = next(iter(model.safety.goals.items()))
-    goals = {name: replace(goal, exceptions=["These drives were last played at commit 1."])}
+    goals = {name: replace(goal, exceptions=["These drives last ran at commit 1."])}
     found = texts(tmp_path, safety=replace(model.safety, goals=goals))
     assert [text for text in found if f"known exceptions of {name} state the commits" in text]
 

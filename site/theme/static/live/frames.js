@@ -98,8 +98,8 @@
   }
 
   /* Returns the parts of a frame in the order in which they are sent: the first stuffing byte, the header, the
-     fields, the check sum and the zero byte at the end. Each other stuffing byte was sent in place of a zero; the
-     parts contain this zero. */
+     fields, the check sum and the zero byte at the end. The other stuffing bytes were sent in place of zeros. The
+     parts contain these zeros. */
   function partsOf(line, frames) {
     const body = unstuffed(line.slice(0, -1)) || [];
     const kind = frames.find((frame) => frame.kind === body[1]);

@@ -14,8 +14,8 @@
   ];
   const SVG = "http://www.w3.org/2000/svg";
 
-  /* Returns the activations of a cycle: exception number, begin and end [ns]. An activation that began before the
-     cycle begins at 0. An activation that continues after the cycle ends at the end of the cycle. */
+  /* Returns the activations of a cycle: exception number, begin and end [ns]. If an activation began before the
+     cycle, its begin is 0. If an activation continues after the cycle, its end is the end of the cycle. */
   function activationsOf(switches, lasted) {
     const open = new Map();
     const found = [];

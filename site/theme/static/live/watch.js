@@ -57,7 +57,7 @@
     element(
       "a",
       { href: `${place.dataset.root}run.html?${new URLSearchParams(query)}` },
-      "Open in Run the robot",
+      "Open in “Run the robot”",
     );
 
   /* ---- a scenario with marked modules -------------------------------------------------------------------------- */
@@ -131,8 +131,8 @@
   const inDrawings = (selector) => drawings.flatMap((svg) => [...svg.querySelectorAll(selector)]);
 
   /* Returns the connecting lines of a call in a class diagram: the line from the caller to the module that declares
-     the operation, and the inheritance lines from there to the module that implements the operation. PlantUML gives a
-     line of a call the id "Caller-Declarer", and an inheritance line the id "Base_-Derived". */
+     the operation, and the inheritance lines from this module to the module that implements the operation. PlantUML
+     gives a line of a call the id "Caller-Declarer", and an inheritance line the id "Base_-Derived". */
   function linesOf(from, to) {
     const line = (name) => inDrawings(`path[id^="pattern-"][id$="-${name}"]`)[0];
     for (const way of waysUp(to, 4)) {
@@ -210,7 +210,7 @@
     button.disabled = false;
     button.textContent = "Again";
     if (!data.scenario) {
-      say("No scenario that this page can play makes all these calls. See the tests below.");
+      say("None of the scenarios makes all these calls. See the tests below.");
       return;
     }
     const time = String(Math.round(data.at));
