@@ -1,5 +1,6 @@
-"""Random drives of robots whose parts vary. In the drives of the tests, the firmware does not stop
-a robot without a fault, and stops a robot with a fault within 0.3 m.
+"""Random drives of robots whose parts vary. The tests play some of these drives. If the robot has
+no fault, the firmware does not stop the robot. If the robot has a fault, the firmware stops the
+robot within 0.3 m.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 the number of drives that did not end with a stop, the number of drives that stopped after more than

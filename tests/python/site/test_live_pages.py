@@ -161,7 +161,8 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
         if one["id"] == "operation-states"
     ]
     assert {"Working", "Waiting", "WaitingN", "Reconnecting"} <= set(states)
-    # A module is highlighted in exactly the cycles in which the number of its calls rises.
+    # A module is highlighted in a cycle if this cycle contains calls of the module. In all other
+    # cycles, the module is not highlighted.
     for before, shown in pairwise(cycles):
         risen = {name for name in STATES if shown["counts"][name] > before["counts"][name]}
         assert set(shown["active"]) == risen
