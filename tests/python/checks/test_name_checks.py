@@ -1,6 +1,6 @@
 """The checks find wrong names. On a page, they find a test that does not exist and a wrong base
-class. In a comment of a module, they find a function that does not exist in this module, and not in
-a module that this module uses."""
+class. In a comment of a module, they find a function that exists neither in this module nor in the
+modules that it uses."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The list of the evidence that a build lacks."""
+"""The list of the evidence that is missing in a build."""
 
 from __future__ import annotations
 

@@ -87,8 +87,8 @@ process.stdout.write(JSON.stringify({
   active: at.map((instant) => lanes.activeAt(found, instant).map((context) => context.id)),
 }));
 """
-# The page Execution plays ten cycles. Then the drive is paused, and two instants of the last cycle
-# are selected: 0.001 ms and 1 ms after the clock pulse.
+# The page "Execution" plays ten cycles. Then the drive is paused, and two instants of the last
+# cycle are selected: 0.001 ms and 1 ms after the clock pulse.
 LANES_OF_PAGE = """<!doctype html><meta charset="utf-8">
 <iframe style="width:1200px;height:900px"></iframe>
 <script>

@@ -59,7 +59,7 @@ def run_tests(root: Path, *words: str) -> None:
 
 @pytest.fixture
 def example(tmp_path: Path, request: pytest.FixtureRequest) -> Path:
-    """Returns a copy of the sources to which an example of the page was applied."""
+    """Copies the sources, and applies an example of the page to this copy. Returns the copy."""
     ignored = shutil.ignore_patterns("build", ".*", "__pycache__")
     root = Path(shutil.copytree(ROOT, tmp_path / "project", ignore=ignored))
     apply(root, request.param)
