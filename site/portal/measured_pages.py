@@ -135,7 +135,7 @@ def mutation(portal: Portal) -> dict[str, Any]:
     }
 
 
-MOST_SHOWN = 12  # number of modules in the first table of the page Evidence of robustness
+MOST_SHOWN = 12  # number of modules in the first table of the page "Evidence of robustness"
 
 
 def robustness(portal: Portal) -> dict[str, Any]:

@@ -14,8 +14,8 @@ from tools.python_imports import READ_BY_ALL, covers, imported_by, read_by, runs
 
 ROOT = Path(__file__).parents[2]
 
-# Programs that a test starts must end when they receive SIGINT (Ctrl-C), even if a shell started
-# the tests with SIGINT ignored.
+# If a test starts a program, the program must end when it receives SIGINT (Ctrl-C). A shell can
+# start the tests in such a way that they ignore SIGINT. Then the program would also ignore it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
@@ -44,8 +44,8 @@ opened: set[str] = set()  # the files of the project that the running test has o
 # A test needs no mark for its own outputs, nor for files that pytest and its plugins open.
 OWN_FILES = ("build", ".venv", ".hypothesis", ".git")
 SHOWN = 10  # greatest number of file names in a message
-# Tests in these folders start programs that read other files. Therefore, the task of these tests in
-# tools/tasks.py names these files.
+# The tests in these folders start programs, and the programs read files of the project. For these
+# tests, tools/tasks.py contains a task with the names of the files.
 START_PROGRAMS = ("client", "commands", "firmware", "programs", "site", "worked_examples")
 
 
@@ -72,7 +72,7 @@ def pytest_runtest_protocol() -> Generator[None, object, object]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, object]:
-    """Fails a test that lacks a mark. A test that starts a Python program needs the mark
+    """Reports a failure if a test lacks a mark. A test that starts a Python program needs the mark
     ``runs_tools``. A test that reads a file of the project needs the mark ``reads`` with this file
     or its folder. ``undeclared`` returns only files that need this mark.
 
@@ -90,8 +90,8 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, o
 
 
 def undeclared(test: Path) -> list[str]:
-    """Returns the files that the running test has opened, but that no mark of the test declares.
-    Files that need no mark are left out."""
+    """Returns the files that the running test has opened. Leaves out the files that are declared in
+    a mark of the test, and the files that need no mark."""
     folder = test.parent.relative_to(ROOT)
     if folder.name in START_PROGRAMS:
         return []

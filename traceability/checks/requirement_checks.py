@@ -136,7 +136,7 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
     for requirement in model.requirements.values():
         for source in requirement.sources:
             if not source.kind:
-                text = f"the source of {requirement.id} has no kind: {source.name}"
+                text = f"the source '{source.name}' of {requirement.id} has no kind"
                 fix = f"begin the source with one of: {':, '.join(SOURCE_KINDS)}:"
             elif source.kind in names and source.name not in names[source.kind]:
                 named = f"{source.kind}: {source.name}"

@@ -307,8 +307,8 @@ def _earlier_runs(model: Model) -> Iterator[NotShown]:
     if goals := [name for name, text in exceptions.items() if OLD_DRIVES in text]:
         yield NotShown(
             "This build did not repeat the long series of drives with faults "
-            "(tests/python/programs/test_random_drives.py). The known exceptions of "
-            f"{', '.join(goals)} state the commits of the last run.",
+            "(tests/python/programs/test_random_drives.py). The commits of the last run are in the "
+            f"known exceptions of {', '.join(goals)}.",
             "safety",
         )
     for name, (text, page) in CAMPAIGNS.items():

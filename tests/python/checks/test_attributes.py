@@ -1,5 +1,6 @@
-"""Pages name attributes of a report. The check finds an attribute that the classes of the client do
-not have. It also finds an attribute that is missing in the table of the attributes."""
+"""The pages contain names of attributes of a report. The check finds an attribute that the classes
+of the client do not have. It also finds an attribute that is missing in the table of the
+attributes."""
 
 from pathlib import Path
 

@@ -1,4 +1,5 @@
-"""Texts name ids of requirements and of the safety case. The check finds ids that do not exist."""
+"""The texts contain ids of requirements and of the safety case. The check finds ids that do not
+exist."""
 
 from pathlib import Path
 

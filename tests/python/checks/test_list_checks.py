@@ -1,5 +1,6 @@
-"""The checks find two kinds of wrong numbers in a text. A number of items can differ from the list
-after the text. A number of parts, such as hazards, can differ from the number in the design."""
+"""The checks find two kinds of wrong numbers in a text. First, the text states how many items the
+next list has, but the list has more or fewer items. Second, the text states how many parts of a
+kind exist, such as hazards, but the design has more or fewer parts of this kind."""
 
 from pathlib import Path
 

@@ -1,5 +1,6 @@
-"""The checks find wrong names: on a page, a test that does not exist or a wrong base class; in a
-comment of a module, a function that neither this module nor a module that it uses has."""
+"""The checks find wrong names. On a page, they find a test that does not exist and a wrong base
+class. In a comment of a module, they find a function that exists neither in this module nor in the
+modules that it uses."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
-"""The numbers in the texts of requirements, with or without a unit. They are compared with the
-constants of the code."""
+"""The texts of requirements contain numbers, with or without a unit. These numbers are compared
+with the constants of the code."""
 
 from fractions import Fraction
 

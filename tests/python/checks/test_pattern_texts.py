@@ -1,5 +1,5 @@
 """The text of a finding lists the modules that have a role. If no module has this role, the text
-names the role."""
+contains the name of the role."""
 
 from types import SimpleNamespace
 from typing import cast

@@ -1,4 +1,5 @@
-"""The check compares the words and the connector next to a pin with the table of pins."""
+"""On a page, a signal or a connector can be next to a pin. The check verifies that the table of
+pins lists the same signal or connector for this pin."""
 
 from pathlib import Path
 
@@ -33,8 +34,9 @@ def test_a_pin_next_to_another_signal_is_found(tmp_path: Path, text: str, found:
 
 @pytest.mark.reads("src/k64/pins.hpp")
 def test_comments_of_the_table_name_only_unused_pins() -> None:
-    """A page may name a pin that these comments name. Suppose that a comment named a pin of the
-    table. If this pin then left the table, no check would find the pages that still name it."""
+    """A page may contain each pin that these comments contain. Suppose that a comment contained a
+    pin of the table, and that this pin were later removed from the table. The checks would then not
+    find the pages that still contain this pin."""
     text = (ROOT / PINS).read_text(encoding="utf-8")
     used = {f"PT{row[0]}{row[1]}" for row in ROW.findall(text)}
     assert used.isdisjoint(PIN.findall(text))

@@ -1,5 +1,5 @@
-"""The README and the pages may name only commands, options, folders, pins and programs that exist.
-The checks find each name of these kinds that does not exist."""
+"""In the README and on the pages, each command, option, folder, pin and program must exist. The
+checks find the names of commands, options, folders, pins and programs that do not exist."""
 
 from pathlib import Path
 

@@ -119,7 +119,7 @@ def test_the_method_has_something_that_shows_it(
         ("paper: Section VII; decision: anything at all", []),
         ("protocol: Frames", []),
         ("data sheet: Part X", []),
-        ("Safety", ["the source of FR-1 has no kind: Safety"]),
+        ("Safety", ["the source 'Safety' of FR-1 has no kind"]),
         ("paper: Section X", ["FR-1 has the source paper: Section X, which does not exist"]),
         ("goal: SG-5", ["FR-1 has the source goal: SG-5, which does not exist"]),
         ("protocol: Birds", ["FR-1 has the source protocol: Birds, which does not exist"]),

@@ -1,5 +1,5 @@
-"""The checks hazard-*, in cases for which tests/drift has no seeded fault: limits, test results and
-names."""
+"""The tests of the checks hazard-* with wrong limits, test results and names. The folder
+tests/drift has no seeded faults for these cases."""
 
 from __future__ import annotations
 
@@ -173,7 +173,7 @@ def test_a_scenario_passes_in_this_run(
     ("test", "played", "found"),
     [
         ("TEST(Safety, FR1_Stops) {\n}\n", [], True),
-        (FOLDER, [], False),  # Without recordings, the test counts for each scenario.
+        (FOLDER, [], False),  # Without recordings, the test is a test of all scenarios.
         (FOLDER, ["Files_Safety.FR1_Stops_lost"], False),
         (FOLDER, ["Files_Safety.FR1_Stops_found"], True),
     ],

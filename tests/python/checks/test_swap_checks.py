@@ -1,5 +1,5 @@
-"""The check finds a part that is initialised with another part of the same kind, such as a left
-part with a right part."""
+"""The check finds a part that is initialised with another part of the same kind. In an example, a
+left part is initialised with a right part."""
 
 from pathlib import Path
 

@@ -1,4 +1,5 @@
-"""The check test-number finds numbers in the brief of a test that are not in its code."""
+"""The code of a test must contain each number that the brief of this test states. The check
+test-number finds the missing numbers."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
-"""The check finds constants that seem to depend on the period of a cycle. It also finds names and
-source lines in design/tuned.toml that do not exist."""
+"""The check finds constants that seem to depend on the period of a cycle. In design/tuned.toml, it
+also finds names and source lines that do not exist."""
 
 from __future__ import annotations
 

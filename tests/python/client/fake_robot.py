@@ -58,7 +58,7 @@ class FakeRobot:
     schema: int = SCHEMA_HASH
     start: tuple[int, int, int, int] = (1, 0, 0, 0)
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
-    # offset in the report -> byte that the robot sends there instead of the computed byte
+    # offset in the report -> byte that replaces the computed byte at this offset
     numbers: dict[int, int] = field(default_factory=dict)
     more: bytes = b""  # bytes that a later protocol version appends to Report and Welcome
     noise: bytes = b""
@@ -66,7 +66,7 @@ class FakeRobot:
     restarts: bool = False  # If true, the robot restarts after each Welcome and sends no report.
     has_safety: bool = True
     angle: int = 0  # position of the steering [0.01 degree]
-    steering_speed: int = 50  # greatest turn in a cycle [0.01 degree]
+    steering_speed: int = 50  # greatest change of the steering angle in a cycle [0.01 degree]
     steering_reversed: bool = False
     steering_stuck: bool = False
     enable: str = "pc"
@@ -90,7 +90,7 @@ class FakeRobot:
         self._line, self._client_end = os.openpty()
         tty.setraw(self._line)
         tty.setraw(self._client_end)
-        os.set_blocking(self._line, False)  # Frames that nobody reads are lost.
+        os.set_blocking(self._line, False)  # If nobody reads the frames, they are lost.
         self.path = Path(os.ttyname(self._client_end))
         self._cycle = 0
         self._order = struct.pack("<HIhBhBhBhBhB", *[0] * 12)
@@ -112,8 +112,8 @@ class FakeRobot:
         return [frame for frame in list(self.received) if frame.kind == kind]
 
     def control(self, words: str) -> str:
-        """Executes an action of a simulated operator. Returns an answer in the form in which the
-        simulator answers."""
+        """Executes an action of a simulated operator. Returns an answer in the same form as the
+        simulator."""
         match words.split():
             case ["fault" | "repair" as what, "left-end"]:
                 self.left_end = what == "fault"

@@ -414,8 +414,8 @@ class Person:
         self.shown = b""
 
     def reads(self, text: str, seconds: float = 15.0) -> None:
-        """Reads the output of the program until a text is found. The search begins after the text
-        that the previous call found."""
+        """Reads the output of the program until a text is found. The next call begins its search
+        after this text."""
         end = time.monotonic() + seconds
         while text.encode() not in self.shown:
             assert time.monotonic() < end, self.shown.decode()

@@ -140,8 +140,7 @@ def test_a_bad_frame_is_marked(line: bytes, error: str, tmp_path: Path) -> None:
 
 
 def packets_of(path: Path) -> list[tuple[int, bytes]]:
-    """Returns the direction and the bytes of each packet. Skips the blocks of the file that contain
-    no packet."""
+    """Returns the direction and the bytes of each packet. Skips the blocks without a packet."""
     data = path.read_bytes()
     found = []
     while data:

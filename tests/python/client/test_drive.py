@@ -410,8 +410,9 @@ def test_the_monitor_shows_the_fault_before_the_last_start(
 
 
 def test_the_table_shows_that_the_layouts_of_the_frames_differ(mcu: Any) -> None:
-    """Each new table clears the screen, and with it the line that the monitor printed when the
-    connection was established. Therefore the table itself shows the difference."""
+    """When the connection is established, the monitor prints a line about the different layouts.
+    Each new table clears the screen, so this line disappears. Therefore the table also shows that
+    the layouts differ."""
     mcu.schema = 1
     with Link(mcu.path) as link:
         assert "the layout 0x00000001" in monitor.as_table(next(link.reports(5.0)), link)

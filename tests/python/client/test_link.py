@@ -92,7 +92,7 @@ def test_hello_is_repeated_until_it_is_answered(mcu: Any) -> None:
 
 def test_every_third_hello_is_for_a_robot_that_accepts_only_version_1(mcu: Any) -> None:
     mcu.silent = True
-    # Whenever the link reads the clock, the clock has advanced by the period of Hello.
+    # Each time the link reads the clock, the time is later by one period of Hello.
     now = itertools.count(step=HELLO_EVERY_S)
     with Link(mcu.path, clock=lambda: float(next(now))) as link:
         assert serve_until(link, lambda: len(mcu.of_kind(HELLO)) >= 7)

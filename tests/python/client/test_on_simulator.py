@@ -227,9 +227,9 @@ def brought_up(robot: Path, world: Control, images: Path) -> Record:
 
 @pytest.fixture
 def images(program: list[Path | str], tmp_path: Path) -> Path:
-    """Returns a folder with the symbolic link weeding_robot.bin. This link leads to the file that
-    the test runs: the program for the host, or the firmware image. The bring-up searches this file
-    for the build id that the robot reports."""
+    """Returns a folder with the symbolic link weeding_robot.bin. This link leads to the program for
+    the host or to the firmware image. The simulated robot runs the same file. The bring-up searches
+    this file for the build id that the robot reports."""
     folder = tmp_path / "images"
     folder.mkdir()
     (folder / "weeding_robot.bin").symlink_to(program[-1])

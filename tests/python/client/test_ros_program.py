@@ -1,5 +1,6 @@
-"""The program that publishes reports in ROS 2, from the page "Use the data in other tools". It runs
-here without ROS: simple classes replace the modules of ROS, and one report replaces the robot."""
+"""The page "Use the data in other tools" contains a program that publishes reports in ROS 2. In
+these tests, the program runs without ROS: simple classes replace the modules of ROS, and one report
+replaces the robot."""
 
 from __future__ import annotations
 

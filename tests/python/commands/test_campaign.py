@@ -42,7 +42,7 @@ root = Path(sys.argv[1])
 sys.exit(run(root, *sys.argv[2:]))
 """
 SOURCE = Path(__file__).resolve().parents[3]
-SLOW = 60  # longest time until three chunks are finished, on a busy computer [s]
+SLOW = 60  # longest time in which a busy computer finishes three chunks [s]
 
 
 def small(root: Path) -> Kind:

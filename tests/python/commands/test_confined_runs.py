@@ -86,7 +86,7 @@ def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size
     assert full.returncode in (1, MISSING)
     assert "No space left on device" in full.stdout + full.stderr
     (tmp_path / "build").rmdir()
-    # The copy of the files that the first run left on the full disk becomes the folder build.
+    # The files of the full disk were copied. Their copy becomes the folder build.
     keep.rename(tmp_path / "build")
     assert run([*map(str, command(tmp_path))]).returncode == 0
     assert (tmp_path / RESULT).read_text() == expected(tmp_path)

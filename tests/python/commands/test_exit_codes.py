@@ -19,7 +19,7 @@ assert COMMANDS is not None
 NEEDED = {"review": ["FR-15"], "diff": ["HEAD"], "impact": ["FR-15"], "plot": ["a.csv"]}
 NEEDED["campaign"] = ["faults"]
 NONE = "/no-folder/none"
-# Command with a missing file, folder or device -> words of the next action in its message.
+# Command with a missing file, folder or device -> the next action in the message of this command.
 WITHOUT_FILE = {
     f"plot {NONE}.mcap": "./wr monitor",
     f"debug {NONE}.scenario": "sim/scenario/examples",

@@ -111,7 +111,7 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         if program.returncode == INTERRUPTED:
             assert programs_of(tmp_path) == []
         if chosen.random() < 0.5:
-            # Restores the sources of the previous turn, whose last run was complete.
+            # Restores the sources of the previous turn. That turn ended with a complete run.
             write_sources(tmp_path, f"text {turn - 1}")
             run(tmp_path)
         else:

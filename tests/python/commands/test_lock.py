@@ -1,5 +1,5 @@
-"""If two commands run at the same time, the second command ends. Its message names the first
-command."""
+"""If two commands run at the same time, the second command ends. Its message contains the name of
+the first command."""
 
 import os
 import subprocess

@@ -24,8 +24,8 @@ from tools.lock import HOLDER
 
 pytestmark = pytest.mark.runs_tools
 
-# A project with two test tasks. The first task waits until the file "go on" exists, and the second
-# task until the file "end" exists. The page shows whether the results of the first task exist.
+# A project with two test tasks. The first task waits until the file "go on" exists. The second task
+# waits until the file "end" exists. The page shows whether the results of the first task exist.
 PORTAL = """
 import sys, time
 from pathlib import Path

@@ -21,7 +21,7 @@ pytestmark = pytest.mark.runs_tools
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Returns a project with two programs. Each program writes its name and its options to the file
-    ``called``, one on each line."""
+    ``called``. Each line contains the name or one option."""
     folder = tmp_path / "build/host/sim"
     folder.mkdir(parents=True)
     for name in (HOST_PROGRAM, BOARD_PROGRAM):

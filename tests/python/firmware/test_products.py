@@ -30,8 +30,9 @@ from traceability.reading.products import (
 )
 
 ROOT = Path(__file__).parents[3]
-# Class templates. If only code for the remote control calls a method of one of these templates,
-# this method may be missing in the firmware images of products without a remote control.
+# These classes are templates. Suppose that only code for the remote control calls a method of a
+# template. This method may then be missing in the firmware images of products without a remote
+# control.
 INLINED = {"Pipe"}
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tests.python.project_files import write_files
 
-# The two modes differ only in their names, and so do the two states.
+# The two modes differ only in their names. The two states also differ only in their names.
 MODE_HEADER = """\
 #pragma once
 

@@ -1,4 +1,4 @@
-"""The chain of calls that the page Architecture shows for a connection."""
+"""The page "Architecture" shows the chain of calls of a connection."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[3]
-# The page names the method that serveSources() calls for each mode.
+# The page contains the method serve(). For each mode, serveSources() calls this method.
 CALLERS = {"serve": "serveSources"}
 
 

@@ -58,7 +58,7 @@ def test_evidence_holds_or_says_why_not(text: str, wrong: list[str]) -> None:
     verdict = make_report(model, [], {}, measured).requirements["NFR-9"]
     assert verdict.reasons == wrong
     assert verdict.state == ("unverified" if wrong else "verified")
-    # The check module-name already reports the findings that this metric counts.
+    # The check module-name already reports the counted findings.
     own = [] if text.startswith("checks.module-name ") else wrong
     assert [one.check for one in unmet(model, measured, found)] == ["req-evidence"] * len(own)
 

@@ -1,4 +1,4 @@
-"""The metrics of build/metrics.json that depend only on files."""
+"""The metrics that depend only on files. They are part of build/metrics.json."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The list of the evidence that a build lacks."""
+"""The list of the evidence that is missing in a build."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def test_goals_with_results_of_old_drives_are_listed(tmp_path: Path) -> None:
     name, goal = next(iter(model.safety.goals.items()))
     goals = {name: replace(goal, exceptions=["These drives last ran at commit 1."])}
     found = texts(tmp_path, safety=replace(model.safety, goals=goals))
-    assert [text for text in found if f"known exceptions of {name} state the commits" in text]
+    assert [text for text in found if f"in the known exceptions of {name}" in text]
 
 
 def test_the_requirements_of_each_state_and_the_findings_are_counted(tmp_path: Path) -> None:

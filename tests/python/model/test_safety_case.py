@@ -30,8 +30,8 @@ ROOT = Path(__file__).resolve().parents[3]
 
 
 def settled(root: Path, model: Model | None = None) -> Model:
-    """Adds the links of its safety case to a model, and returns the new model. The default model is
-    the model of ``make_model``."""
+    """Returns a copy of a model, with the links of the safety case of this model. The default model
+    is the model of ``make_model``."""
     model = model or make_model(root)
     facts: Any = SimpleNamespace(root=root, declared=Declared(safety=model.safety))
     return replace(model, safety=safety_of(model, facts))

@@ -1,4 +1,4 @@
-"""State machines: the transitions that recorded calls show."""
+"""The transitions of state machines, as they are found in recorded calls."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from traceability.model.state_machines import Change, MachineCode, Seen, Watcher
 from traceability.schema import Place
 
 PLACE = Place("src/lamp/Lamp.cpp", 1)
-# A press switches a lamp. After some time, the lamp goes off. The state Off inherits the operation
-# "wait".
+# A lamp with a button. When the button is pressed, the lamp is switched on or off. After some time,
+# the lamp is switched off automatically. The state Off inherits the operation "wait".
 CODE = MachineCode(
     holders={"Lamp": "Lamp::changeState"},
     operations=["press", "wait"],
@@ -60,13 +60,14 @@ def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
 @pytest.mark.parametrize(
     ("calls", "seen"),
     [
-        (ON, []),  # No later call shows the new state.
+        (ON, []),  # The recording ends immediately after the change.
         (f"{ON} Lamp::tick On::wait / /", [SWITCHED_ON, Seen("On", "wait", "On")]),
         (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
-        ("Off::press Lamp::changeState / / On::wait /", []),  # No lamp calls the state.
+        # The operations of the states are not called by a lamp.
+        ("Off::press Lamp::changeState / / On::wait /", []),
         (f"{ON} Lamp::tick Blinking::wait / /", []),
-        # The call of the constructor creates a second lamp. The last change of the first lamp is
-        # then not reported, because no later call shows its new state.
+        # The call of the constructor creates a second lamp. After this, the first lamp is not
+        # called. Therefore the last change of the first lamp is not reported.
         (
             f"{ON} Lamp::Lamp / Lamp::tick Off::press / /",
             [STAYS_OFF],

@@ -142,7 +142,7 @@ def code_of(folder: Path, text: str) -> Code:
 
 
 def longest(code: Code, rounds: int = 0, *more: Any, never: Sequence[int] = ()) -> int | None:
-    """Returns the cycles of the longest path. ``never`` are the blocks that no path contains, and
+    """Returns the cycles of the longest path. The blocks ``never`` are not part of any path.
     ``more`` are the further arguments of a Problem."""
     cost = {start: block.cycles for start, block in code.blocks.items()}
     bounds = [(loop, Bound(rounds, in_all=False)) for loop in code.loops]
@@ -159,8 +159,8 @@ def test_a_loop_that_is_entered_at_two_places_costs_its_rounds(tmp_path: Path) -
     code = code_of(tmp_path, ENTERED_TWICE)
     (loop,) = code.loops
     assert len(loop.blocks) == 2
-    # The bound includes a part of an iteration before the first complete iteration, because a path
-    # can enter the loop in the middle.
+    # A path can enter the loop in the middle, and then executes only a part of an iteration. The
+    # bound includes this part, in addition to the complete iterations.
     first = REFILL + 3 + REFILL
     assert longest(code, 10) == 1 + 1 + first + 10 * 4 + 9 * REFILL + 1 + REFILL
 
@@ -271,14 +271,14 @@ def context(name: str, cycles: int, priority: int, entries: int | None = None) -
 
 def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
-    # The interrupt `edge` has two requests in each tick. Some of them can already wait when the
-    # cycle begins, so the longest waiting time is added to the length of the cycle. The sum is
-    # longer than one tick and shorter than two ticks. Therefore the requests of two ticks delay the
-    # cycle.
+    # The interrupt `edge` has two requests in each tick. Some of these requests can already wait
+    # when the cycle begins. Therefore the longest waiting time is added to the length of the cycle.
+    # The sum is longer than one tick and shorter than two ticks. Therefore the requests of two
+    # ticks delay the cycle.
     assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
-    # With noise, the interrupt has four requests in each tick. The computation adds two ticks: the
-    # tick before the cycle, and the longest delay of the handler of the tick. Therefore the
-    # requests of four ticks delay the cycle.
+    # With noise, the interrupt has four requests in each tick. Two times are added to the length of
+    # the cycle: one tick before the cycle, and the longest delay of the handler of the tick, which
+    # is also one tick here. Therefore the requests of four ticks delay the cycle.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
 

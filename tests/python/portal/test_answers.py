@@ -1,4 +1,4 @@
-"""Answers to questions show values of the present build."""
+"""The answers to the questions contain values of the present build."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The time bounds on the page Bench."""
+"""The time bounds on the page "Bench"."""
 
 from __future__ import annotations
 

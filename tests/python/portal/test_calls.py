@@ -11,8 +11,8 @@ from traceability.schema import Call
 
 
 def test_callers_include_nested_classes_and_values_of_constants() -> None:
-    """A nested class and a constant of a module are shown as callers. A function that belongs to no
-    module is not shown."""
+    """A nested class and a constant of a module are shown as callers. A function outside modules is
+    not shown."""
     model = make_model()
     callers = ["MainController::read", "MainController::States::States", "Mode::kLimit", "helper"]
     rc = model.modules["RC"]

@@ -1,4 +1,5 @@
-"""The JavaScript of the pages and the checks find the same invocation trees in recorded calls."""
+"""The checks find invocation trees in recorded calls. The JavaScript of the pages finds the same
+trees."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The scenarios of the page Run the robot."""
+"""The scenarios of the page "Run the robot"."""
 
 from __future__ import annotations
 

@@ -64,12 +64,13 @@ RANGES_OF_REMOTE_CONTROL = {
     "steering_set_point": RANGES["steering"],
 }
 WHEELS = "0123"
-# The greatest permitted differences between the two runs, in percent of the range: ONCE in any
-# cycle, USUALLY in at least 94 of 100 cycles. Differences have three causes. A wheel may reverse
-# one cycle earlier in one run, and no report shows this. A wheel at rest keeps the voltage that
-# belongs to the last measured velocity. If only one run measures a low velocity such as 2.3 rpm,
-# the currents at rest differ by 0.13 A. A wheel can turn back on an edge, so that one run rejects
-# this edge and the other run accepts it. Then the measured velocities differ by up to 25 rpm.
+# The greatest permitted differences between the two runs, in percent of the range. ONCE is the
+# limit in each cycle. USUALLY is the limit in at least 94 of 100 cycles. Differences have three
+# causes. First, a wheel may reverse one cycle earlier in one run, and no report shows this. Second,
+# a wheel at rest keeps the voltage that belongs to the last measured velocity. If only one run
+# measures a low velocity such as 2.3 rpm, the currents at rest differ by 0.13 A. Third, a wheel can
+# reverse its direction at an edge. If one run rejects this edge and the other run accepts it, the
+# measured velocities differ by up to 25 rpm.
 ONCE = 10
 USUALLY = 1.3
 # A wheel with one Hall sensor measures no usable velocity. Its values are random.
@@ -107,14 +108,15 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
     """Both runs make the same decisions. If a decision depends on a measured value, one run may
-    make this decision one cycle later. The limits below do not apply to the cycle of such a
-    decision, nor to the cycle before and the cycle after.
+    make this decision one cycle later. The limits below apply neither in the cycle of such a
+    decision, nor in the previous cycle and the next cycle.
 
     Measured and applied values differ by at most 10 % of their range. In at least 94 of 100 cycles,
     they differ by at most 1.3 %. The limit of 1.3 % does not apply to cycles with orders of the
     remote control. The values of a wheel with one Hall sensor are not compared.
 
-    At the end of a connection and of the scenario, one program may have sent one more report.
+    At the end of a connection, one program may have sent one more report than the other program.
+    The same applies at the end of the scenario.
     """
     reports = []
     for binding in ("host", "board"):
@@ -267,7 +269,7 @@ def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def alone(build: Callable[..., None]) -> Path:
-    """Builds a program for the K64 that is not the firmware. Returns the path of the binary
+    """Builds a small program for the K64, in place of the firmware. Returns the path of the binary
     file."""
     build("host", "alone_program")
     return ROOT / "build" / "host" / "guest" / "alone.bin"

@@ -1,12 +1,13 @@
-"""Random drives of robots whose parts vary. In the drives of the tests, the firmware does not stop
-a robot without a fault, and stops a robot with a fault within 0.3 m.
+"""Random drives of robots whose parts vary. The tests play some of these drives. If the robot has
+no fault, the firmware does not stop the robot. If the robot has a fault, the firmware stops the
+robot within 0.3 m.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 the number of drives that did not end with a stop, the number of drives that stopped after more than
 0.3 m, the longest distance until a stop, and the greatest velocity. A series is a set of drives
-with the same fault. Its name is the fault as in a scenario, such as "leads 0". The series "none"
-has drives without a fault. The exceptions in design/safety_case.toml are the results of these
-series.
+with the same fault. The name of a series is the text with which a scenario orders this fault, such
+as "leads 0". The series "none" has drives without a fault. The exceptions in
+design/safety_case.toml are the results of these series.
 """
 
 import csv

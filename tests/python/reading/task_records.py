@@ -10,8 +10,8 @@ from traceability.reading.task_record import RECORD
 
 
 def record_task(root: Path, task: str, *folders: str) -> None:
-    """Records that a task was done with the present contents of its input files. ``folders`` names
-    folders or single files."""
+    """Records that a task was done with the present contents of its input files. The list
+    ``folders`` contains the input files, and folders with input files."""
     found = [path for name in folders for path in (root / name, *(root / name).rglob("*"))]
     files = {
         str(path.relative_to(root)): MD5Checker().get_state(str(path), None)

@@ -61,7 +61,7 @@ def test_each_stretch_of_code_belongs_to_one_line() -> None:
 
 
 def test_a_line_is_executed_when_one_of_its_instructions_is() -> None:
-    """In the record, the flash follows the 32,768 half-words of the lower RAM."""
+    """The record first contains the 32,768 half-words of the lower RAM, and then the flash."""
     bits = executed(0x412 // 2, 32768 + 0x414 // 2, 32768 + 0x500 // 2)
     assert lines_executed(stretches(LISTING.splitlines()), bits) == {
         "src/k64/K64Board.cpp": {38: True, 40: False, 95: True},

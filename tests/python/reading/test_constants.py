@@ -1,4 +1,5 @@
-"""The value and the unit of each constant of the code, under the name that texts use for it."""
+"""The value and the unit of each constant of the code. The constants have the same names as in the
+texts, such as ``Limits::most``."""
 
 from __future__ import annotations
 

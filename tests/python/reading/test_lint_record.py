@@ -1,4 +1,4 @@
-"""The record of ./wr lint is used only while the files that ./wr lint reads are unchanged."""
+"""The record of ./wr lint is used only while the input files of ./wr lint are unchanged."""
 
 from __future__ import annotations
 

@@ -75,7 +75,8 @@ def test_a_handler_of_the_extension_replaces_the_file_of_src() -> None:
 
 def chain() -> References:
     """Returns the references of a chain of stages: the stage Outer wraps the stage Inner, and Inner
-    wraps the robot. The member ``wrapped`` is a member of their base class Stage."""
+    wraps the robot. The class Stage is the base class of Outer and Inner, and declares the member
+    ``wrapped``."""
     main = "src/main.cpp"
     flows = [
         FlowFact("param Outer::Outer 0", ["object src/main.cpp:inner Inner"], main),

@@ -101,8 +101,8 @@ def words(text: str) -> str:
 
 
 def section(address: str) -> str:
-    """Returns the text of the element that an address names. If the address names no element,
-    returns the text of the page."""
+    """Returns the text of the element to which an address leads. If the address leads only to a
+    page, returns the text of the page."""
     page, _, part = address.partition("#")
     found = content(page)
     start, end = found.ids[part] if part else (0, len(found.text))
@@ -119,8 +119,8 @@ def searched() -> list[list[str]]:
 
 @cache
 def clicks() -> dict[str, int]:
-    """Returns the number of clicks from the first page to each page, and to each address that a
-    link names. The links on the pages of source code are not followed.
+    """Returns the number of clicks from the first page to each page, and to the address of each
+    link. Leaves out the links on the pages of source code.
     """
     found = {FIRST: 0}
     read = {FIRST}

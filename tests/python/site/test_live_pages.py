@@ -87,8 +87,8 @@ process.stdout.write(JSON.stringify({
   active: at.map((instant) => lanes.activeAt(found, instant).map((context) => context.id)),
 }));
 """
-# The page Execution plays ten cycles. Then the drive is paused, and two instants of the last cycle
-# are selected: 0.001 ms and 1 ms after the clock pulse.
+# The page "Execution" plays ten cycles. Then the drive is paused, and two instants of the last
+# cycle are selected: 0.001 ms and 1 ms after the clock pulse.
 LANES_OF_PAGE = """<!doctype html><meta charset="utf-8">
 <iframe style="width:1200px;height:900px"></iframe>
 <script>
@@ -161,7 +161,8 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
         if one["id"] == "operation-states"
     ]
     assert {"Working", "Waiting", "WaitingN", "Reconnecting"} <= set(states)
-    # A module is highlighted in exactly the cycles in which the number of its calls rises.
+    # A module is highlighted in a cycle if this cycle contains calls of the module. In all other
+    # cycles, the module is not highlighted.
     for before, shown in pairwise(cycles):
         risen = {name for name in STATES if shown["counts"][name] > before["counts"][name]}
         assert set(shown["active"]) == risen

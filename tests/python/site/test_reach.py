@@ -14,7 +14,8 @@ NEAR = 3  # greatest number of clicks
 
 
 def farther(addresses: list[str], most: int) -> dict[str, int | None]:
-    """Returns the addresses that need more clicks than allowed, or that no link reaches."""
+    """Returns the addresses that need more clicks than allowed, and the addresses to which no link
+    leads."""
     found = clicks()
     return {name: found.get(name) for name in addresses if found.get(name, 99) > most}
 

@@ -155,7 +155,7 @@ def assert_same(plot: dict[str, Any], drawing: Drawing) -> None:
     assert [kind for kind, _ in plot["lines"]] == [line.kind for line in drawing.lines]
     for (_, path), line in zip(plot["lines"], drawing.lines, strict=True):
         assert re.sub(r"[-\d.]+", "", path) == re.sub(r"[-\d.]+", "", line.path)
-        # Python and JavaScript round halves differently.
+        # Python and JavaScript round a number differently if it is exactly between two results.
         assert numbers_of(path) == pytest.approx(numbers_of(line.path), abs=0.11)
 
 

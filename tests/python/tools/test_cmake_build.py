@@ -141,7 +141,7 @@ def test_results_of_the_board_and_of_this_machine_are_kept_apart(root: Path) -> 
 
 def test_tests_of_the_image_run_with_two_more_images(root: Path) -> None:
     """The stub writes the same results for each firmware image. The test therefore compares the
-    environment variables of the runs of the stub."""
+    environment variables of all runs."""
     tests = root / "build/host/tests/board_tests"
     tests.parent.mkdir(parents=True)
     write_program(tests, f'echo "$WR_IMAGE $GTEST_FILTER" >>{root}/asked')

@@ -61,7 +61,8 @@ def test_a_line_of_several_functions_counts_once(root: Path) -> None:
 
 
 def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
-    """Only the program of the tests counts. The other program does not change the result."""
+    """The result depends only on the program of the tests. The other program does not change this
+    result."""
     (root / "src/other.cpp").write_text("int main() { return 0; }")
     folder = "build/trace/tests/CMakeFiles/usual_design_tests.dir"
     (root / folder).mkdir(parents=True)

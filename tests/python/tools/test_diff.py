@@ -68,8 +68,8 @@ def test_the_sources_of_two_commits_are_compared(
 def test_changed_files_that_are_not_followed_are_listed(
     root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The changed files are two Python tests, a tool that one of these tests imports, a page and a
-    scenario."""
+    """The changed files are a page, a scenario, two Python tests, and a tool. One of these tests
+    imports the tool."""
     write_files(root, OTHERS)
     commit(root, "third")
     assert cli.main(["impact", "HEAD~1..HEAD"]) == 0

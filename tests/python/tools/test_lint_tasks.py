@@ -1,4 +1,4 @@
-"""A step of ./wr lint that passed is not repeated on unchanged files."""
+"""If a step of ./wr lint passed, it is not repeated on unchanged files."""
 
 from __future__ import annotations
 

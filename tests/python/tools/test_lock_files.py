@@ -15,8 +15,8 @@ LISTS = sorted(SETUP.glob("*.in"))
 
 
 def unmet(demanded: str, locked: str) -> list[str]:
-    """Compares a list of packages with a lock file. Returns each demand of the list that the lock
-    file does not meet."""
+    """Compares a list of packages with a lock file. Returns the demands of the list that are not
+    met in the lock file."""
     versions = {normal(name): version for name, version in PINNED.findall(locked)}
     lines = [line.partition("#")[0].strip() for line in demanded.splitlines()]
     demands = [Requirement(line) for line in lines if line]

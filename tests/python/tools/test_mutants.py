@@ -212,8 +212,8 @@ def test_a_failure_an_end_and_a_hang_each_find_a_mutant(
 
 
 def test_a_busy_computer_does_not_end_a_test(tmp_path: Path) -> None:
-    """The test A.One sleeps for 3 s, which is longer than its time limit of 2 s. The limit counts
-    only processor time, and a sleeping test uses none."""
+    """The test A.One sleeps for 3 s. Its time limit is 2 s of processor time. A sleeping test uses
+    no processor time, and therefore does not reach this limit."""
     path = tmp_path / "program"
     lines = (
         "#!/bin/sh",

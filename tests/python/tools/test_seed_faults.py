@@ -1,6 +1,6 @@
 """Each check has a seeded fault, and each fault can be inserted.
 
-``./wr check --drift`` and ``./wr test --long`` test whether the checks find the faults.
+The commands ``./wr check --drift`` and ``./wr test --long`` verify that the checks find the faults.
 """
 
 from __future__ import annotations

@@ -11,8 +11,8 @@ from traceability.schema import Finding
 
 
 class Hiding(Copy):
-    """A copy of the project. If the fault ``hides`` and other faults are inserted together, none of
-    them is found. The fault ``lost`` is never found."""
+    """A copy of the project. If other faults are inserted together with the fault ``hides``, the
+    checks find none of these faults. The checks never find the fault ``lost``."""
 
     def __init__(self) -> None:
         self.runs: list[list[str]] = []

@@ -59,8 +59,8 @@ def run_tests(root: Path, *words: str) -> None:
 
 @pytest.fixture
 def example(tmp_path: Path, request: pytest.FixtureRequest) -> Path:
-    """Returns a copy of the sources to which an example of the page was applied. The Python files
-    of the example must have no finding of ruff."""
+    """Copies the sources, and applies an example of the page to this copy. Returns the copy. The
+    Python files of the example must have no finding of ruff."""
     ignored = shutil.ignore_patterns("build", ".*", "__pycache__")
     root = Path(shutil.copytree(ROOT, tmp_path / "project", ignore=ignored))
     apply(root, request.param)
