@@ -72,8 +72,8 @@ def test_results_that_this_build_lacks_are_listed(tmp_path: Path) -> None:
     missing = {
         "The faults seeded in the drivers were not tried with these sources.",
         "The times of the control cycle were not measured with these sources.",
-        "1 of 1 scenarios of the control performance have not been run with these sources on both "
-        "targets.",
+        "For 1 of 1 scenarios of the control performance, a run with these sources is missing (on "
+        "the host or on the virtual board).",
         "These ports to other devices have a failed test, or no test results with these sources: "
         "k20.",
     }
