@@ -311,9 +311,9 @@ TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Orders acknowledge for 1 s after the sequence "stop", "PC", "drive" of the switch, even
-/// if the switch is moved to "PC" and back to "drive" within this second. Later orders acknowledge
-/// no fault.
+/// @brief For 1 s after the sequence "stop", "PC", "drive" of the switch, the orders contain an
+/// acknowledgement. This is true even if the switch is moved to "PC" and back to "drive" within
+/// this second. Later orders contain no acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheAcknowledgementExpires) {
   for (const int cycles : {10, 11, 20}) {
@@ -347,8 +347,8 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief If the pulses of the steering stick vary by only 8 us, the stop begins after 2 s: the
-/// pulses do not restart this time.
+/// @brief If the pulses of the steering stick vary by only 8 us, the stop begins after 2 s. Such
+/// pulses do not restart the 2 s.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   signals(kDrivePulse, 0);
@@ -360,8 +360,9 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief At each deflection of the steering stick, pulses that vary by exactly 8 us do not restart
-/// the time of 2 s, after which the stop begins. Pulses that vary by 9 us restart this time.
+/// @brief Without changes of the pulses, a stop begins after 2 s. Changes of the steering pulses by
+/// exactly 8 us do not restart the 2 s, but changes by 9 us do. This is tested at each deflection
+/// of the steering stick.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
   const auto angleOf = [](int deflection) { return (deflection * 3200 + 250) / 500; };

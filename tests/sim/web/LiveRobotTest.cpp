@@ -21,7 +21,7 @@ namespace wr::test {
 
 namespace {
 
-constexpr int kCyclesToMode = 12;  // number of cycles until the robot reads in the mode PC
+constexpr int kCyclesToMode = 12;  // number of cycles until the mode is PC
 constexpr int kCycles = 30;        // number of cycles of a drive
 constexpr int kTicks = 100;        // number of ticks in a cycle
 constexpr std::uint32_t kLongestCycle =
