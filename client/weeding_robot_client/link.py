@@ -74,8 +74,8 @@ class Link(AbstractContextManager["Link"]):
     over reports().
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
-    second. Reports of a connection that another program began are ignored. A serial port that
-    disappeared is opened again as soon as its path exists. When the robot answers with another
+    second. Reports of a connection that another program began are ignored. If the serial port
+    disappears, it is opened again as soon as its path exists. When the robot answers with another
     version of the protocol, no connection is possible, and ``incompatible`` contains the reason.
     """
 

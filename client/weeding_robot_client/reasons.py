@@ -12,7 +12,8 @@ CAUSES = {
     "end stops are reached",
     "overcurrent": "the current of a motor was too high",
     "no motion": "a wheel has voltage, and its Hall sensors show no motion",
-    "wrong direction": "a wheel turns against its voltage: motor leads or Hall wires are swapped",
+    "wrong direction": "the direction of a wheel does not match its voltage: motor leads or Hall "
+    "wires are swapped",
     "overspeed": "a wheel was faster than allowed",
     "tracking error": "velocity and current of a wheel do not match its voltage",
     "missing measurement": "a measured value is missing",

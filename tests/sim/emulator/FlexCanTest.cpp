@@ -118,8 +118,8 @@ TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0xA1B2C300U);
 }
 
-/// @brief A frame that arrives before the previous frame was read overwrites the previous frame.
-/// The status code of the buffer shows this.
+/// @brief If a frame arrives before the program has read the previous frame, the new frame
+/// overwrites the previous frame. The status code of the buffer shows this.
 TEST_F(CanOfTheBoard, ShowsALostFrame) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
@@ -184,7 +184,8 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
 }
 
 /// @brief Erratum 5829 of the controller: after the activation of a buffer, the program must write
-/// the code INACTIVE to buffer 0 twice. A frame that is sent without these writes causes a finding.
+/// the code INACTIVE to buffer 0 twice. If a frame is sent without these writes, there is a
+/// finding.
 TEST_F(CanOfTheBoard, FindsAFrameWithoutTheWritesToBufferZero) {
   bringUp();
   activate(0x0C010000);

@@ -47,8 +47,8 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
 }
 
 /// @brief Masked interrupts wait, and are later entered in the order of their priorities and
-/// numbers. An interrupt that PRIMASK masks ends the sleep. This interrupt is entered when the mask
-/// is removed.
+/// numbers. If PRIMASK masks an interrupt, this interrupt still ends the sleep. It is entered when
+/// the mask is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");
   guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");

@@ -143,9 +143,9 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief The simulation creates no energy. While the robot accelerates, the supply delivers more
-/// energy than the robot has as kinetic energy. While the robot coasts, the kinetic energy only
-/// falls.
+/// @brief The simulation creates no energy. While the robot accelerates, its kinetic energy is
+/// smaller than the energy that the supply delivers. While the robot coasts, the kinetic energy
+/// only falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
   drive({.duty = 0.8, .backwards = false, .enabled = true});
@@ -533,8 +533,8 @@ TEST_F(CurveTest, SteeringTurnsTheRobot) {
   EXPECT_GT(robot.heading(), 0.03);
 }
 
-/// @brief The slope belongs to the ground. A robot that drove uphill drives downhill after half a
-/// turn.
+/// @brief The slope belongs to the ground. The robot first drives uphill. After half a turn, it
+/// drives downhill.
 TEST_F(CurveTest, SlopeBelongsToTheGround) {
   robot.setSlope(4);
   const std::array<double, plant::kWheels> rpm{100 * kGeometry[0], 100 * kGeometry[1],
@@ -574,8 +574,8 @@ TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
   EXPECT_NEAR(netEdges(1), -netEdges(0), 0.02 * netEdges(0));
 }
 
-/// @brief A sensor that is displaced by 30 electrical degrees causes distances of 60 and 120
-/// electrical degrees between edges.
+/// @brief If a sensor is displaced by 30 electrical degrees, the distances between edges are 60 and
+/// 120 electrical degrees.
 TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   robot.setFault(Fault::HallMisplaced, 0, true, 30);
   drive({.duty = 0.5, .backwards = false, .enabled = true});
