@@ -671,7 +671,7 @@ class BringUp:
         )
         took = seen - begin
         if took > STOP_WITHIN_S + self._operator.reaction_s:
-            raise FailError(f"at rest only {took:.2f} s after {what}")
+            raise FailError(f"at rest {took:.2f} s after {what}, which is too late")
         return f"at rest {took:.2f} s after {what}"
 
     def _stop_while_turning(self) -> str:

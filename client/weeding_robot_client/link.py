@@ -86,7 +86,7 @@ class Link(AbstractContextManager["Link"]):
         self.damaged = 0
         self.capture = Capture(None)
         self.incompatible: str | None = None
-        self.unreported: Start | None = None  # start of a robot that sent no report after a Welcome
+        self.unreported: Start | None = None  # the start, if the robot sent a Welcome but no report
         self.handshake_ms: int | None = None  # time from Hello to Welcome
         self._clock = clock
         self._line: serial.Serial | None = open_line(path)

@@ -33,7 +33,7 @@ namespace wr::emulator {
 ///
 /// Erratum 5829 of the controller: a buffer that is activated in a certain clock of the arbitration
 /// is not sent. The workaround reserves buffer 0. After each activation, the program must write the
-/// code INACTIVE to buffer 0 twice. If a frame is sent without these two writes, there is a finding.
+/// code INACTIVE to buffer 0 twice. If a frame is sent without these writes, there is a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }

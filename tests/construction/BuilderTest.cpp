@@ -203,7 +203,7 @@ TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   EXPECT_EQ(direction.read()->value, Angle(-1600));
 }
 
-/// @brief A robot that receives orders only from the PC starts in the mode PC and stays in this
+/// @brief If a robot receives orders only from the PC, it starts in the mode PC and stays in this
 /// mode.
 /// @verifies FR-10
 TEST_F(BuilderTest, FR10_RobotForThePcHasOneMode) {

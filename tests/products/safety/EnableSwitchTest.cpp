@@ -64,7 +64,7 @@ TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Pulses shorter than 1250 us order a stop. Pulses in the bands "PC" and "drive" order no
+/// @brief A pulse shorter than 1250 us orders a stop. A pulse in the band "PC" or "drive" orders no
 /// stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
@@ -103,9 +103,9 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Two stop pulses between two cycles confirm a stop. The robot then stops in the next
-/// cycle, even when the newest pulse already shows the position "drive". The stop ends when the
-/// stick is in the middle.
+/// @brief If two stop pulses arrive between two cycles, they confirm a stop. The robot then stops
+/// in the next cycle, even when the newest pulse already shows the position "drive". The stop ends
+/// when the stick is in the middle.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
@@ -253,9 +253,10 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Two successive pulses out of the range stop the robot, but they do not count as the
-/// position "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive
-/// stop pulses between two cycles count as the position "stop" if their width is in the range.
+/// @brief If two successive pulses are out of the range, the robot stops, but the pulses do not
+/// count as the position "stop". A later change from "PC" to "drive" causes no acknowledgement. If
+/// two successive stop pulses are in the range, they count as the position "stop", even if both
+/// arrive between two cycles.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
   for (const bool stopped : {false, true}) {

@@ -748,8 +748,8 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
 }
 
 /// @brief While no wheel is too fast, set-points of current are not changed. The ramp of a later
-/// set-point of velocity begins at the smaller magnitude of two velocities: the measured velocity,
-/// and the velocity of an unloaded wheel at the present voltage. If these velocities have opposite
+/// set-point of velocity begins at the velocity with the smaller magnitude: the measured velocity,
+/// or the velocity of an unloaded wheel at the present voltage. If these velocities have opposite
 /// directions, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {

@@ -495,9 +495,9 @@ class CurveTest : public RobotTest {
   std::array<double, plant::kWheels> integrals_{};
 };
 
-// The distance of each wheel from the centre of the curve, divided by the distance of the middle of
-// the rear axle from this centre. At a steering angle of 32 degrees, the distance of the middle of
-// the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
+// Relative distances of the wheels from the centre of the curve. The middle of the rear axle has
+// the relative distance 1. At a steering angle of 32 degrees, this is a distance of 1.582 m / tan
+// 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
 /// @brief With set-points that match the geometry of the curve, the robot drives the geometric
@@ -635,8 +635,8 @@ TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
 }
 
-/// @brief The voltage of an open current input approaches the voltage of the input that the
-/// converter converts directly before the open input.
+/// @brief The converter converts another input directly before an open current input. The voltage
+/// of the open input approaches the voltage of this other input.
 TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   robot.setFault(Fault::CurrentOffset, 0, true, 8000);
   robot.setFault(Fault::CurrentOpen, 1, true);
@@ -650,9 +650,9 @@ TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
 }
 
-/// @brief The voltage of an open angle input approaches the voltage of the input that the converter
-/// converts directly before the open input. A stuck sensor keeps its value. The error of a drifting
-/// sensor grows at its rate.
+/// @brief The converter converts another input directly before an open angle input. The voltage of
+/// the open input approaches the voltage of this other input. A stuck sensor keeps its value. The
+/// error of a drifting sensor grows at its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 400; ++i) {
