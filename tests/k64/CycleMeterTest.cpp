@@ -53,8 +53,8 @@ struct Drive {
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
   // [cycle] The counts of the firmware and of the board may differ by the duration of one interrupt
-  // of a converter (kFew). The count that ends at the report may differ more in at most 1 of 20
-  // cycles, by up to the duration of a tick of the second timer (kTick).
+  // of a converter (kFew). For the count that ends at the report, a greater difference is permitted
+  // in at most 1 of 20 cycles: the duration of a tick of the second timer (kTick).
   constexpr std::int64_t kFew = 700;
   constexpr std::int64_t kTick = 2000;
   std::size_t ticks = 0;

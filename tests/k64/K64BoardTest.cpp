@@ -220,9 +220,9 @@ TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
-/// @brief The clock is too late if it works only from 135 ms after the reset on, because a step of
-/// its start has already failed. No cycle runs until the watchdog restarts the firmware. The
-/// restarted firmware reports the step that failed.
+/// @brief If the clock works only from 135 ms after the reset on, it is too late: a step of its
+/// start has already failed. No cycle runs until the watchdog restarts the firmware. The restarted
+/// firmware reports the step that failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter125MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});

@@ -83,8 +83,8 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   }
 }
 
-/// @brief Swapped leads are also detected in the second cycle if the position of the wheel
-/// continues at the other end of its range in this cycle.
+/// @brief In the second cycle, the position of the wheel continues at the other end of its range.
+/// Swapped leads are still detected in this cycle.
 /// @verifies FR-177
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_ThePositionContinuesAtTheOtherEnd) {
@@ -132,8 +132,8 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   }
 }
 
-/// @brief If the measurements of only a single cycle match swapped leads, the robot does not stop,
-/// even if these measurements match perfectly.
+/// @brief If only a single cycle has measurements that match swapped leads, the robot does not
+/// stop, even if they match perfectly.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   EXPECT_FALSE(drive(300, 1, 40));

@@ -76,8 +76,9 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
   EXPECT_GT(fastest, 290);
 }
 
-/// @brief With orders of 24 V and of 10 A, wheel 0 reaches a velocity within 6 rpm of the speed
-/// limit of 290 rpm, in both directions. No wheel is ever faster than 305 rpm.
+/// @brief With orders of 24 V and of 10 A, the velocity of wheel 0 differs by at most 6 rpm from
+/// the speed limit of 290 rpm. This is true in both directions. No wheel is ever faster than
+/// 305 rpm.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();

@@ -835,8 +835,8 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   EXPECT_EQ(first(), 0);
 }
 
-/// @brief In each cycle, the magnitude of a set-point of voltage is at most 1.0 V above and at most
-/// 2.4 V below the magnitude of the voltage at the wheel.
+/// @brief The magnitude of a set-point of voltage is limited in each cycle. Compared with the
+/// magnitude of the voltage at the wheel, it is at most 1.0 V greater, and at most 2.4 V smaller.
 /// @verifies FR-295
 TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   const auto next = [&](int applied, int ordered) {

@@ -182,8 +182,8 @@ TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
   }
 }
 
-/// @brief A velocity that exceeds the set-point by more than 40 rpm plus 25 % of the set-point
-/// causes a stop in the third cycle.
+/// @brief A velocity causes a stop in the third cycle if it exceeds the set-point by more than 40
+/// rpm plus 25 % of the set-point.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
   const double volts = 150 * 0.05236 + 1.5;
@@ -280,9 +280,10 @@ TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief A supply from 21 V to 29 V, a resistance of 75 % to 125 % of its nominal value and a
-/// motor constant of 90 % to 110 % of its nominal value do not cause a stop. This is tested in both
-/// directions, for voltages and currents at which the voltage turns the wheel at up to 330 rpm.
+/// @brief These tolerances do not cause a stop: a supply from 21 V to 29 V, a resistance of 75 % to
+/// 125 % of its nominal value, and a motor constant of 90 % to 110 % of its nominal value. This is
+/// tested in both directions, for voltages and currents at which the voltage turns the wheel at up
+/// to 330 rpm.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
   int points = 0;
@@ -400,9 +401,9 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   }
 }
 
-/// @brief At more than 1.0 V, a current that stays the same in seven successive cycles causes a
-/// stop in the seventh cycle, even if the voltage is constant. A current that varies by 1 mA does
-/// not cause a stop. At 1.0 V, a constant current does not cause a stop.
+/// @brief If the current stays the same in seven successive cycles at more than 1.0 V, the seventh
+/// cycle causes a stop, even if the voltage is constant. A current that varies by 1 mA does not
+/// cause a stop. At 1.0 V, a constant current does not cause a stop.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {

@@ -198,9 +198,9 @@ TEST_F(CanOfTheBoard, FindsAFrameWithoutTheWritesToBufferZero) {
   EXPECT_NE(now.findings[0].find("5829"), std::string::npos);
 }
 
-/// @brief Four actions that the manual forbids cause findings: writing the timing outside of the
-/// freeze mode, writing the clock source while the controller is enabled, writing a buffer while
-/// the controller is disabled, and sending a frame without pins.
+/// @brief The manual forbids four actions, and each of them causes a finding: writing the timing
+/// outside of the freeze mode, writing the clock source while the controller is enabled, writing a
+/// buffer while the controller is disabled, and sending a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "the buffer was written while the controller was disabled";
