@@ -187,7 +187,7 @@ class BringUp:
         self._images = images
         self._has_rc = has_rc
         self._wish: Wish | None = None  # without orders the robot does not arm
-        self.rest = Wish()  # neutral order; keeps the steering until its step turns the steering
+        self.rest = Wish()  # neutral order, later with the present steering angle
 
     def steps(self) -> list[Step]:
         """Returns the steps in the order in which they are executed."""
@@ -518,7 +518,7 @@ class BringUp:
         try:
             _, seen = self._wait(
                 lambda report: "RC" in report.stop_sources,
-                "no stop followed: the receiver still sends the last pulses",
+                "the remote control orders no stop: the receiver still sends the last pulses",
                 "Set the fail-safe of the receiver: no pulses, or the enable channel at 'stop'.",
             )
         finally:
@@ -627,7 +627,7 @@ class BringUp:
         side = "left" if ordered > 0 else "right"
         text = f"steering fault: ordered to the {side}, angle changed by {moved:+.1f} degrees"
         if (moved if ordered < 0 else -moved) > AGAINST_DEGREES:
-            return FailError(f"{text}: the steering turns against the order", STEERING_ADVICE)
+            return FailError(f"{text}: the steering turns in the wrong direction", STEERING_ADVICE)
         return FailError(
             f"{text}: the steering does not follow",
             "Check the supply and the cables of the steering motor and of its driver. Check that "
@@ -671,7 +671,7 @@ class BringUp:
         )
         took = seen - begin
         if took > STOP_WITHIN_S + self._operator.reaction_s:
-            raise FailError(f"at rest only {took:.2f} s after {what}")
+            raise FailError(f"at rest {took:.2f} s after {what}, which is too late")
         return f"at rest {took:.2f} s after {what}"
 
     def _stop_while_turning(self) -> str:
@@ -691,7 +691,8 @@ class BringUp:
         try:
             begin = self._do("estop press", "press the emergency stop while the wheel turns")
             self._wait(
-                lambda report: report.stop_cause == "emergency stop", "no protective stop followed"
+                lambda report: report.stop_cause == "emergency stop",
+                "the robot reports no protective stop",
             )
             seen = self._at_rest(begin, "the emergency stop")
         finally:
@@ -771,7 +772,7 @@ class Motion:
         if self.saw_forward is None:
             return (
                 "no motion",
-                "Check the driver supply, the motor leads and the free motion of the wheel.",
+                "Check the driver supply and the motor leads. Check that the wheel turns freely.",
             )
         return (
             "the wheel turned, but its Hall sensors had no edges",

@@ -37,8 +37,8 @@ An order is valid for {ORDER_LIFETIME_S} s.
 Without --script the keyboard orders the motion. While no key is pressed, the orders are neutral.
 If the robot has the safety functions and no protective stop is latched, {NEUTRAL_S} s of neutral
 orders arm it. A robot without the safety functions needs no arming.
-A stop that is already in force stays until it is released. When the terminal is lost or the program
-is suspended, the program orders the robot to stop.
+If a stop is already in force, it stays in force until it is released. When the terminal is lost or
+the program is suspended, the program orders the robot to stop.
 
 {keyboard.HELP}
 
@@ -286,9 +286,11 @@ def show_start(link: Link, before: Welcome | None) -> Welcome | None:
 
 
 def show_changes(report: Report, before: list[str]) -> list[str]:
-    """Shows each condition once when it begins and once when it ends. If a new reason why the
-    robot does not move replaces an earlier reason, the end of the earlier reason is not shown.
-    Returns all present conditions.
+    """Shows each condition once when it begins and once when it ends. Returns all present
+    conditions.
+
+    A condition can be a reason why the robot does not move. If there is then another such reason,
+    the end of the first reason is not shown.
     """
     now = conditions(report)
     for condition in now:

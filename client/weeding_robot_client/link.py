@@ -74,8 +74,8 @@ class Link(AbstractContextManager["Link"]):
     over reports().
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
-    second. Reports of a connection that another program began are ignored. A serial port that
-    disappeared is opened again as soon as its path exists. When the robot answers with another
+    second. Reports of a connection that another program began are ignored. If the serial port
+    disappears, it is opened again as soon as its path exists. When the robot answers with another
     version of the protocol, no connection is possible, and ``incompatible`` contains the reason.
     """
 
@@ -86,7 +86,7 @@ class Link(AbstractContextManager["Link"]):
         self.damaged = 0
         self.capture = Capture(None)
         self.incompatible: str | None = None
-        self.unreported: Start | None = None  # start of a robot that sent no report after a Welcome
+        self.unreported: Start | None = None  # the start, if the robot sent a Welcome but no report
         self.handshake_ms: int | None = None  # time from Hello to Welcome
         self._clock = clock
         self._line: serial.Serial | None = open_line(path)

@@ -333,7 +333,7 @@ def to_frame(message: ToMcu, sequence: int) -> Frame:
 
 
 def from_frame(frame: Frame) -> FromMcu:
-    """Returns the message from the MCU that a frame contains.
+    """Returns the message in a frame from the MCU.
 
     A payload may be longer than expected, but not shorter. A Welcome of another version is
     accepted, because it contains the versions that the robot supports.

@@ -81,7 +81,7 @@ def member(one: Field) -> str:
 
 
 def readable() -> Iterator[str]:
-    """Yields the numbers and bits of the robot's frames that scenarios read."""
+    """Yields the numbers and bits that scenarios read from the robot's frames."""
     for layout in FRAMES.frames.values():
         for one in layout.fields if layout.sender == "MCU" else ():
             place = f"{layout.kind:#04x}, {one.offset}, FrameField::Form"

@@ -32,8 +32,8 @@ int numberAt(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::int16_t>(bytes[at] | bytes[at + 1] << 8U);
 }
 
-// Removes the byte stuffing from a frame. Returns std::nullopt when the distance to the next zero
-// byte points beyond the end of the frame.
+// Removes the byte stuffing from a frame. Returns std::nullopt when the next zero byte would be
+// beyond the end of the frame.
 std::optional<std::vector<std::uint8_t>> unstuffed(const std::vector<std::uint8_t>& line) {
   std::vector<std::uint8_t> body;
   body.reserve(line.size());

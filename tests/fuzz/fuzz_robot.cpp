@@ -155,9 +155,8 @@ class FuzzedRobot {
     session_.robot().setFault(kind, wheel, present);
   }
 
-  // Resets the robot. A reset loses the bytes that the firmware has not read. A stop of the PC or a
-  // protective stop that was in force before a reset by the reset pin must still be in force after
-  // this reset.
+  // Resets the robot. A reset loses the bytes that the firmware has not read. If a stop of the PC
+  // or a protective stop is in force, it must still be in force after a reset by the reset pin.
   void reset(bool power) {
     session_.reset(power ? scenario::ResetKind::Power : scenario::ResetKind::Pin);
     stopBefore_ = !power && (stopBefore_ || oracle_.stop());
@@ -200,9 +199,9 @@ class FuzzedRobot {
   [[nodiscard]] const Protection& protection() { return data().measurements().protection; }
   [[nodiscard]] bool latched() { return protection().inhibit == Inhibit::ProtectiveStop; }
 
-  // Checks that a stop order of the PC that the protocol accepts stops the robot in the cycle that
-  // reads the order. Also checks that this stop and a protective stop remain in force after a
-  // reset.
+  // Checks the stop order of the PC. If the protocol accepts this order, the robot must stop in the
+  // cycle that reads the order. Also checks that this stop and a protective stop remain in force
+  // after a reset.
   void checkStop() {
     expect(!oracle_.stop() || data().stopped(),
            "a stop order of the PC stops the robot in the same cycle");

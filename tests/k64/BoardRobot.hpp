@@ -28,7 +28,8 @@ struct SafePin {
 /// The output pins of the robot, copied from the document about the pins. The values are not read
 /// from the pin table of the firmware, because the tests check that table. The order of the pins:
 /// voltages of the four wheels, their directions, their enable signals, three pins of the steering,
-/// green light, red light. At these levels, the green light is off and the red light is on.
+/// green light, red light. At the levels in this array, the green light is off and the red light is
+/// on.
 inline constexpr std::array<SafePin, 17> kSafePins{{
     {'C', 1, false},
     {'C', 2, false},

@@ -44,17 +44,17 @@ struct Drive {
   std::vector<scenario::PcReport> reports;  ///< reports[i] is from cycle i + 2 of the meter
 };
 
-/// @brief The cycle counts of the firmware agree with the measurements of the board. The firmware
-/// begins to count when the interrupt of the clock pulse is served. For each sleep of the
-/// processor, the firmware counts a few cycles too many.
+/// @brief The firmware counts processor cycles, and its counts agree with the measurements of the
+/// board. The firmware begins to count when the interrupt of the clock pulse is served. For each
+/// sleep of the processor, the firmware counts a few cycles too many.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
   // [cycle] The counts of the firmware and of the board may differ by the duration of one interrupt
-  // of a converter (kFew). In at most 1 of 20 cycles, the counts until the report may differ more,
-  // by up to the duration of a tick of the second timer (kTick).
+  // of a converter (kFew). For the count that ends at the report, a greater difference is permitted
+  // in at most 1 of 20 cycles: the duration of a tick of the second timer (kTick).
   constexpr std::int64_t kFew = 700;
   constexpr std::int64_t kTick = 2000;
   std::size_t ticks = 0;

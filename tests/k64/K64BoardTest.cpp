@@ -142,7 +142,8 @@ std::ostream& operator<<(std::ostream& out, const ClockFailure& failure) {
 class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
  protected:
   // Runs the robot for a duration while its clock does not start. Checks that the outputs are safe
-  // at each microsecond, except between a reset and the first stores of the start.
+  // at each microsecond. After a reset, the check begins when the firmware has had time to set the
+  // outputs.
   static void runSafely(BoardRobot& robot, nanoseconds duration) {
     constexpr nanoseconds kFirstStores{100'000};
     const nanoseconds end = robot.board.now() + duration;
@@ -161,9 +162,10 @@ class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
   }
 };
 
-/// @brief If a step of the start of the clock fails, no cycle runs. After each reset, the outputs
-/// have their safe levels within 0.1 ms, and keep them. The watchdog repeats the start at least
-/// every 340 ms. When the clock works again, the robot starts and reports the step that failed.
+/// @brief The clock starts in several steps. If a step fails, no cycle runs. After each reset, the
+/// outputs have their safe levels within 0.1 ms, and keep them. The watchdog repeats the start at
+/// least every 340 ms. When the clock works again, the robot starts and reports the step that
+/// failed.
 /// @verifies FR-72
 /// @verifies FR-73
 /// @verifies FR-76
@@ -204,9 +206,9 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
-/// @brief A clock that starts 24 ms after the reset is in time. The first step of the start of the
-/// clock begins more than 4 ms after the reset, and each step may take 20 ms. The first start of
-/// the firmware succeeds.
+/// @brief The clock is early enough if it works from 24 ms after the reset on. The first step of
+/// its start begins more than 4 ms after the reset, and each step may take 20 ms. The first start
+/// of the firmware succeeds.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -218,9 +220,9 @@ TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
-/// @brief A clock that starts 135 ms after the reset is too late, because a step of the start of
-/// the clock has already failed. No cycle runs until the watchdog restarts the firmware. The
-/// restarted firmware reports the step that failed.
+/// @brief If the clock works only from 135 ms after the reset on, it is too late: a step of its
+/// start has already failed. No cycle runs until the watchdog restarts the firmware. The restarted
+/// firmware reports the step that failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter125MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});

@@ -23,9 +23,9 @@ struct Share {
   double share;
 };
 
-/// @brief The output is high for the fraction of the period that was set, rounded to cycles of the
-/// bus clock. All channels can be fully off and fully on. A value outside of the range from 0 % to
-/// 100 % counts as the nearest end of this range.
+/// @brief The output is high for the set fraction of the period, rounded to cycles of the bus
+/// clock. Each channel can be fully off or fully on. A value outside of the range from 0 % to 100 %
+/// counts as the nearest end of this range.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   constexpr std::array kShares{
@@ -126,8 +126,8 @@ TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
 }
 
-/// @brief A voltage that the PC orders is output as pulses. For 6 V of 24 V, the output is high for
-/// a quarter of the period.
+/// @brief The board outputs an ordered voltage as pulses. For 6 V of 24 V, the output is high for a
+/// quarter of the period.
 /// @verifies FR-140
 TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
   constexpr scenario::PcOrder::Wheel kQuarter{.quantity = 1, .value = 6000};

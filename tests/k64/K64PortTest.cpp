@@ -91,8 +91,8 @@ TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   EXPECT_EQ(edges(), std::vector<int>(kEdgeInputs.size(), 1));
 }
 
-/// @brief Four edges of one input within a tick are all detected. A wheel at full speed has far
-/// fewer edges.
+/// @brief If an input has four edges within a tick, all four edges are detected. A wheel at full
+/// speed has far fewer edges.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
   constexpr int kTicks = 100;

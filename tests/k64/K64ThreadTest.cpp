@@ -37,8 +37,8 @@ TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {
   EXPECT_EQ(events, two);
 }
 
-/// @brief Bytes that arrive during a cycle interrupt the cycle, because the serial port has a
-/// higher priority.
+/// @brief The arrival of bytes interrupts a running cycle, because the serial port has a higher
+/// priority.
 /// @verifies FR-171
 TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
   BoardRobot robot;
@@ -73,7 +73,7 @@ TEST(K64ThreadOfAWheel, GoesBeforeTheMainThread) {
   drivers.ask('T');
   const std::vector<std::uint16_t> once{3, 2, 1, 0, kMain, 0, 0, 0, 5};
   EXPECT_EQ(drivers.ask('R'), once)
-      << "the answer has the numbers of the threads in the order of their runs, and their count";
+      << "the answer has the thread numbers in the order in which they ran, and then their count";
 }
 
 }  // namespace

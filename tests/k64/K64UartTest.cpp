@@ -120,8 +120,8 @@ TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief When other bytes wait in the FIFO before a byte with a wrong stop bit, only the byte with
-/// the wrong stop bit is dropped.
+/// @brief Other bytes wait in the FIFO when a byte with a wrong stop bit arrives. Only the byte
+/// with the wrong stop bit is dropped.
 /// @verifies FR-49
 TEST(K64UartThatWaits, FR49_OnlyTheByteWithTheWrongStopBitIsLost) {
   constexpr std::uint32_t kRounds = 14'400;

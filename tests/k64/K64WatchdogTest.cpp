@@ -29,7 +29,8 @@ class K64WatchdogOnBoard : public testing::Test {
     });
   }
 
-  // Returns the times of the second keys of all refreshes since the last call.
+  // Returns the time of each refresh since the last call. This is the time at which the second key
+  // of the refresh was written.
   std::vector<nanoseconds> takeRefreshes() {
     std::vector<nanoseconds> times;
     std::uint32_t last = 0;
@@ -50,8 +51,8 @@ class K64WatchdogOnBoard : public testing::Test {
   std::vector<Write> writes;
 };
 
-/// @brief The first writes of a start are the keys and the configuration of the watchdog. Later,
-/// only the keys of the refresh are written to the watchdog.
+/// @brief After a reset, the firmware first writes the keys and the configuration of the watchdog.
+/// Later, only the keys of the refresh are written to the watchdog.
 /// @verifies FR-70
 TEST_F(K64WatchdogOnBoard, FR70_IsConfiguredBeforeAnythingElse) {
   robot.cycles(5);

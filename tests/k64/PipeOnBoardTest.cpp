@@ -13,7 +13,7 @@ namespace {
 // The counts that the program on the board returns for one pipe. The class Handover in
 // program/drivers.cpp computes these counts.
 struct Counts {
-  std::uint16_t interruptions;  // number of interruptions of one side by the other
+  std::uint16_t interruptions;  // number of times that one side interrupted the other side
   std::uint16_t torn;
   std::uint16_t older;
   std::uint16_t newest;
@@ -69,8 +69,8 @@ class PipeOnBoard : public testing::Test {
 };
 
 /// @brief If an interrupt writes while the main thread reads, neither the value nor its time is
-/// corrupted. No value is older than the previous value. More than 500 writes of the interrupt
-/// occur during a read.
+/// corrupted. No value is older than the previous value. More than 500 times, the interrupt writes
+/// during a read of the main thread.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   const Counts counts = counted(0);
@@ -81,9 +81,9 @@ TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   EXPECT_EQ(counts.older, 0);
 }
 
-/// @brief If an interrupt reads while the main thread writes, the interrupt gets complete values. No
-/// value is older than the previous value. More than 500 reads of the interrupt occur during a
-/// write.
+/// @brief If an interrupt reads while the main thread writes, the interrupt gets complete values.
+/// No value is older than the previous value. More than 500 times, the interrupt reads during a
+/// write of the main thread.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AWriterThatIsInterruptedLeavesWholeValuesInOrder) {
   const Counts counts = counted(5);

@@ -30,7 +30,7 @@ class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
 
-  // Runs cycles without orders, until the robot reads in the given mode.
+  // Runs cycles without orders, until the robot is in the given reading mode.
   void waitForMode(int mode) {
     for (int cycles = 0; cycles < 2 * (kWaitingCycles + 2) && report().mode != mode; ++cycles) {
       silentCycle();
@@ -162,10 +162,10 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
-/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of 24 V,
-/// the outputs are high for 4 % of each period, already in the cycle of the order. For 6 V, the
-/// outputs are high for a quarter of each period, at the latest after six cycles. Up to six cycles
-/// are needed because safety functions limit the rise. A stop ends the pulses.
+/// @brief The outputs of each product follow the orders of the PC. The supply has 24 V. For an
+/// order of 0.96 V, the outputs are high for 4 % of each period, already in the cycle of the order.
+/// For 6 V, the outputs are high for a quarter of each period, at the latest after six cycles. Up
+/// to six cycles are needed because safety functions limit the rise. A stop ends the pulses.
 /// @verifies NFR-2
 /// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {

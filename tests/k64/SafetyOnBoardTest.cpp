@@ -306,7 +306,7 @@ INSTANTIATE_TEST_SUITE_P(Lines, InterruptsOfTheSafeRobot,
 
 /// @brief A capacitor on the board keeps PTA4 low for some milliseconds after power-on. After a
 /// reset this pin can cause the non-maskable interrupt. The firmware still starts at once, reports
-/// the power-on without a fault, and starts without a stop.
+/// the power-on and no fault, and starts without a stop.
 /// @verifies FR-290
 /// @verifies FR-291
 TEST(StartOfTheSafeRobot, FR291_PowerOnWithALowButtonPinReleasesTheStops) {

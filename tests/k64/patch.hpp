@@ -7,8 +7,8 @@
 namespace wr::test {
 
 // Firmware images with an additional exception handler. The code of the handler is written to
-// erased flash, after the firmware. In the firmware itself, only the vector of the exception is
-// changed.
+// erased flash, behind the last byte of the firmware. In the firmware itself, only the vector of
+// the exception is changed.
 
 /// Converts the number of an interrupt into the number of its exception.
 [[nodiscard]] constexpr std::uint32_t exceptionOf(std::uint32_t interrupt) {

@@ -45,10 +45,9 @@ scenario::PcReport reportOfRobot(bool isDisturbed) {
   return robot.report();
 }
 
-/// @brief A robot that receives frames with errors counts these frames, separately for each kind of
-/// error. The processor times of this robot also differ from the times of a robot that does not
-/// receive these frames, because the reception of a frame needs time. All other values in the
-/// reports of both robots are equal.
+/// @brief A robot receives frames with errors. It counts these frames, separately for each kind of
+/// error. Its processor times also differ from the times of a robot without such frames, because
+/// the reception of a frame needs time. All other values in the reports of both robots are equal.
 /// @verifies FR-48
 /// @verifies FR-63
 TEST(DroppedFramesOfRobot, FR63_ReportCountsDroppedFramesByReason) {

@@ -46,8 +46,8 @@ TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
   play("velocity_step");
 }
 
-/// @brief On an uphill slope of 10 %, the error of the velocity is at most 2 %, beginning 3 s after
-/// the robot has reached the slope.
+/// @brief Beginning 3 s after the robot has reached an uphill slope of 10 %, the error of the
+/// velocity is at most 2 %.
 /// @verifies FR-300
 TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");

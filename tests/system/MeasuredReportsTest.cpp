@@ -54,7 +54,7 @@ TEST_F(MeasuredReportsOfRobot, FR62_MissingValuesAreMarked) {
   EXPECT_EQ(robot.report().steering, 0);
 }
 
-/// @brief The report shows when the steering is off, when it turns, and when it holds.
+/// @brief The report shows when the steering is off, when it turns, and when it keeps its angle.
 /// @verifies FR-65
 TEST_F(MeasuredReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   robot.connect();

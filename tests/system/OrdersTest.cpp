@@ -13,7 +13,7 @@ namespace {
 class OrdersOfRobot : public testing::Test {
  protected:
   // Connects the PC at power-up. Then keeps the PC connected, without orders, until the given
-  // number of reads in the mode RC has failed.
+  // number of reads has failed in the mode RC.
   void connectAndFail(int reads) {
     robot.connect();
     for (int failed = 2; failed < reads; ++failed) {
@@ -210,7 +210,7 @@ TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
   }
 }
 
-/// @brief The order of a PC that is not connected is not read.
+/// @brief An order is not read if its PC is not connected.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   for (int i = 0; i < kWaitingCycles + 6; ++i) {

@@ -13,7 +13,7 @@ class ReportsOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief A PC that is not connected gets no report.
+/// @brief Without a connection, the PC gets no report.
 /// @verifies FR-60
 TEST_F(ReportsOfRobot, FR60_NoReportWithoutConnection) {
   robot.cycle();

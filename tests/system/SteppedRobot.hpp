@@ -20,8 +20,8 @@ using std::chrono::microseconds;
 /// target on which the robot runs: the host or the virtual K64.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
-/// Returns the number of random sequences that the comparison with the reference runs on this
-/// target.
+/// Returns the number of random sequences on this target. With these sequences, the robot is
+/// compared with the reference.
 [[nodiscard]] int referenceSequences();
 
 // Numbers in reports.

@@ -258,8 +258,8 @@ void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint
   }
 }
 
-// Returns the byte that two letters of an order encode. The port drops a zero byte after another
-// zero byte, so orders consist of letters.
+// Returns the byte that two letters of an order encode. Orders consist of letters, because the port
+// drops a zero byte that follows another zero byte.
 std::uint8_t number(std::uint8_t high, std::uint8_t low) {
   return static_cast<std::uint8_t>((high - 'A') << 4U | (low - 'A'));
 }

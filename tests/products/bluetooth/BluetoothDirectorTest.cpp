@@ -48,7 +48,7 @@ class BluetoothRobot : public ProductFixture {
     devicePort.arrive(device.sign(frames.order({.id = id, .steering = 250, .stop = stop})));
   }
 
-  // Runs cycles without orders until the robot reads in the given mode.
+  // Runs cycles without orders until the robot is in the given reading mode.
   void waitForMode(int mode) {
     int cycles = 0;
     while (cycleWithPc().mode != mode) {
@@ -226,7 +226,7 @@ TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {
   }
 }
 
-/// @brief A recorded order that is sent again is not read.
+/// @brief If a recorded order is sent again, the robot does not read it.
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
   waitForMode(kBluetooth);

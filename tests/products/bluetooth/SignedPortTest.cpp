@@ -48,8 +48,8 @@ class SignedPortTest : public testing::Test {
   scenario::PcSender frames;
 };
 
-/// @brief The port returns a frame with a correct tag and a new counter. The returned frame has no
-/// counter and no tag.
+/// @brief If a received frame has a correct tag and a new counter, the port returns this frame. The
+/// port first removes the counter and the tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   const scenario::Bytes hello = frames.hello();
@@ -75,7 +75,7 @@ TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   EXPECT_EQ(given().size(), 1U);
 }
 
-/// @brief A frame that is sent again and a frame with an older counter are dropped.
+/// @brief A repeated frame and a frame with an older counter are dropped.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
   const scenario::Bytes order = frames.order({.id = 3});
@@ -280,8 +280,8 @@ class FloodedPort final : public SerialPort {
   std::size_t atOnce_;
 };
 
-/// @brief A read ends even if the serial line never becomes empty, because one read reads at most
-/// 64 parts of 64 bytes. An empty serial line is read once.
+/// @brief A call of read() reads at most 64 parts of 64 bytes. Therefore the call ends even if the
+/// serial line never becomes empty. An empty serial line is read once.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
   for (const auto& [atOnce, reads] : {std::pair<std::size_t, int>{64, 64}, {1, 64}, {0, 1}}) {

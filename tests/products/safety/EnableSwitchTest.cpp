@@ -64,7 +64,7 @@ TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Pulses shorter than 1250 us order a stop. Pulses in the bands "PC" and "drive" order no
+/// @brief A pulse shorter than 1250 us orders a stop. A pulse in the band "PC" or "drive" orders no
 /// stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
@@ -103,9 +103,9 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Two stop pulses between two cycles confirm a stop. The robot then stops in the next
-/// cycle, even when the newest pulse already shows the position "drive". The stop ends when the
-/// stick is in the middle.
+/// @brief If two stop pulses arrive between two cycles, they confirm a stop. The robot then stops
+/// in the next cycle, even when the newest pulse already shows the position "drive". The stop ends
+/// when the stick is in the middle.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
@@ -253,9 +253,10 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Two successive pulses out of the range stop the robot, but they do not count as the
-/// position "stop". A later change from "PC" to "drive" causes no acknowledgement. Two successive
-/// stop pulses between two cycles count as the position "stop" if their width is in the range.
+/// @brief If two successive pulses are out of the range, the robot stops, but the pulses do not
+/// count as the position "stop". A later change from "PC" to "drive" causes no acknowledgement. If
+/// two successive stop pulses are in the range, they count as the position "stop", even if both
+/// arrive between two cycles.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
   for (const bool stopped : {false, true}) {
@@ -311,9 +312,9 @@ TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Orders acknowledge for 1 s after the sequence "stop", "PC", "drive" of the switch, even
-/// if the switch is moved to "PC" and back to "drive" within this second. Later orders acknowledge
-/// no fault.
+/// @brief For 1 s after the sequence "stop", "PC", "drive" of the switch, the orders contain an
+/// acknowledgement. This is true even if the switch is moved to "PC" and back to "drive" within
+/// this second. Later orders contain no acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheAcknowledgementExpires) {
   for (const int cycles : {10, 11, 20}) {
@@ -347,8 +348,8 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief If the pulses of the steering stick vary by only 8 us, the stop begins after 2 s: the
-/// pulses do not restart this time.
+/// @brief If the pulses of the steering stick vary by only 8 us, the stop begins after 2 s. Such
+/// pulses do not restart the 2 s.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   signals(kDrivePulse, 0);
@@ -360,8 +361,9 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief At each deflection of the steering stick, pulses that vary by exactly 8 us do not restart
-/// the time of 2 s, after which the stop begins. Pulses that vary by 9 us restart this time.
+/// @brief Without changes of the pulses, a stop begins after 2 s. Changes of the steering pulses by
+/// exactly 8 us do not restart the 2 s, but changes by 9 us do. This is tested at each deflection
+/// of the steering stick.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
   const auto angleOf = [](int deflection) { return (deflection * 3200 + 250) / 500; };

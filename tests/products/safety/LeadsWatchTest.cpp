@@ -71,8 +71,8 @@ class WatchedLeads : public testing::Test {
   std::optional<LeadsWatch> watch{std::in_place};
 };
 
-/// @brief Leads that are swapped at 10 rpm to 300 rpm, in either direction, are detected in the
-/// second cycle.
+/// @brief At 10 rpm to 300 rpm, in either direction, the watch detects swapped leads in the second
+/// cycle.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   for (const double rpm : {10.0, 20.0, 50.0, 150.0, 300.0, -10.0, -20.0, -300.0}) {
@@ -83,8 +83,8 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   }
 }
 
-/// @brief Swapped leads are also detected in the second cycle if the position of the wheel
-/// continues at the other end of its range in this cycle.
+/// @brief In the second cycle, the position of the wheel continues at the other end of its range.
+/// Swapped leads are still detected in this cycle.
 /// @verifies FR-177
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_ThePositionContinuesAtTheOtherEnd) {
@@ -132,8 +132,8 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   }
 }
 
-/// @brief If the measurements of only a single cycle match swapped leads, the robot does not stop,
-/// even if these measurements match perfectly.
+/// @brief If only a single cycle has measurements that match swapped leads, the robot does not
+/// stop, even if they match perfectly.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   EXPECT_FALSE(drive(300, 1, 40));
@@ -193,9 +193,9 @@ TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
   EXPECT_EQ(found(100, pulling(100, 1)), 2);
 }
 
-/// @brief After a call of reset(), the watch needs the same number of cycles to detect swapped
-/// leads as at the start. This is tested for velocities from 10 rpm to 60 rpm and for currents up
-/// to 14 A, after the watch has learned another motor.
+/// @brief The number of cycles until swapped leads are detected is the same at the start and after
+/// a call of reset(). This is tested for velocities from 10 rpm to 60 rpm and for currents up to 14
+/// A, after the watch has learned another motor.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   const auto detected = [this](double resistance, double rpm, double amperes) {
@@ -221,8 +221,8 @@ TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   }
 }
 
-/// @brief The watch does not learn from a cycle with correct leads that directly follows a cycle
-/// with swapped leads.
+/// @brief If a cycle with correct leads directly follows a cycle with swapped leads, the watch does
+/// not learn from the cycle with correct leads.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
   motor.resistance = 1.8;

@@ -95,8 +95,8 @@ TEST_F(SteeringGeometryTest, FR284_FullLock) {
   EXPECT_EQ(read(alike(1000, 4000)).wheels[2].value, order.wheels[2].value);
 }
 
-/// @brief An order is not changed in two cases: its wheel values differ, or it does not set a
-/// velocity.
+/// @brief An order is not changed if the values of its wheels are not all equal. An order that sets
+/// no velocity is not changed either.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_OtherOrdersStay) {
   SetPoints different = alike(1000, 2000);

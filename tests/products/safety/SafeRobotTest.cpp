@@ -76,8 +76,9 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
   EXPECT_GT(fastest, 290);
 }
 
-/// @brief With orders of 24 V and of 10 A, wheel 0 reaches a velocity within 6 rpm of the speed
-/// limit of 290 rpm, in both directions. No wheel is ever faster than 305 rpm.
+/// @brief With orders of 24 V and of 10 A, the velocity of wheel 0 differs by at most 6 rpm from
+/// the speed limit of 290 rpm. This is true in both directions. No wheel is ever faster than
+/// 305 rpm.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();
@@ -229,8 +230,8 @@ TEST_F(SafeRobot, FR278_ABrokenCurrentSensorStopsTheRobot) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief When the converter of a current stops, the protective stop begins in the third cycle
-/// without a new value.
+/// @brief After the converter of a current has stopped, the protective stop begins in the third
+/// cycle without a new value.
 /// @verifies FR-278
 TEST_F(SafeRobot, FR278_AConverterThatStopsStopsTheRobot) {
   armByPc();
@@ -303,7 +304,7 @@ TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief An emergency stop that is pressed for 5 ms between two cycles stops the robot. Later
+/// @brief The robot stops when the emergency stop is pressed for 5 ms between two cycles. Later
 /// orders of the PC do not end the stop.
 /// @verifies FR-271
 TEST_F(SafeRobot, FR271_AShortPressStops) {
@@ -320,8 +321,8 @@ TEST_F(SafeRobot, FR271_AShortPressStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief A cycle reads an acknowledgement of the PC. Then the PC sends no order. An emergency stop
-/// that is pressed and released before the next cycle stops the robot, although the acknowledgement
+/// @brief A cycle reads an acknowledgement of the PC. Then the PC sends no order. Before the next
+/// cycle, the emergency stop is pressed and released. The robot stops, although the acknowledgement
 /// is still the last order.
 /// @verifies FR-271
 /// @verifies FR-299

@@ -149,8 +149,8 @@ TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
   EXPECT_EQ(protection(stop), Protection{});
 }
 
-/// @brief A fault of one wheel holds all control systems in the cycle of the fault. They are also
-/// held in the next cycle, after the end of the fault and after a hold.
+/// @brief A fault of one wheel holds all control systems in the cycle of the fault and in later
+/// cycles. They are still held after the end of the fault, and after a hold.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
@@ -551,7 +551,7 @@ TEST_F(ProtectiveStopTest, FR272_AFaultOfTheSteeringIsACause) {
 }
 
 /// @brief Only an acknowledgement releases a protective stop. The acknowledgement reaches the
-/// control systems. A fault that lasts causes the next protective stop.
+/// control systems. If the fault is still present, it causes the next protective stop.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementReleases) {
   spy.measured.wheels[1].blind = true;
@@ -606,7 +606,7 @@ TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A neutral order that stays in force is counted only once.
+/// @brief A neutral order is counted only once, even if it stays in force.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_ANeutralOrderCountsOnce) {
   SetPoints old = alike(0);
@@ -692,8 +692,8 @@ class SetPointRampTest : public SafetyChain {
 };
 
 /// @brief The set-point follows orders of 300 rpm, -300 rpm and 0 rpm with at most 0.5 m/s^2. A
-/// velocity of 300 rpm is 0.85 m/s. The three orders together need 18 + 35 + 18 cycles until the
-/// set-point is equal to the ordered set-point.
+/// velocity of 300 rpm is 0.85 m/s. The set-point needs 18 + 35 + 18 cycles to reach the three
+/// ordered values in sequence.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -748,8 +748,8 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
 }
 
 /// @brief While no wheel is too fast, set-points of current are not changed. The ramp of a later
-/// set-point of velocity begins at the smaller magnitude of two velocities: the measured velocity,
-/// and the velocity of an unloaded wheel at the present voltage. If these velocities have opposite
+/// set-point of velocity begins at the velocity with the smaller magnitude: the measured velocity,
+/// or the velocity of an unloaded wheel at the present voltage. If these velocities have opposite
 /// directions, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
@@ -835,8 +835,8 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   EXPECT_EQ(first(), 0);
 }
 
-/// @brief In each cycle, the magnitude of a set-point of voltage is at most 1.0 V above and at most
-/// 2.4 V below the magnitude of the voltage at the wheel.
+/// @brief The magnitude of a set-point of voltage is limited in each cycle. Compared with the
+/// magnitude of the voltage at the wheel, it is at most 1.0 V greater, and at most 2.4 V smaller.
 /// @verifies FR-295
 TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   const auto next = [&](int applied, int ordered) {

@@ -40,7 +40,7 @@ TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   EXPECT_DEATH(director.construct(), "assertion 5 failed");
 }
 
-/// @brief A robot that receives orders only from the PC can be built only once.
+/// @brief If a robot receives orders only from the PC, it can be built only once.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionForThePcTwiceEndsTheProgram) {
   pcDirector.construct();
@@ -56,7 +56,7 @@ TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
 }
 
-/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. The robot
+/// @brief If a robot has a PC and a remote control, it sends a Welcome and reports to the PC. It
 /// starts in the mode RC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
@@ -67,8 +67,8 @@ TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief A robot that receives orders only from the PC sends a Welcome and reports to the PC. Its
-/// mode is PC.
+/// @brief If a robot receives orders only from the PC, it sends a Welcome and reports to the PC.
+/// Its mode is PC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotForThePcReports) {
   begin(pcDirector);

@@ -26,9 +26,9 @@ std::vector<std::filesystem::path> scenarios() {
 
 class ScenariosWithSafety : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The robot with safety functions meets the expectations of each scenario. The scenarios
-/// that are only for the design of the paper and the scenario with the loss of the clock are not
-/// run.
+/// @brief The robot with safety functions meets the expectations of each scenario. Two kinds of
+/// scenarios are not run: the scenarios that are only for the design of the paper, and the scenario
+/// with the loss of the clock.
 /// @verifies NFR-6
 TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());

@@ -57,8 +57,8 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
-/// @brief A wheel that does not move is also detected while the positions of the other wheels
-/// continue at the other end of their range.
+/// @brief If the positions of the other wheels overflow, a wheel that does not move is still
+/// detected.
 /// @verifies FR-177
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_PositionsContinueAtTheOtherEnd) {

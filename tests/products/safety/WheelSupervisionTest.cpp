@@ -96,8 +96,8 @@ TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
   EXPECT_EQ(halted(measured(-330.1, 0)), StopCause::Overspeed);
 }
 
-/// @brief A motor that turns its wheel at 5.1 rpm against a voltage of 1.1 V causes a stop in the
-/// second cycle. At 1.0 V or at 5.0 rpm, there is no stop.
+/// @brief A motor has a voltage of 1.1 V, but turns its wheel at 5.1 rpm in the opposite direction.
+/// This causes a stop in the second cycle. At 1.0 V or at 5.0 rpm, there is no stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cycle(measured(0, 0), 1.1, 10), StopCause::None);
@@ -139,9 +139,9 @@ TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
   EXPECT_EQ(cycle(measured(-20, 0.949), 1.501, 17.6), StopCause::WrongDirection);
 }
 
-/// @brief A slope drags a wheel faster and faster against its voltage. The wheel draws the current
-/// (3 V + k v) / 1.5 Ohm, with the motor constant k and the velocity v. This does not cause a stop,
-/// even with 15 % more resistance and a supply of 21 V.
+/// @brief A slope turns a wheel faster and faster, in the direction opposite to its voltage. The
+/// wheel draws the current (3 V + k v) / 1.5 Ohm, with the motor constant k and the velocity v.
+/// This does not cause a stop, even with 15 % more resistance and a supply of 21 V.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
   for (const double share : {1.0, 21.0 / 24 / 1.15}) {
@@ -182,8 +182,8 @@ TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
   }
 }
 
-/// @brief A velocity that exceeds the set-point by more than 40 rpm plus 25 % of the set-point
-/// causes a stop in the third cycle.
+/// @brief A velocity causes a stop in the third cycle if it exceeds the set-point by more than 40
+/// rpm plus 25 % of the set-point.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
   const double volts = 150 * 0.05236 + 1.5;
@@ -280,9 +280,10 @@ TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief A supply from 21 V to 29 V, a resistance of 75 % to 125 % of its nominal value and a
-/// motor constant of 90 % to 110 % of its nominal value do not cause a stop. This is tested in both
-/// directions, for voltages and currents at which the voltage turns the wheel at up to 330 rpm.
+/// @brief These tolerances do not cause a stop: a supply from 21 V to 29 V, a resistance of 75 % to
+/// 125 % of its nominal value, and a motor constant of 90 % to 110 % of its nominal value. This is
+/// tested in both directions, for voltages and currents at which the voltage turns the wheel at up
+/// to 330 rpm.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
   int points = 0;
@@ -400,9 +401,9 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   }
 }
 
-/// @brief At more than 1.0 V, a current that stays the same in seven successive cycles causes a
-/// stop in the seventh cycle, even if the voltage is constant. A current that varies by 1 mA does
-/// not cause a stop. At 1.0 V, a constant current does not cause a stop.
+/// @brief If the current stays the same in seven successive cycles at more than 1.0 V, the seventh
+/// cycle causes a stop, even if the voltage is constant. A current that varies by 1 mA does not
+/// cause a stop. At 1.0 V, a constant current does not cause a stop.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {
@@ -427,8 +428,8 @@ TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
 }
 
 /// @brief A wheel at rest without voltage has no current. A current of more than 1.0 A in two
-/// successive cycles causes a stop. A current of 1.0 A does not cause a stop. A current of 1.1 A
-/// while the wheel turns does not cause a stop either.
+/// successive cycles causes a stop. A current of 1.0 A does not cause a stop. While the wheel
+/// turns, a current of 1.1 A does not cause a stop either.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);
@@ -457,7 +458,7 @@ TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   }
 }
 
-/// @brief A current that is missing causes a stop in the second cycle, as a missing velocity does.
+/// @brief A missing current causes a stop in the second cycle, as a missing velocity does.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_AMissingCurrentIsACause) {
   WheelMeasurements missing;
@@ -514,8 +515,8 @@ TEST_F(RejectedEdges, FR279_NineEdgesInTwoCyclesAreNoCause) {
   EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
 }
 
-/// @brief Implausible edges still count when their number since the start exceeds 65535, and when
-/// this number overflows.
+/// @brief Implausible edges are still counted when their number since the start exceeds 65535, and
+/// when this number overflows.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_TheNumberSinceTheStartDoesNotMatter) {
   for (const std::uint32_t before : {65'533U, 65'535U, 70'000U, 0xFFFF'FFFDU}) {
@@ -527,7 +528,7 @@ TEST_F(RejectedEdges, FR279_TheNumberSinceTheStartDoesNotMatter) {
   }
 }
 
-/// @brief Implausible edges also count while the wheel drives backwards.
+/// @brief Implausible edges are also counted while the wheel drives backwards.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_EdgesCountBackwards) {
   EXPECT_EQ(rejected(1, 0, -150, -9.354), StopCause::None);
@@ -537,8 +538,8 @@ TEST_F(RejectedEdges, FR279_EdgesCountBackwards) {
   EXPECT_EQ(rejected(1, 2, -150, -9.354), StopCause::HallSignals);
 }
 
-/// @brief In a cycle without a measured velocity, the velocity of the previous cycle decides whether
-/// the edges count.
+/// @brief In a cycle without a measured velocity, the velocity of the previous cycle decides
+/// whether the edges are counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_EdgesCountWithoutAVelocity) {
   EXPECT_EQ(rejected(6, 2), StopCause::None);
@@ -601,7 +602,7 @@ class FaultyWheel : public SupervisedWheel {
                                       Fault::Swapped};
 
   /// Runs a cycle of a wheel. The faults TooFast, EqualCurrent and Swapped are present in each
-  /// cycle. Each other fault is present if the number of the cycle is a multiple of `multiple`.
+  /// cycle. The other faults are present if the number of the cycle is a multiple of `multiple`.
   static StopCause faulty(WheelSupervision& supervised, Fault fault, int number, int multiple) {
     const bool present = number % multiple == 0;
     const double noise = fault == Fault::EqualCurrent ? 0 : 0.001 * (number % 2);
@@ -643,7 +644,8 @@ class FaultyWheel : public SupervisedWheel {
 };
 
 /// @brief After a call of reset(), the supervision behaves as at the start. Faults in up to 15
-/// cycles before this call do not change the cycle in which a later fault is detected.
+/// cycles before this call have no effect: a later fault is detected in the same cycle as without
+/// them.
 /// @verifies FR-275
 /// @verifies FR-276
 /// @verifies FR-277

@@ -165,7 +165,7 @@ def test_a_wheel_that_is_connected_wrongly_is_found_out(
 @pytest.mark.parametrize(
     ("fault", "finding"),
     [
-        ("steering_reversed", "the steering turns against the order"),
+        ("steering_reversed", "the steering turns in the wrong direction"),
         ("steering_stuck", "the steering does not follow"),
     ],
 )

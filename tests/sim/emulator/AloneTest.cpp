@@ -39,7 +39,7 @@ TEST(AloneTest, PrintsBannerAndVoltages) {
   EXPECT_EQ(sentBy(board), "alone on a K64\r\n1650 mV\r\n3300 mV\r\n");
 }
 
-/// @brief The pin of the LED changes its level each 50 ms.
+/// @brief The level of the LED pin changes every 50 ms.
 TEST(AloneTest, BlinksWithItsTimer) {
   emulator::VirtualBoard board = switchedOn();
   std::vector<std::chrono::milliseconds> changes;

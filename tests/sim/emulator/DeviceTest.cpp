@@ -20,7 +20,7 @@ using testing::ElementsAre;
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// @brief The start sequence with the external clock and the PLL lasts until the PLL has locked.
+/// @brief The start sequence uses the external clock and the PLL. It ends when the PLL has locked.
 /// Then the clock is 120 MHz.
 TEST(ClockOfBoard, RunsAt120MHz) {
   VirtualBoard board(Guest("runsAt120MHz").image());
@@ -112,7 +112,7 @@ TEST(SerialPortOfBoard, EchoTakesTheTimeOfTwoBytes) {
   EXPECT_NEAR(static_cast<double>((sent[2] - sent[0]).count()), 2 * kByte, 1'000);
 }
 
-/// @brief A byte with a start time begins at this time.
+/// @brief A byte begins on the serial line at the time that the test has set.
 TEST(SerialPortOfBoard, BytesArriveAtTheirTime) {
   Guest guest("echoes");
   guest.handleLine(31, "echoesByte");
@@ -213,8 +213,8 @@ TEST(ResetOfBoard, RequestStartsAnew) {
   EXPECT_EQ(board.resets(), 1);
 }
 
-/// @brief If the option resetsAreFindings is false, a watchdog that is never refreshed resets the
-/// board repeatedly.
+/// @brief If the option resetsAreFindings is false and the program never refreshes the watchdog,
+/// the watchdog resets the board repeatedly.
 TEST(ResetOfBoard, WatchdogStartsAnew) {
   VirtualBoard board(Guest("refreshesNever").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1s));

@@ -87,7 +87,8 @@ TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
   EXPECT_NEAR(clocksBetween(pulses[0].at, pulses[1].at), 1000, 3);
 }
 
-/// @brief A new period and a new value that are written together take effect together.
+/// @brief If the program writes a new period and a new value together, both take effect at the same
+/// time.
 TEST(PulsesOfBoard, PeriodAndValueChangeTogether) {
   VirtualBoard board(Guest("changesPeriodWithWidth").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -186,7 +187,7 @@ TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
   EXPECT_FALSE(board.runUntil(100ms));
   EXPECT_EQ(reported(board, 0), 2U);
   ASSERT_TRUE(board.finding());
-  EXPECT_NE(board.finding()->what.find("without the gains"), std::string::npos);
+  EXPECT_NE(board.finding()->what.find("do not contain the gains"), std::string::npos);
 }
 
 /// @brief Each kind of conversion takes its own number of clock cycles, and then causes the
@@ -218,8 +219,7 @@ TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
   }
 }
 
-/// @brief A conversion that starts before the end of the previous conversion replaces the previous
-/// conversion.
+/// @brief A new conversion replaces a conversion that has not ended.
 TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
   Guest guest("convertsAnew");
   guest.handleLine(39, "notesConversion");
@@ -267,8 +267,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief At its start time, each level becomes the level that the program reads. The order in
-/// which the test sets the levels has no effect.
+/// @brief From the start time of a level, the program reads this level. The order in which the test
+/// sets the levels has no effect.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -322,7 +322,8 @@ TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   EXPECT_THAT(notes(board), ElementsAre(0x60001, 0x00004, 0x10001, 0x30002));
 }
 
-/// @brief An interrupt that a level raises is repeated while the pin has this level.
+/// @brief A level of a pin can raise an interrupt. The interrupt is repeated while the pin has this
+/// level.
 TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   Guest guest("watchesLevel");
   guest.handleLine(62, "notesEdge");

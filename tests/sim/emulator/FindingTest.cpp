@@ -51,7 +51,7 @@ const std::array kMistakes{
     Mistake{"givesSecondKeyTooLate", "watchdog-sequence", "second key of the unlock is too late"},
     Mistake{"givesWrongKey", "watchdog-sequence", "unlock with the key 0xC521"},
     Mistake{"configuresInTheNextClock", "watchdog-sequence", "directly after its unlock"},
-    Mistake{"unlocksWithoutConfiguration", "watchdog-sequence", "without configuration"},
+    Mistake{"unlocksWithoutConfiguration", "watchdog-sequence", "was not configured"},
     Mistake{"refreshesWithWrongKey", "watchdog-sequence",
             "second key of the refresh was written without"},
     Mistake{"configuresLockedWatchdog", "watchdog-sequence", "without unlock"},
@@ -85,8 +85,8 @@ const std::array kMistakes{
     Mistake{"convertsTooFast", "register-misuse", "20971 kHz, not 1000 to 18000 kHz"},
     Mistake{"convertsSixteenBitsTooFast", "register-misuse", "not 2000 to 12000 kHz"},
     Mistake{"calibratesTooFast", "register-misuse", "5242 kHz, not 1000 to 4000 kHz"},
-    Mistake{"convertsWithoutCalibration", "register-misuse", "without the gains"},
-    Mistake{"forgetsGain", "register-misuse", "without the gains"},
+    Mistake{"convertsWithoutCalibration", "register-misuse", "do not contain the gains"},
+    Mistake{"forgetsGain", "register-misuse", "do not contain the gains"},
     Mistake{"convertsDigitalPin", "register-misuse", "channel 12, whose pin is not analog"},
     Mistake{"convertsChannelWithoutPin", "unmodelled-register", "channel 3, which has no pin"},
     Mistake{"convertsTemperature", "unmodelled-register", "channel 26"},
@@ -140,7 +140,7 @@ TEST(FindingOfBoardAlone, NamesFunctionLineAndTime) {
   EXPECT_LT(board.finding()->at, 10us);
 }
 
-/// @brief A run that a finding stopped does not continue.
+/// @brief After a finding has stopped a run, the run does not continue.
 TEST(FindingOfBoardAlone, EndsTheRun) {
   VirtualBoard board(Guest("usesPortBehindClosedGate").image());
   EXPECT_FALSE(board.runUntil(1s));
@@ -157,8 +157,8 @@ TEST(FindingOfBoardAlone, MissingVector) {
   EXPECT_EQ(board.finding()->id, "vector-missing");
 }
 
-/// @brief A byte that arrives before the previous byte was read causes an overrun finding. A single
-/// byte causes no finding.
+/// @brief If a byte arrives before the program has read the previous byte, there is an overrun
+/// finding. A single byte causes no finding.
 TEST(FindingOfBoardAlone, Overrun) {
   VirtualBoard board(Guest("readsNoByte").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -170,7 +170,7 @@ TEST(FindingOfBoardAlone, Overrun) {
   EXPECT_EQ(board.finding()->id, "uart-overrun");
 }
 
-/// @brief A byte that arrives while the receiver has another baud rate than the serial line causes
+/// @brief If the receiver has another baud rate than the serial line when a byte arrives, there is
 /// a finding.
 TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
   VirtualBoard board(Guest("receivesAtWrongBaud").image());
@@ -181,7 +181,7 @@ TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
   EXPECT_EQ(board.finding()->id, "uart-baud");
 }
 
-/// @brief A fault in the handler of a fault stops the processor.
+/// @brief If a fault occurs in the handler of a fault, the processor stops.
 TEST(FindingOfBoardAlone, Lockup) {
   Guest guest("loadsWhereNothingIs");
   guest.handle(3, "handlerThatFaults");
@@ -191,7 +191,7 @@ TEST(FindingOfBoardAlone, Lockup) {
   EXPECT_EQ(board.finding()->id, "lockup");
 }
 
-/// @brief A watchdog that is not refreshed in time causes a finding at its time-out.
+/// @brief If the program does not refresh the watchdog in time, there is a finding at the time-out.
 TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
   VirtualBoard board(Guest("refreshesNever").image());
   EXPECT_TRUE(board.runUntil(299ms));
@@ -199,7 +199,7 @@ TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
   EXPECT_EQ(board.finding()->id, "watchdog-missed");
 }
 
-/// @brief A watchdog that is refreshed in time causes no finding.
+/// @brief If the program refreshes the watchdog in time, there is no finding.
 TEST(FindingOfBoardAlone, RefreshedWatchdogGivesNone) {
   Guest guest("refreshesInTime");
   guest.handleLine(48, "refreshesAtEachTimer");

@@ -118,8 +118,8 @@ TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0xA1B2C300U);
 }
 
-/// @brief A frame that arrives before the previous frame was read overwrites the previous frame.
-/// The status code of the buffer shows this.
+/// @brief If a frame arrives before the program has read the previous frame, the new frame
+/// overwrites the previous frame. The status code of the buffer shows this.
 TEST_F(CanOfTheBoard, ShowsALostFrame) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
@@ -198,9 +198,9 @@ TEST_F(CanOfTheBoard, FindsAFrameWithoutTheWritesToBufferZero) {
   EXPECT_NE(now.findings[0].find("5829"), std::string::npos);
 }
 
-/// @brief Four actions that the manual forbids cause findings: writing the timing outside of the
-/// freeze mode, writing the clock source while the controller is enabled, writing a buffer while
-/// the controller is disabled, and sending a frame without pins.
+/// @brief The manual forbids four actions, and each of them causes a finding: writing the timing
+/// outside of the freeze mode, writing the clock source while the controller is enabled, writing a
+/// buffer while the controller is disabled, and sending a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "the buffer was written while the controller was disabled";

@@ -47,8 +47,8 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
 }
 
 /// @brief Masked interrupts wait, and are later entered in the order of their priorities and
-/// numbers. An interrupt that PRIMASK masks ends the sleep. This interrupt is entered when the mask
-/// is removed.
+/// numbers. If PRIMASK masks an interrupt, this interrupt still ends the sleep. It is entered when
+/// the mask is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");
   guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");
@@ -116,7 +116,7 @@ TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   EXPECT_EQ(reported(board, 3), 3U);
 }
 
-/// @brief A low level at PTA4 at the end of a reset requests the NMI, because this pin is the input
+/// @brief If PTA4 is low at the end of a reset, it requests the NMI, because this pin is the input
 /// of the NMI after a reset. The NMI is blocked if the bit NMI_DIS of the flash option byte is 0.
 TEST(ProcessorOfBoard, LowLevelOfTheNmiPinAtResetRaisesNmi) {
   constexpr std::size_t kFlashOption = 0x40D;

@@ -111,7 +111,7 @@ TEST_F(HostWiresTest, AtRestAllIsInTheMiddle) {
   EXPECT_FALSE(pins.steering.rightEnd.level());
 }
 
-/// @brief Each wheel turns as the pins of this wheel demand.
+/// @brief The pins of a wheel determine how this wheel turns.
 TEST_F(HostWiresTest, WheelsTurnAsTheirPinsSay) {
   pins.wheels[0].pwm.set(DutyCycle(5'000));
   pins.wheels[0].enable.set(true);
@@ -132,7 +132,8 @@ TEST_F(HostWiresTest, WheelsTurnAsTheirPinsSay) {
   EXPECT_EQ(converted(pins.wheels[2].current), 2048);
 }
 
-/// @brief While the motor is on, each pulse is a step in the direction of the direction output.
+/// @brief While the motor is on, each pulse turns the steering by one step. The direction output
+/// determines the direction of the step.
 TEST_F(HostWiresTest, PulsesTurnTheSteering) {
   const auto pulses = [this](int count) {
     for (int i = 0; i < count; ++i) {

@@ -94,8 +94,7 @@ TEST_F(RemoteControlTest, EnableSwitchHasThreePositions) {
   EXPECT_EQ(widthsOf(remote, 2, 20), std::vector<nanoseconds>{microseconds(1500)});
 }
 
-/// @brief A pulse that has begun is completed, even when the remote control is switched off during
-/// the pulse.
+/// @brief The remote control completes each pulse, even when it is switched off during the pulse.
 TEST_F(RemoteControlTest, PulseThatHasBegunEnds) {
   remote.set(plant::Sticks{});
   ASSERT_EQ(remote.step().size(), 1U);

@@ -143,9 +143,9 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief The simulation creates no energy. While the robot accelerates, the supply delivers more
-/// energy than the robot has as kinetic energy. While the robot coasts, the kinetic energy only
-/// falls.
+/// @brief The simulation creates no energy. While the robot accelerates, its kinetic energy is
+/// smaller than the energy that the supply delivers. While the robot coasts, the kinetic energy
+/// only falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
   drive({.duty = 0.8, .backwards = false, .enabled = true});
@@ -495,9 +495,9 @@ class CurveTest : public RobotTest {
   std::array<double, plant::kWheels> integrals_{};
 };
 
-// The distance of each wheel from the centre of the curve, divided by the distance of the middle of
-// the rear axle from this centre. At a steering angle of 32 degrees, the distance of the middle of
-// the rear axle is 1.582 m / tan 32 degrees = 2.532 m.
+// Relative distances of the wheels from the centre of the curve. The middle of the rear axle has
+// the relative distance 1. At a steering angle of 32 degrees, this is a distance of 1.582 m / tan
+// 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
 /// @brief With set-points that match the geometry of the curve, the robot drives the geometric
@@ -533,8 +533,8 @@ TEST_F(CurveTest, SteeringTurnsTheRobot) {
   EXPECT_GT(robot.heading(), 0.03);
 }
 
-/// @brief The slope belongs to the ground. A robot that drove uphill drives downhill after half a
-/// turn.
+/// @brief The slope belongs to the ground. The robot first drives uphill. After half a turn, it
+/// drives downhill.
 TEST_F(CurveTest, SlopeBelongsToTheGround) {
   robot.setSlope(4);
   const std::array<double, plant::kWheels> rpm{100 * kGeometry[0], 100 * kGeometry[1],
@@ -574,8 +574,8 @@ TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
   EXPECT_NEAR(netEdges(1), -netEdges(0), 0.02 * netEdges(0));
 }
 
-/// @brief A sensor that is displaced by 30 electrical degrees causes distances of 60 and 120
-/// electrical degrees between edges.
+/// @brief If a sensor is displaced by 30 electrical degrees, the distances between edges are 60 and
+/// 120 electrical degrees.
 TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   robot.setFault(Fault::HallMisplaced, 0, true, 30);
   drive({.duty = 0.5, .backwards = false, .enabled = true});
@@ -635,8 +635,8 @@ TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
 }
 
-/// @brief The voltage of an open current input approaches the voltage of the input that the
-/// converter converts directly before the open input.
+/// @brief The converter converts another input directly before an open current input. The voltage
+/// of the open input approaches the voltage of this other input.
 TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   robot.setFault(Fault::CurrentOffset, 0, true, 8000);
   robot.setFault(Fault::CurrentOpen, 1, true);
@@ -650,9 +650,9 @@ TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
 }
 
-/// @brief The voltage of an open angle input approaches the voltage of the input that the converter
-/// converts directly before the open input. A stuck sensor keeps its value. The error of a drifting
-/// sensor grows at its rate.
+/// @brief The converter converts another input directly before an open angle input. The voltage of
+/// the open input approaches the voltage of this other input. A stuck sensor keeps its value. The
+/// error of a drifting sensor grows at its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 400; ++i) {

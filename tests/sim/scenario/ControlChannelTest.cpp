@@ -104,7 +104,7 @@ TEST_F(ControlChannelTest, AnExpectationIsAnswered) {
               HasSubstr("true_velocity0 is 0.0, not between 5 and 100"));
 }
 
-/// @brief Text that is not an action is answered with an error.
+/// @brief If a text is not an action, the answer is an error.
 TEST_F(ControlChannelTest, WordsThatAreNoActionAreRefused) {
   scenario::ControlChannel channel("", robot);
   EXPECT_THAT(channel.perform("fly"), HasSubstr("there is no action 'fly'"));

@@ -318,8 +318,8 @@ TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
 
-/// @brief A value out of the expected range is reported. This is true for values of a report and
-/// for true values of the robot.
+/// @brief A value out of the expected range is reported. The value can be from a report, or can be
+/// a true value of the robot.
 TEST(ScenarioPlayerTest, RangesThatDoNotHoldAreTold) {
   const auto outcome = played(
       "at 0 connect\nat 350 expect cycle between 4 5\nat 350 expect cycle between 1 2\n"

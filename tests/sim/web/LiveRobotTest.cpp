@@ -21,7 +21,7 @@ namespace wr::test {
 
 namespace {
 
-constexpr int kCyclesToMode = 12;  // number of cycles until the robot reads in the mode PC
+constexpr int kCyclesToMode = 12;  // number of cycles until the mode is PC
 constexpr int kCycles = 30;        // number of cycles of a drive
 constexpr int kTicks = 100;        // number of ticks in a cycle
 constexpr std::uint32_t kLongestCycle =
@@ -90,8 +90,9 @@ TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
   EXPECT_TRUE(std::ranges::any_of(calls, [](const auto& call) { return call.at.count() < 0; }));
 }
 
-/// @brief The record of a cycle contains the entries and exits of interrupts and threads from one
-/// clock pulse to the next, in the order of time. There is a tick in each millisecond.
+/// @brief The record of a cycle begins at one clock pulse and ends at the next. It contains the
+/// entries and exits of interrupts and threads, in the order of time. There is a tick in each
+/// millisecond.
 TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);

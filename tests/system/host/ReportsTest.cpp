@@ -13,8 +13,8 @@ class ReportsOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief The report contains the conditions of the steering and of the wheels that the control
-/// systems return.
+/// @brief The control systems return the conditions of the steering and of the wheels. The report
+/// contains these conditions.
 /// @verifies FR-65
 /// @verifies FR-66
 /// @verifies FR-67

@@ -215,8 +215,8 @@ std::string text(const State& state) {
 
 class DifferentialTest : public testing::TestWithParam<Encoding> {};
 
-/// @brief Each instruction that encodings() returns changes registers, flags and memory in the same
-/// way in both emulators: in the interpreter of the virtual K64, and in Unicorn.
+/// @brief Each instruction of encodings() has the same effect on registers, flags and memory in
+/// both emulators: in the interpreter of the virtual K64, and in Unicorn.
 TEST_P(DifferentialTest, InstructionDoesTheSameAsInUnicorn) {
   const Encoding& encoding = GetParam();
   const bool wide =

@@ -56,8 +56,8 @@ class FaultTest : public testing::TestWithParam<Case> {
   Core core_{Timing::NoWaitStates};
 };
 
-/// @brief An instruction that causes a fault changes no register. The core returns the reason of
-/// the fault.
+/// @brief If an instruction causes a fault, the instruction changes no register. The core returns
+/// the reason of the fault.
 TEST_P(FaultTest, InstructionFaultsAndDoesNothing) {
   for (std::uint32_t i = 0; i < 13; ++i) {
     core_.registers.r.at(i) = i == 1 ? GetParam().base : 0;
@@ -98,8 +98,8 @@ const std::vector<Case> kCases{
 INSTANTIATE_TEST_SUITE_P(Cases, FaultTest, testing::ValuesIn(kCases),
                          [](const auto& each) { return each.param.name; });
 
-/// @brief A branch to an address from which the processor must not execute code causes a fault at
-/// the target.
+/// @brief The processor must not execute code at some addresses. A branch to such an address causes
+/// a fault at the target.
 TEST_F(FaultTest, CodeIsExecutedWhereItIsAllowedOnly) {
   core_.registers.r[1] = kUpper + 1;
   EXPECT_EQ(execute({0x4708}), Trap::None);  // bx r1

@@ -160,7 +160,7 @@ TEST(SlowFlashTest, InstructionAcrossTwoPhrasesWaitsForBoth) {
   EXPECT_EQ(program.cyclesOf(1), 1U);
 }
 
-/// @brief A branch back into the phrase that was read last needs no new read. A branch to another
+/// @brief A branch back to the phrase of the last read needs no new read. A branch to another
 /// phrase needs a new read, even when this phrase was read earlier.
 TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   Program same(Timing::SlowFlash, 0x100, {0xE7FE});
@@ -191,7 +191,8 @@ TEST(SlowFlashTest, EachWordOfDataCosts) {
   EXPECT_EQ(program.cyclesOf(1), 3U + 2 * 5);
 }
 
-/// @brief Without wait states, the number of cycles does not depend on the memory of code and data.
+/// @brief Without wait states, an instruction takes the same number of cycles in each memory. The
+/// memory of its data has no effect either.
 TEST(SlowFlashTest, NoWaitStatesCostNothing) {
   Program program(Timing::NoWaitStates, 0x106, {0xF240, 0x0000, 0x6808});
   program.core().registers.r[1] = 0x200;

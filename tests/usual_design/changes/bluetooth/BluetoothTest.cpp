@@ -16,7 +16,7 @@ class BluetoothMode : public testing::Test {
  protected:
   void deviceOrders(const scenario::PcOrder& order) { port.arrive(device.order(order)); }
 
-  // Runs cycles without orders until the robot reads in the given mode.
+  // Runs cycles without orders until the robot is in the given reading mode.
   void waitForMode(int mode) {
     for (int i = 0; i < 3 * kN && robot.report().mode != mode; ++i) {
       robot.silentCycle();
