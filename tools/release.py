@@ -64,8 +64,8 @@ class Release:
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "release",
-        description="Makes the files of a release in build/release from a commit. No file may "
-        "differ from the commit. The release contains the firmware images with their "
+        description="Makes the files of a release in build/release. Uses the present commit, and "
+        "no file may differ from this commit. The release contains the firmware images with their "
         "hashes, a list of the parts (CycloneDX), the sources, the portal for reading without a "
         "network, the exports, and the notes. It also contains the book, if Chromium is installed. "
         "All times in the archives are the time of the commit.",

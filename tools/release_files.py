@@ -1,4 +1,4 @@
-"""Archives and lists of hashes whose bytes depend only on their content."""
+"""Writes archives and lists of hashes. Equal contents result in equal bytes of an archive."""
 
 from __future__ import annotations
 
