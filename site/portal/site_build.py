@@ -85,7 +85,7 @@ def _write_exports() -> None:
 
 
 def write_exports(portal: Portal, site: Path) -> None:
-    """Writes the files to which the page Exports links."""
+    """Writes the files that are listed on the page "Exports"."""
     files = diagram_files(portal.diagrams)
     names_written = [name.rpartition("/")[2] for name in files]
     remove_others(site / DIAGRAMS, "*.puml", names_written)
