@@ -162,7 +162,7 @@ def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
 
 
 def outcome_of(counts: Counts) -> Outcome:
-    """Returns the outcome of tests, which is a failure if a test failed or no test ran."""
+    """Returns the outcome of tests. The outcome is a failure if a test failed or no test passed."""
     values = {"passed": counts.passed, "failed_tests": counts.failed, "skipped": counts.skipped}
     return Outcome(str(counts), bool(counts.failed or not counts.passed), values)
 

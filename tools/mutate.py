@@ -50,9 +50,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "command runs the tests of the requirements that the function serves. If none of "
         "these tests finds the fault, the command runs the other tests that execute the "
         "function. The portal shows the score, "
-        "which is not a pass criterion. design/mutants.toml justifies faults that no "
-        "test can find. The other faults that no test finds are listed as file:line, "
-        "with the change.",
+        "which is not a pass criterion. design/mutants.toml justifies faults that cannot be found "
+        "by a test. If any other fault is not found, the command lists it as file:line, with the "
+        "change.",
     )
     parser.add_argument(
         "--minutes",

@@ -124,7 +124,7 @@ def counted(
 
 
 def reported_numbers(results: Path) -> dict[str, float]:
-    """Returns the numbers that tests report as their properties."""
+    """Returns the numbers in the properties of the tests."""
     found = ET.parse(results).iter("property")
     return {one.get("name", ""): float(one.get("value", "0")) for one in found}
 

@@ -45,7 +45,7 @@ TIMES, MODEL = MEASURED.parent, Path("build/model")
 VERIFY = "./wr release --verify"
 SHOWN = 20  # greatest number of shown differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
-# Files of a build that no page needs. They contain paths and times of this computer.
+# These files of a build are not needed by any page. They contain paths and times of this computer.
 NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
 EXPORTS = ("model.json", "model.schema.json", JSON, SCHEMA, JUNIT, *(file.name for file in FILES))
 

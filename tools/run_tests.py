@@ -112,7 +112,7 @@ def test_parts(root: Path, parts: list[str]) -> int:
 
 
 def test(root: Path) -> int:
-    """Runs the tests that a developer needs after each change, and the checks."""
+    """Runs the checks, and the tests that a developer needs after each change."""
     with only_one(root, "test"):
         results = graph(root).run(QUICK)
         pages = pages_graph(root, keep=True).run([DOCUMENTS])

@@ -72,9 +72,9 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     that arm-none-eabi-size reports.
 
     An instruction belongs to the module of its source line, even if the instruction was inlined
-    elsewhere. An object belongs to the module that defines it. The module is read from the
-    ``recorded`` image, because link-time optimisation removes this information from the other
-    image."""
+    elsewhere. An object belongs to the module that defines it. The modules of the objects are read
+    from the ``recorded`` image, because link-time optimisation removes this information from the
+    other image."""
     sizes: dict[str, Size] = defaultdict(Size)
     all_objects = list(objects(elf, recorded or elf))
     for section in sections(elf):

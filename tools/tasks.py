@@ -371,8 +371,8 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
 
 
 def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
-    """Returns the task that runs the checks and builds the pages, the task that tests the pages,
-    and the task of the long tests. Some of the long tests read the pages."""
+    """Returns three tasks. The first task runs the checks and builds the pages. The second task
+    tests the pages. The third task runs the long tests. Some of these tests read the pages."""
 
     def state() -> str:
         names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, *map(python_task, PYTHON_TESTS))

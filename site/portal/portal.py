@@ -379,7 +379,7 @@ class Portal:
         return Markup("{}: {}").format(source.kind, self.names.text(source.name))
 
     def targets_of(self, requirement: Requirement) -> str:
-        """Returns the targets on which a test of the requirement passed in this run."""
+        """Returns each target with at least one passed test of the requirement in this run."""
         none = "none in this run" if requirement.verified_by else "no test, see Evidence"
         targets = ", ".join(targets_of(self.model, requirement)) or none
         return f"{targets}; real board: none yet"

@@ -28,8 +28,8 @@ CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTIL
 
 
 def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
-    """Runs a fuzzer. Inputs that reach new code are stored in a folder, which is removed
-    afterwards."""
+    """Runs a fuzzer. If an input reaches new code, the fuzzer stores this input in a folder. The
+    folder is removed after the run."""
     with tempfile.TemporaryDirectory() as corpus, tempfile.TemporaryDirectory() as failed:
         words = [program, f"-seed={seed % (1 << 32) or 1}", f"-runs={inputs}"]
         words += [f"-timeout={LONGEST}"]
