@@ -26,9 +26,9 @@ ARM = "0d28"  # vendor of the debug probe on the FRDM-K64F
 # Messages of pyOCD and OpenOCD when they find no debug probe.
 NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
 ADVICE = """\
-The board has a USB socket with the mark SDA. Connect a cable to this socket, and try again. Or name
-the folder where the board's drive is mounted: ./wr flash --drive FOLDER. docs/bring_up.rst explains
-each way."""
+Connect a USB cable to the socket with the mark SDA on the board, and try again. Or name the folder
+where the board's drive is mounted: ./wr flash --drive FOLDER. docs/bring_up.rst explains each
+way."""
 
 
 @dataclass(frozen=True)
