@@ -106,7 +106,7 @@ def commit_of(root: Path) -> tuple[str, int]:
 
 
 def with_date(pdf: bytes, when: int) -> bytes:
-    """Sets the creation time in a PDF to ``when``. The length of the PDF does not change."""
+    """Sets the dates in a PDF to the time ``when``. The length of the PDF does not change."""
     text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
     return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
 

@@ -1,4 +1,4 @@
-"""Writes archives and lists of hashes. Equal contents result in equal bytes of an archive."""
+"""Writes archives and lists of hashes. If their contents are equal, their bytes are equal too."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from typing import Any, TextIO, TypeVar
 from weeding_robot_client.exit_codes import FAILED, MISSING, USAGE
 
 TAIL_LINES = 30
-REPEAT = 0.001  # If Python ignores an interrupt, it is repeated after this delay [s].
+REPEAT = 0.001  # If Python ignores an interrupt, the interrupt is repeated after this delay [s].
 Result = TypeVar("Result")
 
 

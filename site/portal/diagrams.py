@@ -175,8 +175,8 @@ def shown_members(module: Module, role: str) -> list[str]:
     names = [
         m
         for m in module.methods
-        # All public methods are shown. Of the other methods, only virtual methods are shown,
-        # because a subclass overrides such a method to complete an algorithm.
+        # A protected or private method is shown only if it is virtual. A subclass overrides such a
+        # method to complete an algorithm.
         if (m.access == "public" or m.kind != "plain")
         and m.kind in kinds
         and not m.name.startswith(("operator", "~"))
