@@ -153,7 +153,7 @@ def costs(reports: list[Report]) -> BenchRun:
     because they execute earlier orders."""
     measured = [report for report in reports if report.order_read][2:]
     if not measured:
-        raise FailureError("according to its reports, the board read at most two orders")
+        raise FailureError("the board sent no report of a third order; it read at most two")
     if not any(report.awake_cycles for report in measured):
         raise FailureError(
             "the firmware at this port does not count processor cycles; choose the port of the "
