@@ -163,8 +163,8 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 
 
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
-    """Returns the sources of the parts that only this design has, and the headers that only these
-    sources include."""
+    """Returns the sources of the parts that only this design has, and the headers that are included
+    only in these sources."""
     closures = {name: included(root, sources_in(root, sizes, name)) for name in sizes}
     others = set().union(*(closures[name] for name in sizes if name != design))
     return sorted(closures[design] - others)

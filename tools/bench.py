@@ -43,9 +43,9 @@ BOARD = "board"  # record of the run on a connected board
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "bench",
-        description="Builds the firmware image for the K64. Plays the four scenarios of the paper "
-        "with this image on the virtual K64 in the simulated robot. Measures 1000 control cycles "
-        "of each scenario: the number of instructions, the time from the clock pulse to the "
+        description="Builds the firmware image for the K64, and runs this image on the virtual K64 "
+        "in the simulated robot. Plays the four scenarios of the paper. Measures 1000 control "
+        "cycles of each scenario: the number of instructions, the time from the clock pulse to the "
         "report, the processor load, the latencies, and the speed of the simulator. Compares the "
         "patterns with the baseline design, and measures the cost of recording the calls. With "
         "--port, sends the same orders to a connected board, and reads the counts of processor "
@@ -153,7 +153,7 @@ def costs(reports: list[Report]) -> BenchRun:
     because they execute earlier orders."""
     measured = [report for report in reports if report.order_read][2:]
     if not measured:
-        raise FailureError("the board sent no report of a cycle that read an order")
+        raise FailureError("the board sent no report of a third order; it read at most two")
     if not any(report.awake_cycles for report in measured):
         raise FailureError(
             "the firmware at this port does not count processor cycles; choose the port of the "

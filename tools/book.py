@@ -1,4 +1,4 @@
-"""./wr book: prints the pages that explain the system as one PDF, for reading without a screen."""
+"""./wr book: writes one PDF with the pages that explain the system, for printing."""
 
 from __future__ import annotations
 
@@ -58,8 +58,8 @@ NODE = re.compile(rb"\(node(\d{8})\)")
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "book",
-        description=f"Prints the pages that explain the system into one PDF: {PDF}. The command "
-        "uses the last pages of ./wr test --all or ./wr portal, and needs Chromium.",
+        description=f"Writes one PDF with the pages that explain the system: {PDF}. Uses the pages "
+        "from the last run of ./wr test --all or ./wr portal. The command needs Chromium.",
     )
     parser.set_defaults(run=lambda root, _options: book(root))
 
@@ -106,8 +106,7 @@ def commit_of(root: Path) -> tuple[str, int]:
 
 
 def with_date(pdf: bytes, when: int) -> bytes:
-    """Replaces the time of printing in a PDF by the time ``when``. The length of the PDF does not
-    change."""
+    """Sets the dates in a PDF to the time ``when``. The length of the PDF does not change."""
     text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
     return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
 

@@ -1,4 +1,4 @@
-"""The browser of this computer, and pages that post a result to the program that opened them."""
+"""Opens a page in the browser of this computer, and receives a result from this page."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ def find_browser() -> str | None:
 def result_of(
     browser: str, folder: Path, page: str, scripts: Mapping[str, Path] | None = None
 ) -> tuple[dict[str, Any], list[str]]:
-    """Opens a page in the browser. Returns the result that the page posts to ``result``, and the
-    lines that the page writes to the console.
+    """Opens a page in the browser. Returns the result and the lines of the console. The page posts
+    the result to the address ``result``.
 
-    ``page`` is the text of the page. The page can load the files of the folder and the
-    ``scripts``. The keys of ``scripts`` are the addresses. The browser runs in real time and ends
+    ``page`` is the text of the page. The page can load the ``scripts`` and the files of the folder.
+    The keys of ``scripts`` are the addresses of the scripts. The browser runs in real time and ends
     as soon as the page has posted the result."""
     came = threading.Event()
     posted: dict[str, Any] = {}

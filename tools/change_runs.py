@@ -54,7 +54,7 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
 
 
 def missing_emulators(root: Path) -> str:
-    """Returns the programs that tests of ports need and that are missing."""
+    """Returns the missing programs. The tests of the ports need these programs."""
     ports = read_ports(root, Entries(root)).values()
     return ", ".join(port.needs for port in ports if port.needs and not shutil.which(port.needs))
 

@@ -18,16 +18,16 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "check",
         description="Builds the model and checks it against the code. Prints each finding as "
-        "'file:line: [check] fault; fix'. Builds the pages and checks their links only if a text "
-        "or a name on the pages changed. ./wr portal always updates the pages.",
+        "'file:line: [check] fault; fix'. If a text or a name on the pages changed, also builds "
+        "the pages and checks their links. ./wr portal always updates the pages.",
     )
     parser.add_argument(
         "--drift",
         nargs="*",
         metavar="CHECK",
         help="first test the checks: insert each seeded fault of tests/drift into a copy of the "
-        "project. If you name checks, the command tests only these checks, and does not check the "
-        "project.",
+        "project. With the names of some checks, the command tests only these checks, and does not "
+        "check the project.",
     )
     parser.add_argument(
         "--publish",
@@ -79,8 +79,8 @@ def report(root: Path, failed: list[str]) -> int:
     from traceability.checks import message, sort
 
     findings = read_findings(root)
-    # The findings of these checks are printed first, because the faults that these checks find
-    # cause many other findings.
+    # The findings of these checks are printed first, because each of their faults causes many
+    # other findings.
     first = ("syntax-error", "design-entry")
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))

@@ -45,8 +45,9 @@ MODULES = {
 
 
 def parser(names: Iterable[str] = MODULES) -> argparse.ArgumentParser:
-    """Returns the parser of the command line, with the named commands. The parsed options contain
-    the parser of the chosen command, which prints the messages about wrong options."""
+    """Returns the parser of the command line, with the named commands. Each command has its own
+    parser. The parsed options contain the parser of the chosen command. This parser prints the
+    messages about wrong options."""
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
     for module in dict.fromkeys(MODULES[name] for name in names):

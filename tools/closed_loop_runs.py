@@ -68,7 +68,7 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
 
 
 def _outcome(runs: dict[str, dict[str, dict[str, object]]]) -> Outcome:
-    """Returns the outcome, which is a failure if a scenario failed."""
+    """Returns the outcome of all scenarios. The outcome is a failure if a scenario failed."""
     failed = [
         f"{name} ({binding})"
         for name, bindings in runs.items()

@@ -41,8 +41,8 @@ def jobs() -> str:
 
 
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
-    """Configures the build if necessary. Then builds into build/<preset>. Only one build at a time
-    runs in each folder."""
+    """Configures the build if necessary. Then builds the targets in the folder build/<preset>. Only
+    one build at a time runs in each folder."""
     directory = root / "build" / preset
     made = directory / "build.ninja"
     arguments = ["--target", *targets] if targets else []
@@ -121,8 +121,9 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
 def run_shards(
     results: Path, program: Path, log: TextIO, variables: Mapping[str, str]
 ) -> tuple[list[dict[str, Any]], float, str]:
-    """Runs the tests in several processes. Returns the suites with their results, the processor
-    time [s], and the first failure of a process. The failure is empty if no process failed."""
+    """Runs the tests in several processes. Returns three values: the suites with their results, the
+    processor time [s], and the first failure of a process. The failure is empty if no process
+    failed."""
     results.parent.mkdir(parents=True, exist_ok=True)
     shards = range(int(jobs()))
     parts = [results.with_suffix(f".{number}.part") for number in shards]
@@ -161,7 +162,7 @@ def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
 
 
 def outcome_of(counts: Counts) -> Outcome:
-    """Returns the outcome of tests, which is a failure if a test failed or no test ran."""
+    """Returns the outcome of tests. The outcome is a failure if a test failed or no test passed."""
     values = {"passed": counts.passed, "failed_tests": counts.failed, "skipped": counts.skipped}
     return Outcome(str(counts), bool(counts.failed or not counts.passed), values)
 

@@ -113,8 +113,8 @@ def unpack(root: Path, commit: str, folder: Path) -> None:
 
 
 def copy_syntax(root: Path, copy: Path) -> None:
-    """Copies the stored results of parsing the present sources. Then only sources that differ from
-    the present sources are parsed."""
+    """Copies the stored parse results of the present sources. Then a source is parsed only if it
+    differs from the present source."""
     (copy / SYNTAX).mkdir(parents=True)
     for facts in (root / SYNTAX).glob("*.facts"):
         shutil.copy(facts, copy / SYNTAX)

@@ -1,9 +1,9 @@
 """Makes the documents in a separate process, in four steps: the model, the checks, the site, and
 the check of the links.
 
-The last two steps take most of the time. ``./wr check`` leaves these two steps out if the changes
-since the last pages cannot cause new findings in these steps. The pages then stay as they are,
-until a command needs new pages."""
+The last two steps take most of the time. If no change since the last pages can cause a new finding
+in these two steps, ``./wr check`` skips them. The pages then stay as they are, until a command
+needs new pages."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from traceability.model.report import Report
 
 FINDINGS = Path("build/model/findings.json")
-# This file exists while the pages belong to the sources of the last checks.
+# This file exists if the pages were built together with the last checks, from the same sources.
 CURRENT = Path("build/pages-cache/current")
 # The texts and names with which the pages were built. The file exists only if the last two steps
 # had no finding.
@@ -41,14 +41,14 @@ PARTS = ("model", "checks", "site", "links")
 
 
 def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bool = False) -> str:
-    """Builds the documents in four steps. Prints each output line of a step as soon as the step
-    prints it.
+    """Builds the documents in four steps. Prints each output line of a step immediately.
 
-    The process frees its memory when it ends. A long command therefore does not occupy this memory.
+    The steps run in a separate process, which frees its memory when it ends. A command that
+    continues for a long time therefore does not occupy this memory.
 
-    ``texts`` is the hash of all inputs of the pages that are not read into the model. With
-    ``keep``, the pages stay as they are if these inputs and the names of the model are equal to
-    those of the last pages."""
+    Some inputs of the pages are not read into the model. ``texts`` is the hash of these inputs.
+    If ``keep`` is true, and these inputs and the names of the model have not changed since the last
+    pages, the pages stay as they are."""
     words = [sys.executable, "-m", "tools.documents", str(root), texts, *([KEEP] if keep else [])]
     with (
         subprocess.Popen(
@@ -91,8 +91,8 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path, texts: str, *, keep: bool) -> int:
-    """Runs the process. Returns 0 if no step failed, even if there are findings. Otherwise, returns
-    INCOMPLETE."""
+    """Runs the process. Returns INCOMPLETE if a step failed, and otherwise 0. Findings do not
+    change this exit code."""
     # Garbage collection would take a fifth of the time. The process keeps the model until its end:
     # there is nothing to collect.
     gc.disable()
@@ -179,8 +179,8 @@ class Pages:
     linked: str = ""
 
     def stay(self, model: Model) -> bool:
-        """Returns whether the pages need not be built, because their links and warnings cannot have
-        changed."""
+        """Returns true if the pages may stay as they are, because their links and warnings cannot
+        have changed. Returns false if the pages must be built."""
         self.linked = linked_by(self.root, model, self.texts)
         last = self.root / LINKED
         same = self.keep and last.exists() and last.read_text(encoding="utf-8") == self.linked

@@ -26,9 +26,9 @@ ARM = "0d28"  # vendor of the debug probe on the FRDM-K64F
 # Messages of pyOCD and OpenOCD when they find no debug probe.
 NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
 ADVICE = """\
-Connect a USB cable to the socket of the board that is marked SDA, and try again. Or name the
-folder where the board's drive is mounted: ./wr flash --drive FOLDER. docs/bring_up.rst explains
-each way."""
+Connect a USB cable to the socket with the mark SDA on the board, and try again. Or name the folder
+where the board's drive is mounted: ./wr flash --drive FOLDER. docs/bring_up.rst explains each
+way."""
 
 
 @dataclass(frozen=True)
@@ -151,9 +151,9 @@ def ways(image: Path, folder: Path | None) -> dict[str, Way]:
     """Returns all ways to write a firmware image, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
-    # OpenOCD reads a script, in which braces keep a path with blanks in one word. Without
-    # fcf_source, OpenOCD writes a different flash configuration field, and the comparison fails.
-    # The field was checked before.
+    # In a script of OpenOCD, braces around the path are necessary, because the path can contain
+    # blanks. Without fcf_source, OpenOCD writes a different flash configuration field, and the
+    # comparison fails. The field was checked before.
     script = f"init; kinetis fcf_source write; program {{{file}}} verify reset exit 0x0"
     return {
         "pyocd": pyocd(file, flags),

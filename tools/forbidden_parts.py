@@ -1,5 +1,5 @@
-"""Finds parts of the language and of the library that have no bound in time or memory. No firmware
-image may contain these parts."""
+"""Finds parts of C++ and of its library whose time or memory has no bound. No firmware image may
+contain these parts."""
 
 from __future__ import annotations
 

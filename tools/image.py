@@ -6,10 +6,10 @@ FIELD = 0x400
 SIZE = 16
 FLASH = 0x100000
 SECURITY = 0x40C
-# All bytes of the field have the value of erased flash, except two bytes. The security byte means:
-# not secured, mass erase allowed. The options byte means: if PTA4 is low during a reset, the chip
-# does not start in the mode for programming over a serial line (EzPort), and there is no
-# non-maskable interrupt.
+# Two bytes of the field differ from erased flash. The security byte means: not secured, mass erase
+# allowed. The options byte disables the non-maskable interrupt. It also disables EzPort, the mode
+# for programming over a serial line. Otherwise the chip would start in this mode if PTA4 is low
+# during a reset.
 WANTED = bytes([0xFF] * 12 + [0xFE, 0xF9] + [0xFF] * 2)
 PURPOSES = (
     (0x400, 0x407, "a backdoor key would be set"),

@@ -1,4 +1,4 @@
-"""Finds the files of the project that source files include."""
+"""Finds the files of the project that are included in source files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ FOLDERS = (*DESIGN, "tests", ".")  # folders below which the compiler looks for 
 
 
 def included(root: Path, files: Iterable[Path]) -> set[Path]:
-    """Returns the files and all files of the project that they include, directly or indirectly."""
+    """Returns the given files, and all files of the project that are included in them, directly or
+    indirectly."""
     return set(reached_from(files, partial(direct, root)))
 
 

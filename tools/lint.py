@@ -37,7 +37,8 @@ from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 from traceability.whole_file import write_json, write_whole
 
-# The logic modules that each logic module may include. CMake writes this file.
+# This file lists, for each logic module, the logic modules that it may include. CMake writes this
+# file.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 PYTHON = ("traceability", "site", "tools", "client", "sim", "tests/python")
@@ -108,7 +109,7 @@ def result_of(outcome: Outcome | None) -> str:
 
 def lint_tasks(root: Path, *, quick: bool) -> list[Task]:
     """Returns the tasks of this command. A task without inputs runs whenever the command is called:
-    it finds the changed files itself. Each other task runs only after a change of its inputs."""
+    it finds the changed files itself. A task with inputs runs only after a change of its inputs."""
     tools = root / ".venv" / "bin"
 
     def ruff(log: TextIO) -> None:
@@ -208,8 +209,8 @@ def build_tests_with_clang(root: Path, log: TextIO) -> None:
 
 
 def check_headers(root: Path, log: TextIO) -> None:
-    """Compiles each header alone. A header of a driver is compiled for the K64, and each other
-    header for this computer."""
+    """Compiles each header alone. The headers of the drivers are compiled for the K64. The other
+    headers are compiled for this computer."""
     for preset in ("host", "k64"):
         build(root, preset, log, "all_verify_interface_header_sets")
 
@@ -281,10 +282,10 @@ def check_changed(
     command: Callable[[tuple[Path, ...]], list[str]],
     log: TextIO,
 ) -> str:
-    """Runs the command on each unit whose present content has not passed before. If a unit fails,
-    runs the command on each of its files.
+    """Runs the command on each unit, except if the unit passed before with the same content. If a
+    unit fails, runs the command on each of its files.
 
-    The content of a unit consists of its files, the files of the project that they include, the
+    The content of a unit consists of its files, the project's files that are included in them, the
     settings of clang-tidy, and the command."""
     store = root / "build" / "lint" / f"{name}.json"
     passed = json.loads(store.read_text()) if store.exists() else {}

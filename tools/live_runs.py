@@ -1,5 +1,5 @@
-"""Plays the example scenarios as WebAssembly, in Node and in a browser, and compares the runs with
-native runs.
+"""Plays the example scenarios in Node and in a browser, with the simulator as a WebAssembly module.
+Compares these runs with native runs.
 
 Two runs are equal if their reports are equal, and the hashes of all events of the board are equal.
 """

@@ -15,8 +15,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 LOCK = Path("build/lock")
-HOLDER = "WR_LOCK"  # environment variable of the programs that the owner of the lock starts
-GRACE = 2.0  # time that a program gets to end itself, before it is killed [s]
+HOLDER = "WR_LOCK"  # environment variable that marks all programs started by the owner of the lock
+GRACE = 2.0  # A program that must end is killed if it still runs after this time [s].
 MOST_WAIT = 10.0  # longest time to wait until the programs have ended [s]
 
 
@@ -61,8 +61,8 @@ def only_one(root: Path, command: str) -> Iterator[None]:
 
 @contextmanager
 def outliving() -> Iterator[None]:
-    """Lets programs, such as the browser, continue after the end of the command if they are started
-    inside the ``with`` block."""
+    """If a program, such as the browser, is started inside the ``with`` block, it continues after
+    the end of the command."""
     owner = os.environ.pop(HOLDER, None)
     try:
         yield
@@ -72,7 +72,7 @@ def outliving() -> Iterator[None]:
 
 
 def end_programs_of(root: Path) -> None:
-    """Ends the programs that an owner of the lock started, and waits until they have ended."""
+    """Ends all programs that were started by an owner of the lock. Waits until they have ended."""
     begin = time.monotonic()
     while (left := programs_of(root)) and time.monotonic() < begin + MOST_WAIT:
         gentle = time.monotonic() < begin + GRACE

@@ -50,9 +50,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "command runs the tests of the requirements that the function serves. If none of "
         "these tests finds the fault, the command runs the other tests that execute the "
         "function. The portal shows the score, "
-        "which is not a pass criterion. design/mutants.toml justifies faults that no "
-        "test can find. The other faults that no test finds are listed as file:line, "
-        "with the change.",
+        "which is not a pass criterion. design/mutants.toml justifies faults that cannot be found "
+        "by a test. If any other fault is not found, the command lists it as file:line, with the "
+        "change.",
     )
     parser.add_argument(
         "--minutes",
@@ -68,7 +68,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--resume",
         action="store_true",
-        help="skip the faults that the last run found and whose files have not changed since",
+        help="skip the faults that the last run found, if their files have not changed since",
     )
     parser.add_argument(
         "--publish",
@@ -203,7 +203,8 @@ class _Run:
         write_json(self.root / RESULT, result)
 
     def survivors(self) -> list[Mutant]:
-        """Returns the mutants that no test found and no entry of design/mutants.toml justifies."""
+        """Returns the mutants that were not found by a test, except the justified mutants of
+        design/mutants.toml."""
         missed = [one.mutant for one in self.tried if not one.killed_by]
         reasons = self.justifications.reasons_of(missed)
         return [mutant for mutant, why in zip(missed, reasons, strict=True) if not why]

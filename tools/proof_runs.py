@@ -29,8 +29,8 @@ RECORD = "proofs"  # name of the record of complete runs; the record has the has
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 900  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps
-# Spin searches for a counterexample to the first of these depths, then to the next depth, until it
-# finds one. A short counterexample is easier to read.
+# Depths of the searches for a counterexample. Spin begins with the smallest depth. If it finds no
+# counterexample, it searches with the next depth. A short counterexample is easier to read.
 SHORT = (100, 200, 300, 400, 600, 800, 1200, 2000, 4000)
 MEMORY_MB = 6000
 WORKERS = 2
@@ -43,7 +43,8 @@ EVENT = re.compile(
 
 
 def missing_program() -> str:
-    """Returns the first program that a proof needs and that is missing."""
+    """Returns the name of a missing program, if a proof needs this program. The result is empty if
+    no program is missing."""
     return next((name for name in (SPIN, COMPILER) if shutil.which(name) is None), "")
 
 

@@ -90,8 +90,8 @@ def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
 
 
 def prose_of(path: Path) -> str:
-    """Returns the text of a file in which blanks replace everything except prose. The line numbers
-    do not change."""
+    """Returns the prose of a file. Blanks replace all other text, so that the line numbers do not
+    change."""
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".html":
         text = TEMPLATE_CODE.sub(lambda match: _strings(match[0]), text)
@@ -105,8 +105,8 @@ def _blank(pattern: re.Pattern[str], text: str) -> str:
 
 
 def _strings(code: str) -> str:
-    """Returns the strings of several words in the code of a template. Null characters replace all
-    other text."""
+    """Returns the code of a template. Null characters replace everything except the strings that
+    have several words."""
     texts = [match for match in STRING.finditer(code) if len(match[0].split()) >= LEAST_WORDS]
     kept = {place for match in texts for place in range(match.start() + 1, match.end() - 1)}
     return "".join(
@@ -115,8 +115,9 @@ def _strings(code: str) -> str:
 
 
 def _remarks(path: Path, text: str) -> str:
-    """Returns the comments of code, and its strings of several words. Null characters replace all
-    other text. Therefore no phrase can begin in one comment or string and end in the next."""
+    """Returns the comments of code, and its strings that have several words. Null characters
+    replace all other text. Therefore no phrase can begin in one comment or string and end in the
+    next."""
     name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
     try:
         tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)

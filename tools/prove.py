@@ -32,8 +32,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--again",
         action="store_true",
-        help="prove all properties, even if the model of a property is in "
-        "tests/records/proofs.json, and write this record again",
+        help="prove all properties, including the properties whose models are in "
+        "tests/records/proofs.json. Then write this record again",
     )
     parser.set_defaults(run=run)
 

@@ -1,5 +1,5 @@
-"""The files that a Python test depends on: the project's files that it imports, directly or
-indirectly, and the files that its mark ``reads`` names."""
+"""The files on which a Python test depends. The test imports some of them, directly or indirectly.
+The other files are listed in the mark ``reads`` of the test."""
 
 from __future__ import annotations
 
@@ -52,13 +52,13 @@ def read_by(test: Path) -> tuple[str, ...]:
 
 
 def runs_all_tools(test: Path, imported: Collection[str]) -> bool:
-    """Returns whether the tests of a file run commands, which may import any file of the tools.
-    ``imported`` contains the files that the test file imports."""
+    """Returns true if the tests of a file execute commands of ./wr. A command may import any file
+    of the tools. ``imported`` contains the files that the test file imports."""
     return COMMANDS in imported or RUNS_TOOLS in test.read_text(encoding="utf-8")
 
 
 def inputs_of(root: Path, folder: str) -> set[str]:
-    """Returns the files and folders that the tests of a folder import or read."""
+    """Returns the files and folders that are imported or read by the tests of a folder."""
     return {
         path
         for test in files_of(root, folder)
@@ -72,9 +72,9 @@ def covers(named: Iterable[str], path: str) -> bool:
 
 
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
-    """Returns the test files that are in ``paths`` or import a file of ``paths``. The value of a
-    test file is the test file itself if ``paths`` contains this file, and otherwise a file of
-    ``paths`` that the test file imports."""
+    """Returns the test files that a change of ``paths`` can affect, each with one path as the
+    reason. If ``paths`` contains the test file, this path is the test file itself. Otherwise, the
+    test file imports a file of ``paths``, and the path is this imported file."""
     found = {}
     for test in sorted((root / TESTS_OF_TOOLS).glob("*/test_*.py")):
         own = str(test.relative_to(root))

@@ -34,8 +34,8 @@ def workers(folder: str) -> list[str | Path]:
 
 
 def run_pytest(root: Path, folder: str, log: TextIO, marks: str = NOT_LONG) -> Outcome:
-    """Of the tests in a folder, runs the tests whose marks match the given expression. Failed tests
-    are an outcome, but a run without results is an error."""
+    """Runs each test of a folder if its marks match the given expression. Failed tests are an
+    outcome, but a run without results is an error."""
     return outcome_of(counted(root, folder, log, [root / TESTS_OF_TOOLS / folder], marks))
 
 
@@ -67,8 +67,8 @@ def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str])
 def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str] | None:
     """Returns the test files of a folder that a change of the files in ``changed`` can affect.
 
-    Returns None if a changed file is no Python file of the project and no mark ``reads`` names this
-    file. All tests of the folder may read such a file."""
+    Returns None if a changed file is not a Python file of the project and is not listed in a mark
+    ``reads``. All tests of the folder may read such a file."""
     python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
     of_tools = any(not name.startswith(f"{TESTS_OF_TOOLS}/") for name in python)
     found: set[str] = set()
@@ -85,9 +85,9 @@ def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str
 def merge_results(
     root: Path, before: ET.Element, results: Path, repeated: Collection[str] = (), mark: str = ""
 ) -> None:
-    """Adds earlier results to a result file. The earlier results of tests that ran again, of
-    repeated test files, and of test files that no longer exist are left out. If ``mark``
-    is not empty, the present results get this attribute."""
+    """Adds earlier results to a result file. Three kinds of earlier results are left out: results
+    of tests that ran again, of repeated test files, and of test files that no longer exist. If
+    ``mark`` is not empty, the present results get this attribute."""
     now = list(ET.parse(results).iter("testcase")) if results.exists() else []
     for case in now if mark else ():
         case.set(mark, "true")
@@ -105,8 +105,8 @@ def merge_results(
 def counted(
     root: Path, folder: str, log: TextIO, tests: Sequence[str | Path], marks: str = NOT_LONG
 ) -> Counts:
-    """Runs those of the given tests whose marks match the expression. Returns the numbers of
-    passed, failed and skipped tests."""
+    """Runs each given test if its marks match the expression. Returns the numbers of passed, failed
+    and skipped tests."""
     results = root / results_of(folder)
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
@@ -124,7 +124,7 @@ def counted(
 
 
 def reported_numbers(results: Path) -> dict[str, float]:
-    """Returns the numbers that tests report as their properties."""
+    """Returns the numbers in the properties of the tests."""
     found = ET.parse(results).iter("property")
     return {one.get("name", ""): float(one.get("value", "0")) for one in found}
 

@@ -45,7 +45,7 @@ TIMES, MODEL = MEASURED.parent, Path("build/model")
 VERIFY = "./wr release --verify"
 SHOWN = 20  # greatest number of shown differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
-# Files of a build that no page needs. They contain paths and times of this computer.
+# These files of a build are not needed by any page. They contain paths and times of this computer.
 NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
 EXPORTS = ("model.json", "model.schema.json", JSON, SCHEMA, JUNIT, *(file.name for file in FILES))
 
@@ -64,8 +64,8 @@ class Release:
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "release",
-        description="Makes the files of a release in build/release from a commit. No file may "
-        "differ from the commit. The release contains the firmware images with their "
+        description="Makes the files of a release in build/release. Uses the present commit, and "
+        "no file may differ from this commit. The release contains the firmware images with their "
         "hashes, a list of the parts (CycloneDX), the sources, the portal for reading without a "
         "network, the exports, and the notes. It also contains the book, if Chromium is installed. "
         "All times in the archives are the time of the commit.",

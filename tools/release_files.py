@@ -1,4 +1,4 @@
-"""Archives and lists of hashes whose bytes depend only on their content."""
+"""Writes archives and lists of hashes. If their contents are equal, their bytes are equal too."""
 
 from __future__ import annotations
 

@@ -34,9 +34,9 @@ from traceability.reading.link_texts import FINDERS, hash_of
 from traceability.schema import Baseline, Place, Requirement, Review
 from traceability.sources import files_below
 
-# largest number of versions of a file in which the program looks for the text of the baseline
+# The text of the baseline is searched in the newest versions of a file, in at most this number.
 MOST_VERSIONS = 200
-MOST_TRIES = 3  # greatest number of times that the program asks the same question
+MOST_TRIES = 3  # A question is asked at most this number of times.
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -205,8 +205,8 @@ def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
 
 
 def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
-    """Returns the text with the recorded hash, from the versions of its file in git. Returns None
-    if no version contains this text."""
+    """Searches the versions of the file in git for the text with the recorded hash. Returns this
+    text, or None if no version contains it."""
     if now.kind not in FINDERS:
         return None
     for version in versions(root, now.place.file):

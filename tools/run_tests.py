@@ -57,13 +57,14 @@ WHOLE = (*RESULT_TASKS, *map(python_task, PYTHON_TESTS), TESTS_SANITIZE)
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
-        description="Runs the tests of the firmware (with traces and coverage, and with the "
-        "firmware image on the virtual K64), those tests of the tools that start no program, and "
-        "every check. With --all, also runs the other tests and the measurements: the firmware "
-        "with sanitizers, the client, the commands, the example changes, the ports, the bench "
-        "and the portal's pages in a browser. A task runs again only if its inputs changed. "
-        "A Python test runs again only if a file that it imports or reads changed. The last lines "
-        "name the results that are older than the files, and count the tests.",
+        description="Runs every check and the tests of the firmware (with traces and coverage, and "
+        "with the firmware image on the virtual K64). Also runs the tests of the tools, but not "
+        "the tests that start programs. With --all, runs the other tests too, and the "
+        "measurements: the firmware with sanitizers, the client, the commands, the example "
+        "changes, the ports, the bench and the portal's pages in a browser. A task runs again only "
+        "if its inputs changed. "
+        "A Python test imports and reads files. It runs again only if one of these files changed. "
+        "The last lines name the results that are older than the files, and count the tests.",
     )
     parser.add_argument(
         "parts",
@@ -74,7 +75,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--all",
         action="store_true",
-        help="run every test except the long tests, and every measurement",
+        help="run every measurement, and every test except the long tests",
     )
     parser.add_argument(
         "--long",
@@ -111,7 +112,7 @@ def test_parts(root: Path, parts: list[str]) -> int:
 
 
 def test(root: Path) -> int:
-    """Runs the tests that a developer needs after each change, and the checks."""
+    """Runs the checks, and the tests that a developer needs after each change."""
     with only_one(root, "test"):
         results = graph(root).run(QUICK)
         pages = pages_graph(root, keep=True).run([DOCUMENTS])
@@ -147,7 +148,8 @@ def test_all(root: Path, *, long: bool, ci: bool) -> int:
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
     """Returns the counts of the tests of all tasks. The tests with sanitizers are the same tests as
-    the tests with traces. They are counted only if ``counted`` contains their task."""
+    the tests with traces. Therefore the tests with sanitizers are counted only if ``counted``
+    contains their task."""
     counts = Counts()
     for name, values in run.values.items():
         if "passed" in values and (name in counted or name != TESTS_SANITIZE):

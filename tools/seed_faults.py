@@ -91,7 +91,8 @@ def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
 
 
 def _show_progress(parts: list[Future[list[Outcome]]], faults: int) -> None:
-    """Prints the number of faults that were tried, until all parts have ended."""
+    """Prints the progress periodically: the number of faults that were tried. Returns when all
+    parts have ended, or when an error has occurred in a part."""
     start = time.monotonic()
     while wait(parts, PROGRESS, FIRST_EXCEPTION).not_done:
         if any(part.done() and part.exception() for part in parts):
@@ -108,7 +109,8 @@ def grouped(faults: list[Fault]) -> list[list[Fault]]:
     """Returns groups of faults. No two faults of a group change the same file. The faults of a
     group are inserted together, because their findings can be distinguished.
 
-    A fault that does not compile hides the other faults. It is therefore checked alone."""
+    A fault in code that does not compile would hide the other faults. It is therefore checked
+    alone."""
     alone = [[fault] for fault in faults if not fault.compiles]
     groups: list[tuple[set[str], list[Fault]]] = []
     for fault in faults:
@@ -165,8 +167,8 @@ class Copy:
         """Inserts the faults together. If faults were not found, inserts these faults again, in two
         halves.
 
-        A fault can hide all others, for example if it makes a file of the design unreadable.
-        Halving the group separates this fault from the other faults in a few runs."""
+        A fault can hide all other faults of the group, for example if it makes a file of the design
+        unreadable. The halves separate this fault from the other faults in a few runs."""
         outcomes = {
             fault.name: outcome for fault, outcome in zip(faults, self._seed(faults), strict=True)
         }

@@ -26,13 +26,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "impact",
         description="Builds the model and lists the modules that a change may affect, sorted by "
-        "distance. Also lists the requirements, patterns and tests to review. Modules that "
-        "call a changed module only through an abstract class are listed separately, without "
-        "their requirements. The "
-        "imports of Python files show the Python tests that a change affects. Files "
-        "whose effects are not followed, such as pages, scenarios and build files, are "
-        "listed too. The portal shows the effects on the page of each module and "
-        "requirement.",
+        "distance. Also lists the requirements, patterns and tests to review. Some modules call a "
+        "changed module only through an abstract class. The command lists these modules "
+        "separately, without their requirements. For a change of a Python file, it lists the "
+        "Python tests that import this file. Last, it lists the changed files whose effects are "
+        "unknown, such as pages, scenarios and build files. The portal shows the effects on the "
+        "page of each module and requirement.",
     )
     parser.add_argument(
         "subject",
@@ -118,7 +117,7 @@ def lines_of(found: Impact) -> list[str]:
     if found.unfollowed:
         lines += [
             "",
-            f"not followed: {counted(len(found.unfollowed), 'file')}; run ./wr test --all",
+            f"effects unknown: {counted(len(found.unfollowed), 'file')}; run ./wr test --all",
         ]
         lines += [f"  {path}" for path in found.unfollowed]
     return lines

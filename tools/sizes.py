@@ -72,9 +72,9 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     that arm-none-eabi-size reports.
 
     An instruction belongs to the module of its source line, even if the instruction was inlined
-    elsewhere. An object belongs to the module that defines it. The module is read from the
-    ``recorded`` image, because link-time optimisation removes this information from the other
-    image."""
+    elsewhere. An object belongs to the module that defines it. The modules of the objects are read
+    from the ``recorded`` image, because link-time optimisation removes this information from the
+    other image."""
     sizes: dict[str, Size] = defaultdict(Size)
     all_objects = list(objects(elf, recorded or elf))
     for section in sections(elf):
@@ -100,7 +100,7 @@ def instructions(elf: Path, section: Section) -> Iterator[tuple[str, int]]:
 
 def objects(elf: Path, recorded: Path) -> Iterator[tuple[int, str, int]]:
     """Yields the address, the module and the size of each object. A virtual method table belongs to
-    its class. The module of another object is read from the ``recorded`` image."""
+    its class. For all the other objects, the module is read from the ``recorded`` image."""
     listed = output("arm-none-eabi-nm", "--print-size", "--line-numbers", recorded)
     modules = {name: module for _, _, name, module in OBJECT.findall(listed) if module}
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):

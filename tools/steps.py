@@ -20,7 +20,7 @@ from typing import Any, TextIO, TypeVar
 from weeding_robot_client.exit_codes import FAILED, MISSING, USAGE
 
 TAIL_LINES = 30
-REPEAT = 0.001  # delay after which an interrupt that Python ignored is repeated [s]
+REPEAT = 0.001  # If Python ignores an interrupt, the interrupt is repeated after this delay [s].
 Result = TypeVar("Result")
 
 
@@ -49,10 +49,10 @@ def need_file(path: Path, action: str) -> None:
         raise MissingError(f"the file {path} does not exist: {action}")
 
 
-# The programs that this process started and that still run.
+# the running programs, which this process started
 _started: list[subprocess.Popen[Any]] = []
-# This event is set after an interrupt. A thread that has not noticed the interrupt must not start
-# another program.
+# This event is set after an interrupt. From then on, no thread may start another program, even if
+# the thread itself has not been interrupted.
 _interrupted = threading.Event()
 
 
@@ -93,9 +93,11 @@ def run(
 def heed_interrupts() -> None:
     """Makes SIGTERM end the command in the same way as SIGINT.
 
-    A command that a shell starts in the background ignores SIGINT, and a time limit sends SIGTERM.
-    A pool ends its processes with SIGTERM. In a forked process, SIGTERM therefore keeps its usual
-    effect: the process ends without an exception.
+    SIGTERM is necessary because a program that limits the time of a command sends SIGTERM. SIGINT
+    is set too, because a shell can start a command in the background with SIGINT ignored.
+
+    A pool of processes ends its processes with SIGTERM. In a forked process, SIGTERM therefore
+    keeps its usual effect: the process ends without an exception.
 
     Python ignores an exception in the callback of a weak reference, for example during an import.
     If Python ignores an interrupt in this way, a timer repeats the interrupt."""
@@ -115,8 +117,9 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """Ends the given program and all other started programs if an interrupt occurs inside the
-    ``with`` block. If an interrupt occurred before the block, the given program ends at once."""
+    """If an interrupt occurs inside the ``with`` block, ends all running programs of this process.
+    The given program is one of them. If an interrupt occurred before the block, ends the given
+    program at once."""
     _started.append(program)
     if _interrupted.is_set():
         stop(program)
@@ -130,16 +133,16 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
 
 
 def stop_programs() -> None:
-    """Ends the programs that this process started and that still run. Also ends the programs that
-    these programs started."""
+    """Ends all running programs of this process, and all programs that were started by these
+    programs."""
     for program in list(_started):
         stop(program)
 
 
 @contextmanager
 def no_program_left() -> Iterator[None]:
-    """Ends all started programs if an interrupt or an error leaves the ``with`` block. After an
-    interrupt, threads that still run can start no further program."""
+    """If the ``with`` block ends with an interrupt or an error, ends all running programs of this
+    process. Other threads may still run. After an interrupt they can start no further program."""
     _interrupted.clear()
     try:
         yield

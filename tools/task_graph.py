@@ -34,8 +34,8 @@ from traceability.whole_file import write_whole
 
 SECONDS = "seconds of tasks"  # key of the duration of each task
 WAKE = 0.2  # period at which a waiting main thread wakes up, so that it receives Ctrl-C [s]
-# If a task is expected to take at least this time, its start is printed. The start of another task
-# is printed when the task has run for this time [s].
+# If a task is expected to take at least this time [s], its start is printed at once. Otherwise, its
+# start is printed when the task has run for this time.
 LONG = 10
 
 

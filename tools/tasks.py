@@ -131,10 +131,10 @@ SHOWN_RESULTS = (
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json", "diff.json", "lint.json"),
 )
-# Folders of tests/python whose tests start programs: programs of the build, or commands of ./wr.
-# The inputs of these tests are the files in this table and all sources of the tools. The programs
-# of the build are also inputs, but not of the tests of the commands. The tests of the client mostly
-# wait. Therefore, the tests of the client are started first.
+# Folders of tests/python. Their tests start built programs or commands of ./wr. The inputs of these
+# tests are the files in this table and all sources of the tools. The built programs are also
+# inputs, except for the tests in the folder NO_BUILD. The tests of the client mostly wait.
+# Therefore, the tests of the client are started first.
 PROGRAM_TESTS: dict[str, tuple[str, ...]] = {
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
@@ -145,8 +145,8 @@ PROGRAM_TESTS: dict[str, tuple[str, ...]] = {
     "commands": SHOWN,
 }
 NO_BUILD = "commands"
-# Folders whose tests start no program. Each test file depends on the files that it imports and on
-# the files that its mark "reads" names.
+# Folders whose tests start no program. Each test file depends on the files that it imports, and on
+# the files in its mark "reads".
 QUICK_TESTS = ("reading", "model", "checks", "exports", "portal", "tools")
 PYTHON_TESTS = (*PROGRAM_TESTS, *QUICK_TESTS)
 
@@ -371,8 +371,8 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
 
 
 def documents(root: Path, out: TextIO, *, keep: bool) -> list[Task]:
-    """Returns the task that runs the checks and builds the pages, the task that tests the pages,
-    and the task of the long tests. Some of the long tests read the pages."""
+    """Returns three tasks. The first task runs the checks and builds the pages. The second task
+    tests the pages. The third task runs the long tests. Some of these tests read the pages."""
 
     def state() -> str:
         names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, *map(python_task, PYTHON_TESTS))

@@ -37,8 +37,8 @@ def unescaped(name: str) -> str:
 
 
 def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
-    """Returns the first file of the folder with one of the given names. The comparison ignores
-    case."""
+    """Searches a folder for files with one of the given names. Returns the first of these files.
+    The comparison ignores case."""
     try:
         files = sorted(folder.iterdir())
     except OSError:

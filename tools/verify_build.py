@@ -30,9 +30,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "verify-build",
         description="Clones the present commit into a new folder, and builds and tests it there. "
-        "Then compares this build with the build in this folder: each firmware image "
-        "byte by byte, the verdict of each requirement, and the results of the tests that verify "
-        "requirements. Randomised tests get the seed of the first run. The exit code is "
+        "Then compares the two builds: each firmware image byte by byte, the verdict of each "
+        "requirement, and the results of the tests that verify requirements. Randomised tests get "
+        "the seed of the first run. The exit code is "
         f"{FAILED} if the builds differ. The command takes as long as a first build.",
     )
     parser.add_argument(
@@ -62,7 +62,8 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
 
 
 def check_origin(root: Path, *, images: bool) -> None:
-    """Checks that the build in this folder is a build of its commit."""
+    """Checks that no file differs from the commit, and that this folder contains the results of a
+    build. If ``images`` is false, also checks that these results belong to the commit."""
     if not git(root, "rev-parse", "HEAD"):
         raise MissingError("this folder is not a git clone: there is no commit to repeat")
     changed = git(root, "status", "--porcelain").splitlines()

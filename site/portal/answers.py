@@ -90,8 +90,8 @@ def metric_text(metrics: Mapping[str, Any], name: str, unit: str = "") -> str:
 
 
 def value_of(metrics: Mapping[str, Any], name: str) -> Any:
-    """Returns the value of a metric, or of a key of a last record. Returns None if the metric was
-    not measured, or if there is no last record."""
+    """Returns the value of a metric, or a value of the last record of a command. Returns None if
+    the metric was not measured, or if the command has no record."""
     if not name.startswith(LAST):
         return metrics[name]
     command, _, key = name.removeprefix(LAST).partition(".")

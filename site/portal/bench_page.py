@@ -75,8 +75,8 @@ class Range:
 
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
-    """For each timing model, returns the longest time from a clock pulse to its report in all
-    scenarios [ms]."""
+    """For each timing model, returns the longest time of all scenarios [ms]. The time is from a
+    clock pulse to its report."""
     times = [
         (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
     ]
@@ -128,8 +128,8 @@ def bands(run: Runs) -> Drawing:
 
 
 def set_points(portal: Portal, name: str) -> list[Drawing]:
-    """Returns the drawings of the set-points in the measured cycles: of the wheels, and of the
-    steering. A quantity whose set-points are all zero has no drawing."""
+    """Returns the drawings for the measured cycles: the set-points of the wheels, and the
+    set-points of the steering. A quantity whose set-points are all zero has no drawing."""
     file = portal.root / FOLDER / f"{name}.scenario"
     orders = measured_orders(file.read_text(encoding="utf-8")) if file.is_file() else []
     quantities = {

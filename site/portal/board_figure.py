@@ -101,8 +101,8 @@ class Used:
 
 
 def used_pins(root: Path) -> dict[str, Used]:
-    """Returns the pins of the headers that the firmware uses. The key is the header and the number
-    of the pin, as in "J1-4"."""
+    """Returns each pin that is on a header and is used by the firmware. The key is the header and
+    the number of the pin, as in "J1-4"."""
     text = (root / HEADER).read_text(encoding="utf-8")
     return {
         place: Used(pin, signal, effect)

@@ -66,8 +66,8 @@ class Drawing:
 
 
 class CallGraph:
-    """Callers of each method. A call of an abstract method is also recorded as a call of each
-    override that the call can execute."""
+    """Callers of each method. A caller of an abstract method is also recorded as a caller of each
+    override that can be executed."""
 
     def __init__(self, model: Model, links: Links) -> None:
         self.links = links
@@ -110,8 +110,8 @@ class CallGraph:
         return [row for row in rows.values() if row.callers or row.callees] + nested
 
     def _nested_methods(self, module: Module) -> list[str]:
-        """Returns those methods of nested classes that other modules call. Constructors are left
-        out."""
+        """Returns the methods of nested classes, if other modules call these methods. Constructors
+        are left out."""
         outside = f"{module.name}::"
         return [
             name

@@ -113,8 +113,8 @@ def role_family(role: str) -> str:
 @dataclass
 class Diagram:
     """A drawing in the language of PlantUML. ``label`` describes the drawing for a screen reader.
-    The page Exports lists each drawing that has a title. ``page`` is the address of the page that
-    shows the drawing."""
+    If a drawing has a title, it is listed on the page "Exports". ``page`` is the address of the
+    page that shows the drawing."""
 
     id: str
     label: str
@@ -175,8 +175,8 @@ def shown_members(module: Module, role: str) -> list[str]:
     names = [
         m
         for m in module.methods
-        # A method that is not public is shown only if it is virtual, because a subclass then
-        # overrides this method to complete an algorithm.
+        # A protected or private method is shown only if it is virtual. A subclass overrides such a
+        # method to complete an algorithm.
         if (m.access == "public" or m.kind != "plain")
         and m.kind in kinds
         and not m.name.startswith(("operator", "~"))
@@ -499,8 +499,8 @@ def restyle(element: ET.Element) -> None:
             style[name] = value
     for name, value in style.items():
         style[name] = f"var({COLOURS[value.upper()]})" if value.upper() in COLOURS else value
-    # PlantUML cannot set the colour of some outlines. Such an outline gets the colour that outlines
-    # have in the colour family of the fill.
+    # PlantUML cannot set the colour of some outlines. The fill has a colour family, and this family
+    # has a colour for outlines. The outline gets this colour.
     if style.get("stroke", "").upper() == UNSET:
         style["stroke"] = style.get("fill", "").replace("-fill)", ")")
     if element.tag == "ellipse":  # initial state

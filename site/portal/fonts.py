@@ -1,5 +1,5 @@
-"""Converts the font of the pages to files that Java can read. PlantUML then computes the size of
-the texts in a diagram with the font that the browser uses."""
+"""Converts the font of the pages to files that Java can read. PlantUML and the browser then use the
+same font. PlantUML needs this font to compute the size of the texts in a diagram."""
 
 from __future__ import annotations
 

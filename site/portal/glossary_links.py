@@ -17,7 +17,7 @@ GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 # Terms without links, because the pages also use these words with another meaning.
 OTHER_SENSES = {"function", "target", "verdict"}
 # Terms that are linked only in these words, because the pages also use the terms with another
-# meaning. These words and the next words are compared with the HTML text.
+# meaning. These words and OTHER_WORDS are compared with the HTML text.
 OWN_SENSE = {
     "brake": (
         *("wheel brakes", "wheels brake", "wheels then brake", "brakes the wheel"),
@@ -50,7 +50,7 @@ ELEMENTS = re.compile(
     rf"<({APART.replace(' ', '|')})\b[^>]*(?<!/)>.*?</\1\s*>|<!--.*?-->", re.DOTALL
 )
 NO_START = re.compile(r"[\w.:/@-]")
-NAME = re.compile(r"(?:&amp;|&gt;|</span>) $")  # before the name of a parameter
+NAME = re.compile(r"(?:&amp;|&gt;|</span>) $")  # matches the text in front of a parameter name
 END = re.compile(r"s?(?![\w(-]|::)", re.IGNORECASE)
 
 
@@ -107,9 +107,10 @@ def is_in(text: str, at: int, phrases: list[tuple[str, int]]) -> bool:
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
     """Returns the text of the page in lower case, without the elements in which no term is linked.
-    A line break counts as a space. The removed elements divide the text into parts. Also returns
-    two lists with a number for each part: the position of the part in the text, and the number to
-    add to this position to get the position on the page."""
+    A line break counts as a space. The removed elements divide the text into parts.
+
+    Also returns two lists with a number for each part: the position of the part in the text, and an
+    offset. The sum of this position and the offset is the position of the part on the page."""
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])

@@ -1,4 +1,4 @@
-"""The layers of the firmware, from the allowed uses between its folders."""
+"""The layers of the firmware. They are computed from the allowed uses between its folders."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + T
 
 def slug(name: str) -> str:
     """Returns a name in a form that an address may contain. Letters, digits, ``_``, ``.`` and ``-``
-    do not change. Each other character becomes a hyphen and its code in hexadecimal digits."""
+    do not change. Any other character becomes a hyphen and its code in hexadecimal digits."""
     return re.sub(r"[^A-Za-z0-9_.-]", lambda hit: f"-{ord(hit.group()):x}", name)
 
 

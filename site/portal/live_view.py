@@ -1,5 +1,5 @@
-"""The page that runs the simulated robot in the browser. This module collects the firmware images,
-and the data of the model that the page shows while a firmware image runs."""
+"""The page that runs the simulated robot in the browser. This module collects the firmware images.
+It also collects data from the model. The page shows these data while a firmware image runs."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from weeding_robot_client.layout import Field, Layout, read_frames
 
 FOLDER = "live"  # folder in the site that contains the files of this page
 DATA = "live.json"
-# Scenario whose recorded curves the page shows before the reader starts the robot.
+# Before the reader starts the robot, the page shows the recorded curves of this scenario.
 RECORDED = "stop"
 SIGNATURE = re.compile(r"(?P<result>.+?) ?\b\w+\((?P<parameters>[^()]*)\)")
 INTEGERS = {"void": "", "bool": "bool"} | {
@@ -213,8 +213,8 @@ def address(link: str | None) -> str:
 
 
 def entered_by_hardware(model: Model) -> set[str]:
-    """Returns the functions outside classes that no code calls. The hardware enters these functions
-    through the vector table of the firmware image."""
+    """Returns the functions that the hardware enters through the vector table of the firmware
+    image. They are functions outside classes. No code of the firmware calls them."""
     called = {call.target for method in model.methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
     return set(model.functions) - called

@@ -156,8 +156,9 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 
 def limits_of_outputs(root: Path) -> dict[str, float]:
-    """Returns the limits beyond which the campaign of the faults judges an output as wrong. The
-    result is empty if a limit is not found."""
+    """Returns the limits with which the campaign of injected faults judges the outputs: the
+    greatest deviations of an output, and the longest times of a deviation. The result is empty if a
+    limit is not found."""
     names = {
         "drive": "kWrongDrive",  # fraction of the supply voltage
         "angle": "kWrongAngle",  # [degree]

@@ -129,8 +129,8 @@ def printed(node: ast.AST, texts: dict[str, str], file: Path) -> Iterator[Messag
 
 
 def printed_text(statement: ast.stmt | None, texts: dict[str, str]) -> str:
-    """Returns the text that a statement prints on the standard error, or in the line of the
-    terminal that shows the state. The result is empty if the statement prints no such text."""
+    """Returns the text that a statement prints, if it prints to the standard error or to the status
+    line of the terminal. Otherwise, the result is empty."""
     match statement:
         case ast.Expr(
             value=ast.Call(func=ast.Name(id="print"), args=[argument], keywords=keywords)

@@ -13,7 +13,7 @@ from traceability.schema import Method, Module
 
 FIRST_TESTS = 12  # number of tests that the page of a module shows without a click
 XML = "build/model/xml"
-# In the page, the member documentation that Breathe generates replaces this HTML comment.
+# In the page, this HTML comment is replaced by the documentation of the members from Breathe.
 MEMBERS = "<!-- members -->"
 
 

@@ -64,7 +64,7 @@ def breakable(name: str) -> Markup:
 
 
 def views_of(module: Module, called: set[str]) -> set[str]:
-    """Returns the letters of those views of a module that are not empty."""
+    """Returns the letters of the non-empty views of a module."""
     letters = {"I", "G", "S"}
     if module.name in called or any(m.calls for m in module.methods):
         letters.add("F")

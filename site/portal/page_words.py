@@ -10,7 +10,9 @@ from lxml.html import HtmlElement, fromstring
 HEADS = {"h1", "h2", "h3"}
 APART = {"nav", "svg", "script", "select", "summary"}  # HTML elements whose text is not read
 INLINE = {"a", "b", "code", "em", "strong", "sub", "wbr"}  # these elements do not separate words
-INLINE_SPANS = (None, "mm", "dc")  # CSS classes of numbers, of method names, of their colons
+# CSS classes of elements that do not separate words: a number has no class, "mm" is the class of a
+# method name, and "dc" is the class of its colons.
+INLINE_SPANS = (None, "mm", "dc")
 
 
 @dataclass
@@ -31,8 +33,8 @@ class Part:
 
 
 def parts_of(page: str) -> Iterator[Part]:
-    """Returns the sections of a page that have a heading. The page is a body without the layout, or
-    a finished page. Of a finished page, only the element ``main`` is read."""
+    """Returns the sections of a page, if they have a heading. The page is a body without the
+    layout, or a finished page. If the page is finished, only its element ``main`` is read."""
     root = fromstring(page if "<main" in page else f"<main>{page}</main>")
     parts = [Part("")]
     for main in root.iter("main"):
@@ -62,8 +64,8 @@ def _read(element: HtmlElement, parts: list[Part], part: Part, texts: list[str])
 
 
 def is_apart(element: HtmlElement) -> bool:
-    """Returns whether the text of an element is not read: a comment, a picture, a decoration, or
-    the link of a heading to itself."""
+    """Returns true if the text of an element is skipped, such as a comment, a picture, a
+    decoration, or the link of a heading to itself."""
     return (
         not isinstance(element.tag, str)
         or element.tag in APART
@@ -73,8 +75,8 @@ def is_apart(element: HtmlElement) -> bool:
 
 
 def is_inline(element: HtmlElement) -> bool:
-    """Returns whether an element does not separate words: a part of a name, of a link or of a
-    listing, or a number."""
+    """Returns true if an element does not separate words. Such an element is a number, or a part of
+    a name, of a link or of a listing."""
     if element.tag == "span":
         above = element.getparent().tag
         return element.get("class") in INLINE_SPANS or above in INLINE or above == "pre"

@@ -67,8 +67,8 @@ EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """Yields one part of the pages: part number ``part`` of ``parts`` parts. Several processes
-    build the parts."""
+    """Yields one part of the pages. ``part`` is the number of this part, and ``parts`` is the
+    number of all parts. Several processes build the parts."""
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 
@@ -144,9 +144,9 @@ def home_page(portal: Portal) -> Page:
 
 
 def best_method(portal: Portal, requirement: Requirement) -> Method | None:
-    """Of the methods in the invocation tree that satisfy the requirement, returns the last method.
-    If no method satisfies the requirement, returns the last method of the tree. Methods without a
-    body are skipped."""
+    """Searches the invocation tree from its end for a method that satisfies the requirement.
+    Returns the first method that it finds. If there is no such method, returns the last method of
+    the tree. Methods without a body are skipped."""
     nodes = reversed(portal.nodes(requirement))
     methods = [m for m in (real_method(portal, node) for _, node in nodes) if m]
     satisfying = [m for m in methods if requirement.id in m.satisfies]
@@ -238,7 +238,8 @@ def tests(portal: Portal) -> dict[str, Any]:
 
 
 def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
-    """For each test that a module lists among its tests to read first, returns these modules."""
+    """Each module has a list of tests to read first. For each test, returns the modules with this
+    test in their list."""
     modules: dict[str, list[str]] = {}
     for name in sorted(portal.model.modules):
         for test in portal.own_tests(portal.model.modules[name]):
@@ -270,7 +271,8 @@ def suites(portal: Portal) -> dict[str, list[str]]:
 @dataclass
 class UseRow:
     """A use of a logic module by another logic module. ``why`` is the reason why the design allows
-    the use. The code contains the use at ``places`` places; ``first`` lists at most two of them."""
+    the use. ``places`` is the number of places in the code with this use. ``first`` lists at most
+    two of these places."""
 
     source: str
     target: str

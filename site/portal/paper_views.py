@@ -180,7 +180,8 @@ def concordance(portal: Portal) -> dict[str, Any]:
 
 
 def target_link(portal: Portal, target: str) -> Markup:
-    """Returns a link to the element of this project that an entry of the concordance names."""
+    """Returns a link to an element of this project. ``target`` is from an entry of the concordance,
+    and names this element."""
     kind, _, name = target.partition(":")
     makers: dict[str, Callable[[str], Markup]] = {
         "module": portal.names.mod,

@@ -1,4 +1,5 @@
-"""Makes the table of pins for a page from the C++ table that is compiled into the firmware."""
+"""Makes the table of pins for a page. The source is the C++ table that is compiled into the
+firmware."""
 
 from __future__ import annotations
 

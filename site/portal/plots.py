@@ -1,5 +1,5 @@
-"""Computes drawings of curves over time. The curves are SVG paths, which the page scales to its
-width; the labels are HTML text, which keeps its size.
+"""Computes drawings of curves over time. The curves are SVG paths. Their width depends on the width
+of the page. The labels are HTML text, and their size is constant.
 
 The theme sets the colour and the width of a curve by its CSS class."""
 

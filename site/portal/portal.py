@@ -1,4 +1,5 @@
-"""The content of the pages: the model, its links, and the values derived from both."""
+"""The content of the pages: the model, the links to its elements, and values that are computed from
+the model and the links."""
 
 from __future__ import annotations
 
@@ -185,7 +186,8 @@ class Portal:
 
     @functools.cached_property
     def runs_live(self) -> bool:
-        """Returns whether the WebAssembly module that runs firmware images in a page was built."""
+        """Returns true if the WebAssembly module was built. This module runs firmware images in a
+        page."""
         return (self.root / LIVE_MODULE).exists()
 
     # ---- derived facts --------------------------------------------------------
@@ -216,8 +218,8 @@ class Portal:
         }
 
     def drawn_modules(self) -> list[str]:
-        """Returns the modules that the live view of the first page marks in the drawing: the
-        modules of the states, and the modules in ``CONNECTING``."""
+        """Returns the modules of the states, and the modules in ``CONNECTING``. On the first page,
+        the live view marks these modules in the drawing."""
         states = [
             module
             for name in (OPERATION_STATES, READING_MODES)
@@ -352,7 +354,7 @@ class Portal:
 
     def own_tests(self, module: Module) -> list[Test]:
         """Returns the tests to read first: the tests in the test file of the module, then the tests
-        that verify a requirement which the module satisfies."""
+        of the requirements that the module satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         satisfied = {identifier for method in module.methods for identifier in method.satisfies}
         tests = sorted(self.tests_of(module), key=lambda test: test.place.file != file)
@@ -377,7 +379,7 @@ class Portal:
         return Markup("{}: {}").format(source.kind, self.names.text(source.name))
 
     def targets_of(self, requirement: Requirement) -> str:
-        """Returns the targets on which a test of the requirement passed in this run."""
+        """Returns each target with at least one passed test of the requirement in this run."""
         none = "none in this run" if requirement.verified_by else "no test, see Evidence"
         targets = ", ".join(targets_of(self.model, requirement)) or none
         return f"{targets}; real board: none yet"
@@ -435,8 +437,8 @@ class Portal:
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
-        """Returns the likely changes that a module hides. The result also contains each change that
-        edits the module because the module implements one variant."""
+        """Returns the likely changes that a module hides. A module can also implement one variant
+        of a likely change. The result contains this likely change too."""
         return [
             change.application
             for change in self.model.changes.values()
@@ -454,8 +456,8 @@ class Portal:
         ]
 
     def is_later(self, check: str) -> bool:
-        """Returns whether the result of a check is not known yet when the pages are written. A
-        check that already has a finding is decided."""
+        """Returns true if the result of a check is still unknown while the pages are written. If
+        the check already has a finding, its result is known."""
         return check in LATER and not self.findings_of(check)
 
     def verdict_of(self, check: str) -> Markup:
@@ -478,9 +480,9 @@ class Portal:
         return {state: counts[state] for state in (HOLDS, FOUND, STALE, AFTER) if counts[state]}
 
     def unrecorded_faults(self) -> int:
-        """Returns the number of listed seeded faults that the last record does not contain. A
-        published record contains the number of the faults, but not their names. The result is then
-        the least possible number."""
+        """Returns the number of listed seeded faults that are missing in the last record. A
+        published record contains the number of its faults, but not their names. With such a record,
+        the result is the smallest possible number."""
         faults, last = self.model.faults, self.model.last.get("drift")
         if self.model.outcomes is not None:
             return sum(self.outcome_of(fault) is None for fault in faults)
@@ -492,8 +494,8 @@ class Portal:
         return sorted(image for image in images if image.endswith(CALLS_SUFFIX))
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
-        """Returns the result of the run with a seeded fault, or ``None`` if no run with this fault
-        was made with the present sources."""
+        """Returns the result of the run with a seeded fault. Returns ``None`` if the fault was not
+        tried with the present sources."""
         outcomes = self.model.outcomes or []
         return next((outcome for outcome in outcomes if outcome.name == fault.name), None)
 

@@ -137,8 +137,8 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def outside_tree(model: Model, requirement: Requirement) -> list[str]:
-    """Returns the methods that satisfy the requirement and are not in its tree. A method counts as
-    in the tree if the tree contains the method or a method that it overrides."""
+    """Returns the methods that satisfy the requirement and are not in its tree. If a method
+    overrides a method of the tree, the method is left out too."""
     if requirement.tree is None:
         return []
     inside: set[str] = set()
@@ -149,8 +149,9 @@ def outside_tree(model: Model, requirement: Requirement) -> list[str]:
 
 
 def played_scenarios(model: Model, requirement: Requirement) -> dict[str, list[FaultScenario]]:
-    """Returns the fault scenarios that tests of the requirement play. The key lists the targets on
-    which at least one test of the scenario passed. This test may verify another requirement."""
+    """Returns the fault scenarios that are played by a test of the requirement. The key lists the
+    targets on which at least one test of the scenario passed. The test that passed may verify
+    another requirement."""
     scenarios: dict[str, list[FaultScenario]] = {}
     for scenario in model.safety.scenarios.values():
         if set(scenario.tests) & set(requirement.verified_by):
@@ -197,8 +198,8 @@ class Row:
 
 
 def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
-    """Returns the rows of the invocation tree and of a recorded run. A node of the tree and the
-    recorded call that it matches are in the same row."""
+    """Returns the rows of the invocation tree and of a recorded run. If a recorded call matches a
+    node of the tree, both are in the same row."""
     rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
     nodes = portal.nodes(requirement)
     places = run.places if run else [None] * len(nodes)

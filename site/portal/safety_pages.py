@@ -39,7 +39,7 @@ def safety(portal: Portal) -> dict[str, Any]:
 
 def evidence(portal: Portal) -> tuple[tuple[str, str, str, object], ...]:
     """Returns the evidence besides the tests: its title, the page that shows it, the firmware image
-    or code that it is about, and a result. The result is None or empty if the pages show no
+    or code to which it applies, and a result. The result is None or empty if the pages show no
     result."""
     model = portal.model
     played = any(scenario.runs for scenario in model.closed_loop)

@@ -74,8 +74,8 @@ class Loop:
 
 @dataclass
 class CycleMessages:
-    """The messages from a clock pulse to the next clock pulse. Equal cycles that follow each other
-    are stored once; ``times`` is their number."""
+    """The messages from a clock pulse to the next clock pulse. Equal consecutive cycles are stored
+    once; ``times`` is their number."""
 
     begin: int  # [ns]
     parts: tuple[Message | Loop, ...]

@@ -72,7 +72,7 @@ def fixture(root: Path) -> str:
 
 
 def compiler_options(root: Path) -> str:
-    """Returns the parts of the CMake files that set the compiler options of a firmware image."""
+    """Returns the compiler options of a firmware image, as excerpts from the CMake files."""
     parts = (
         (TOOLCHAIN, "set(CMAKE_CXX_FLAGS_INIT", "\n#"),
         (BUILD, "set(CMAKE_CXX_STANDARD 20)", "\nset(CMAKE_EXPORT"),
@@ -135,8 +135,8 @@ def copy_docs(docs: Path, target: Path) -> set[str]:
 
 
 def write_members(modules: list[Module], pages: Path) -> set[str]:
-    """Writes a source file for each module. From this file, Breathe generates the section of the
-    module's page that lists the members of the class."""
+    """Writes a source file for each module. From this file, Breathe generates a section for the
+    module's page. The section lists the members of the class."""
     for module in modules:
         write_changed(
             pages / "modules" / f"{module.name}.rst",

@@ -1,4 +1,4 @@
-"""Generates tables for hand-written pages from the files that the commands of ./wr read."""
+"""Generates tables for hand-written pages. The commands of ./wr use the same files."""
 
 from __future__ import annotations
 

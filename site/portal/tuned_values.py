@@ -1,5 +1,5 @@
-"""Values that were chosen by hand because another constant has its present value. If this other
-constant changes, these values must be chosen again."""
+"""Values that were chosen by hand for the present value of another constant. If this other constant
+changes, these values must be chosen again."""
 
 from __future__ import annotations
 
@@ -54,7 +54,8 @@ def declared_at(root: Path, model: Model, name: str) -> Place | None:
 
 
 def other_lines(root: Path, tuned: Tuned) -> list[tuple[Place, str]]:
-    """Returns the source lines that must be edited besides the constants, with their places."""
+    """Returns other source lines that must be edited together with the constants. Each line has its
+    place."""
     lines = []
     for line in tuned.lines:
         place = place_of(root, line)

@@ -53,8 +53,8 @@ def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
 
 @dataclass
 class CoverageRow:
-    """The source lines and branches of a module that the tests on the host executed. A file that
-    belongs to no module has a separate row."""
+    """The coverage of a module by the tests on the host: the executed source lines and branches. A
+    file that belongs to no module has a separate row."""
 
     name: str  # module or file
     lines: Share
@@ -63,8 +63,8 @@ class CoverageRow:
 
 
 def coverage_rows(model: Model) -> list[CoverageRow]:
-    """Returns a row for each module and each other file of the design that has measured lines. The
-    row with the smallest share of executed lines is first."""
+    """Returns a row for each module with measured lines. A file of the design that belongs to no
+    module has its own row. The row with the smallest share of executed lines is first."""
     owners = {
         file: module.name
         for module in model.modules.values()
@@ -94,9 +94,9 @@ def coverage_of(model: Model, name: str, files: Iterable[str]) -> CoverageRow | 
 def chart(
     sections: dict[str, list[Requirement]],
 ) -> dict[str, tuple[Share | None, Share | None, Share | None]]:
-    """For the requirements of each section, returns the executed part of three kinds: source lines
-    on the host, branches on the host, and source lines on the virtual K64. A method in several
-    invocation trees is counted once for each tree."""
+    """For the requirements of each section, returns three executed shares: of the source lines on
+    the host, of the branches on the host, and of the source lines on the virtual K64. A method in
+    several invocation trees is counted once for each tree."""
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]

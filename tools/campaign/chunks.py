@@ -17,8 +17,8 @@ from typing import Any
 from tools.lock import BusyError
 
 FOLDER = Path("build/campaign")
-# Greatest number of chunks of a campaign. The seed of a chunk is the seed of the campaign times
-# SEEDS, plus the number of the chunk.
+# Greatest number of chunks of a campaign. The seed of the campaign is multiplied by SEEDS. The sum
+# of this product and the number of a chunk is the seed of this chunk.
 SEEDS = 1 << 20
 
 

@@ -47,8 +47,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--publish",
         action="store_true",
-        help="write the result of the finished chunks to tests/records, and run no chunk; with "
-        "--count, first run the cases",
+        help="write the result to tests/records. With --count, first run the cases. Without "
+        "--count, use only the finished chunks",
     )
     parser.set_defaults(run=campaign)
 

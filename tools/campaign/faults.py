@@ -14,7 +14,7 @@ from traceability.reading.published import OUTCOMES
 PROGRAM = Path("build/host/sim/weeding_robot_faults")
 IMAGE, ELF = image_of(DEFAULT, ".bin"), image_of(DEFAULT, ".elf")
 BY_ADDRESS = ("ram", "code", "flash")  # kinds of faults at an address that belongs to a module
-BY_INSTRUCTION = ("register", "stack")  # kinds of faults that hit the module that is running
+BY_INSTRUCTION = ("register", "stack")  # kinds of faults that hit the running module
 LISTED = 40  # The record lists at most this number of faults with a silent or hung outcome.
 
 Case = dict[str, Any]

@@ -22,14 +22,14 @@ LONGEST_INPUT = {"frames": 24}  # bytes
 LONGEST = 60  # time limit of an input [s]; most inputs need less than 0.02 s
 CORPUS = Path("tests/fuzz/corpus")
 MOST_OF_TEXT = 2_000
-# The line of the output that states the cause of a failure. The lines before this line show the
+# In the output, one line states the cause of a failure. The lines before this line show the
 # progress, and the lines after this line show the calls.
 CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTILINE)
 
 
 def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
-    """Runs a fuzzer. Inputs that reach new code are stored in a folder, which is removed
-    afterwards."""
+    """Runs a fuzzer. If an input reaches new code, the fuzzer stores this input in a folder. The
+    folder is removed after the run."""
     with tempfile.TemporaryDirectory() as corpus, tempfile.TemporaryDirectory() as failed:
         words = [program, f"-seed={seed % (1 << 32) or 1}", f"-runs={inputs}"]
         words += [f"-timeout={LONGEST}"]
@@ -57,7 +57,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """Returns the part of a failed fuzzer's output that begins with the cause. If no cause is
+    """Returns the output of a failed fuzzer, from the cause of the failure on. If no cause is
     found, returns the end of the output. The result has at most MOST_OF_TEXT characters."""
     match = CAUSE.search(output)
     return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]

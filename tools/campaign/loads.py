@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 PROGRAM = Path("build/host/sim/weeding_robot_loads")
-LISTED = 10  # number of recorded drives: the drives with the longest control cycles
+LISTED = 10  # The record lists only this number of drives. They have the longest control cycles.
 
 
 def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:

@@ -22,9 +22,9 @@ _CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
 
 
 class Places:
-    """The module to which each address in flash or RAM belongs. Of the classes at the address that
-    are design modules, this module is the innermost class. If there is no such class, it is the
-    module with the name of the source file."""
+    """The module to which each address in flash or RAM belongs. If the address belongs to several
+    nested design modules, this module is the innermost of them. If the address belongs to no design
+    module, the result is the module with the name of the source file."""
 
     def __init__(self, root: Path, elf: Path) -> None:
         self._modules = {
@@ -133,8 +133,8 @@ class Places:
                         yield from self._bytes(member, offset + at, module)
 
     def _resolved(self, die: DIE) -> DIE:
-        """Returns the type without typedef, const and volatile. If the type is a class that is only
-        declared, returns the definition of the class in another file."""
+        """Returns the type without typedef, const and volatile. If the file only declares the type,
+        and another file contains its definition, returns this definition."""
         while die.tag in _WRAPPERS:
             inner = _type_of(die)
             if inner is None:

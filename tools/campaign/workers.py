@@ -19,7 +19,7 @@ from tools.steps import FailureError, stop_programs, stoppable
 Result = tuple[Chunk, list[dict[str, Any]]]
 NICE = "15"  # A campaign has low priority on the processor.
 HERE = "{folder}"  # In the command of a worker, the folder of the copies replaces this text.
-RETRIES = 3  # greatest number of times that a chunk is repeated after its worker was lost
+RETRIES = 3  # greatest number of repetitions of a chunk, if its worker is lost each time
 
 
 def execute(words: Sequence[str]) -> list[dict[str, Any]]:

@@ -16,11 +16,13 @@ from tempfile import NamedTemporaryFile
 
 from traceability.reading.results import plain_name
 
-# Processor time limit of a program: LEAST_SECONDS, plus SLOWER times the time of its tests without
-# a mutant. If the program reaches this limit, the running test counts as hanging.
+# A program has a limit of its processor time. Without a mutant, its tests need a certain time. The
+# limit is SLOWER multiplied by this time, plus LEAST_SECONDS. If the program reaches this limit,
+# the running test counts as hanging.
 SLOWER = 10
 LEAST_SECONDS = 2.0
-ASLEEP = 30  # A program that only waits is ended after this multiple of its processor time limit.
+# A program can wait without using processor time. It is ended after this multiple of its limit.
+ASLEEP = 30
 HANGS = 2  # After this number of hanging tests, the other tests stay without a result.
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
 
@@ -38,8 +40,8 @@ class Outcome:
 def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
     """Runs tests with an active mutant. The number 0 means that no mutant is active.
 
-    ``seconds`` contains the time of each test without a mutant. A test that ends the program has
-    failed. The remaining tests then run in the next process."""
+    ``seconds`` contains the time of each test without a mutant. If a test ends the program, the
+    test counts as failed, and the remaining tests run in the next process."""
     outcome = Outcome()
     left = dict(seconds)
     hangs = 0
@@ -99,8 +101,9 @@ def _pattern(test: str) -> str:
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """Returns a test without a result from the suite whose name was printed last. This test is
-    needed because a fault can end the process in the set-up of a suite, before a test begins."""
+    """Searches the suite whose name was printed last. Returns one of its tests that has no result.
+    A fault can end the process in the set-up of a suite, before a test begins. The returned test
+    then counts as the test that ended the process."""
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")
         opened = set(tests) - outcome.failed - outcome.passed

@@ -49,7 +49,8 @@ class Tried:
     """A mutant that was tried, with the tests that found it. For each requirement, ``own`` states
     whether a test of the requirement found the mutant.
 
-    ``own`` contains no value for a requirement if its tests were not decided."""
+    If no test of a requirement failed, and some of these tests have no result, ``own`` contains no
+    value for this requirement."""
 
     mutant: Mutant
     killed_by: list[str]
@@ -80,8 +81,8 @@ def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[st
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """Returns those of the given methods that a test called. If the recording of the test is
-    incomplete, returns all given methods.
+    """Returns the called methods: each given method that was called by the test. If the recording
+    of the test is incomplete, returns all given methods.
 
     The recording of a death test is always incomplete, because the test runs in a separate process
     that is not recorded."""
@@ -144,8 +145,9 @@ def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried 
 
 
 def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str]]) -> Outcome:
-    """Runs the tests of the groups. The short tests run first. The run ends when each group has a
-    test that found the mutant, or has no tests left. The run also ends if tests hang.
+    """Runs the tests of the groups. The short tests run first. A group is finished when one of its
+    tests has found the mutant, or when all its tests have run. The run ends when all groups are
+    finished. It also ends if tests hang.
 
     The tests run in parts. Each part takes a multiple of the time of the previous part. Therefore,
     the program starts only a few times."""
@@ -203,8 +205,9 @@ def try_all(
 def found_before(
     last: Mapping[str, Any], mutants: list[Mutant], files: Mapping[str, str], plan: Plan
 ) -> dict[int, Tried]:
-    """Returns the last results of found mutants, by number. The file of the mutant must be
-    unchanged, and a test that found the mutant must still pass without a mutant.
+    """Returns the last results of found mutants, by number. Two conditions must be met. The file of
+    the mutant is unchanged. At least one of the tests that found the mutant is among the tests that
+    passed without a mutant in this run.
 
     Equal changes of a method are one group. The result contains a group only if the last run found
     each of its mutants."""
@@ -250,9 +253,9 @@ class Justifications:
         """For each mutant, returns the reason why no test can find it. The reason is empty if the
         mutant has no justification.
 
-        Each change that an entry lists belongs to one mutant. If a source line can have the same
-        change at several places, the entry lists the change once for each place at which no test
-        can find the change."""
+        An entry lists changes. Each of these changes belongs to one mutant. If a source line can
+        have the same change at several places, the entry lists the change once for each place at
+        which no test can find the change."""
         left = {key: list(reasons) for key, reasons in self.reasons.items()}
         return [
             reasons.pop() if (reasons := left.get(self._key(mutant))) else "" for mutant in mutants

@@ -25,11 +25,11 @@ ATTEMPTS = 10
 
 
 def write_switched(root: Path, log: TextIO) -> list[Mutant]:
-    """Writes the copy with the mutants of the firmware and its extensions. Parts that only the K64
-    has are left out. Returns the mutants, whose numbers begin at 1.
+    """Writes the copy with the mutants of the firmware and its extensions. The parts for the K64
+    alone get no mutants. Returns the mutants, whose numbers begin at 1.
 
-    A mutant that does not compile is omitted. For example, if C++ demands a constant expression, a
-    mutant of a sum in this expression does not compile."""
+    If a mutant does not compile, it is omitted. For example, if C++ demands a constant expression,
+    a mutant of a sum in this expression does not compile."""
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []
     for unit, files in translation_units(root).items():
@@ -82,8 +82,8 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # If one part ends where another part begins, the text behind the first part is inserted
-        # before the text in front of the second part.
+        # Two parts can meet at one position. At this position, the end of the wrapper of the first
+        # part is inserted first. Then the beginning of the wrapper of the second part is inserted.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:

@@ -78,7 +78,7 @@ def test_changed_files_that_are_not_followed_are_listed(
     assert "tests/python/tools/test_a.py  changed" in shown
     assert "tests/python/tools/test_b.py  changed" in shown
     assert shown.endswith(
-        "not followed: 2 files; run ./wr test --all\n  docs/a.rst\n  sim/a.scenario\n"
+        "effects unknown: 2 files; run ./wr test --all\n  docs/a.rst\n  sim/a.scenario\n"
     )
     assert cli.main(["diff", "HEAD~1"]) == 0
     shown = capsys.readouterr().out
@@ -95,7 +95,7 @@ def test_the_impact_of_one_python_file_is_that_of_its_imports(
     shown = capsys.readouterr().out
     assert "tests/python/tools/test_a.py  imports tools/a.py" in shown
     assert "test_b.py" not in shown
-    assert "not followed" not in shown
+    assert "effects unknown" not in shown
 
 
 def test_a_change_of_the_frames_affects_the_tests_that_read_them(
