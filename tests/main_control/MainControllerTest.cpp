@@ -218,17 +218,25 @@ TEST_F(MainControllerTest, FR160_ReportTellsWhatThePreviousReportCost) {
 TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
   connect();
   controller.start();
-  SetPoints neutral{.acknowledge = true};
+  SetPoints order;
+  first.onServe = [&] { data.saveSetPoints(order); };  // the cycle reads the order
+  const auto calls = [&](const SetPoints& present) {
+    order = present;
+    system.calls.clear();
+    controller.clockPulse();
+    return system.calls;
+  };
+  const SetPoints neutral{.acknowledge = true};
   SetPoints moving = neutral;
   moving.wheels[3].value = 1;
-  for (const SetPoints& order : {neutral, moving}) {
-    data.saveSetPoints(order);
-    controller.clockPulse();
-    EXPECT_TRUE(sentReport().held());
-    data.saveSetPoints({});
-    controller.clockPulse();
-    EXPECT_FALSE(sentReport().held());
-  }
+  EXPECT_EQ(calls(neutral), kAcknowledged);
+  EXPECT_TRUE(sentReport().held());
+  EXPECT_EQ(calls({}), kControlled);
+  EXPECT_FALSE(sentReport().held());
+  EXPECT_EQ(calls(moving), kHeld);
+  EXPECT_TRUE(sentReport().held());
+  EXPECT_EQ(calls({}), kControlled);
+  EXPECT_FALSE(sentReport().held());
 }
 
 /// @brief If the control systems are first held and then follow set-points in the same cycle, the

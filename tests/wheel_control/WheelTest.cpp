@@ -47,8 +47,8 @@ TEST_F(WheelTest, FR88_NewWheelIsOff) {
 /// @brief A voltage is converted to a duty cycle of the supply, rounded to the nearest 0.01 %.
 /// @verifies FR-80
 TEST_F(WheelTest, FR80_TensionBecomesShareOfTheSupply) {
-  const std::array<std::pair<int, int>, 6> cases{
-      {{0, 0}, {1, 0}, {2, 1}, {6000, 2500}, {12345, 5144}, {24000, 10000}}};
+  const std::array<std::pair<int, int>, 8> cases{
+      {{0, 0}, {1, 0}, {2, 1}, {10, 4}, {11, 5}, {6000, 2500}, {12345, 5144}, {24000, 10000}}};
   for (const auto& [tension, dutyCycle] : cases) {
     wheel.setTension(Tension(tension));
     EXPECT_EQ(pwm.dutyCycle(), DutyCycle(dutyCycle)) << tension;

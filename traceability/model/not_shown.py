@@ -236,8 +236,8 @@ def _missing_runs(model: Model) -> Iterator[NotShown]:
     loops = model.closed_loop
     if unplayed := sum(not {HOST, VIRTUAL_K64} <= loop.runs.keys() for loop in loops):
         yield NotShown(
-            f"For {unplayed} of {len(loops)} scenarios of the control performance, a run with these "
-            "sources is missing (on the host or on the virtual board).",
+            f"For {unplayed} of {len(loops)} scenarios of the control performance, a run with "
+            "these sources is missing (on the host or on the virtual board).",
             "closed_loop",
         )
     made = [change.made for change in model.changes.values() if change.made]

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "support/LineBytes.hpp"
@@ -124,6 +125,21 @@ TEST(FrameDecoder, FR40_FindsAFrameInSingleBytes) {
   }
   EXPECT_THAT(push(decoder, {0}), ElementsAre(Decoded::Whole));
   EXPECT_THAT(decoder.frame().payload, ElementsAreArray(Bytes(kMaxPayload, 7)));
+}
+
+/// @brief The bytes in the memory before the decoder do not change the result of the decoder.
+/// @verifies FR-40
+TEST(FrameDecoder, FR40_DataBeforeTheDecoderHaveNoEffect) {
+  struct {
+    std::array<std::uint8_t, alignof(FrameDecoder)> before{};
+    FrameDecoder decoder;
+  } memory;
+  for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{1}, std::uint8_t{255}}) {
+    memory.before.fill(value);
+    EXPECT_THAT(push(memory.decoder, test::lineBytes(1, 0, {9, 0, 8})),
+                ElementsAre(Decoded::Whole));
+    EXPECT_THAT(memory.decoder.frame().payload, ElementsAre(9, 0, 8));
+  }
 }
 
 /// @brief A frame with a body of 206 bytes or more is too long. The decoder reports this once, at

@@ -837,11 +837,14 @@ TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   EXPECT_EQ(connection.counts().damaged, 1);
 }
 
-/// @brief At most 1216 bytes are read in one cycle. The other bytes are read in the next cycle.
+/// @brief At most 1216 bytes are read in one cycle. No further read follows in this cycle. The other
+/// bytes are read in the next cycle.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
+  constexpr std::size_t kBytes = 1216;
   receive(Bytes(2000, 0));
-  EXPECT_EQ(port.received.size(), 784U);
+  EXPECT_EQ(port.received.size(), 2000 - kBytes);
+  EXPECT_EQ(port.reads, kBytes) << "each read ends at a zero byte";
   service();
   EXPECT_TRUE(port.received.empty());
 }
@@ -863,6 +866,33 @@ TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
     EXPECT_LE(port.reads, ends + kBytes / kMaxCoded + 2) << length;
     EXPECT_TRUE(port.received.empty()) << length;
     receive({0});
+  }
+}
+
+/// @brief During each read, one more byte arrives at the port. A read that neither ends a frame nor
+/// fills the storage of a frame is the last read of its cycle. The bytes that arrive later are read
+/// in the next cycle.
+/// @verifies FR-244
+TEST_F(PcConnectionTest, FR244_BytesThatArriveDuringTheReadsWait) {
+  class BusyPort final : public SerialPort {
+   public:
+    std::size_t read(std::span<std::uint8_t> bytes) override {
+      ++reads;
+      bytes.front() = 1;
+      return 1;
+    }
+    [[nodiscard]] Instant receivedAt() const override { return {}; }
+    [[nodiscard]] std::size_t free() const override { return 0; }
+    bool write(std::span<const std::uint8_t> /*bytes*/) override { return false; }
+    [[nodiscard]] std::uint16_t lostBytes() const override { return 0; }
+    std::size_t reads = 0;
+  };
+  BusyPort busy;
+  PcConnection receiver(busy, orders, states.disconnected, start);
+  for (std::size_t cycle = 1; cycle <= 3; ++cycle) {
+    receiver.beginCycle(clock.now());
+    receiver.service();
+    EXPECT_EQ(busy.reads, cycle);
   }
 }
 

@@ -279,6 +279,21 @@ TEST_F(EnableSwitchTest, FR288_PulsesOutOfTheRangeAreNotThePositionStop) {
   }
 }
 
+/// @brief Two successive pulses out of the range stop the robot. The next pulse, with a width of
+/// 1250 us, does not show the position "stop". Therefore a later change from "PC" to "drive" causes
+/// no acknowledgement.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_APulseThatOrdersNoStopDoesNotShowThePositionStop) {
+  signals(kDrivePulse);
+  stop.write(Microseconds(899), time.now());
+  signals(1250);
+  EXPECT_TRUE(mode.stopOrdered());
+  signals(kPcPulse);
+  signals(kDrivePulse);
+  EXPECT_FALSE(mode.stopOrdered());
+  EXPECT_FALSE(acknowledges());
+}
+
 /// @brief If the pulses are missing while the switch is in the position "PC", a later change from
 /// "PC" to "drive" causes no acknowledgement. The same is true if the remote control is switched on
 /// while the switch is in the position "PC".

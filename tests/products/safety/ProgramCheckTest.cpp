@@ -75,5 +75,17 @@ TEST_F(CheckedProgram, FR309_WithoutATickNothingIsChecked) {
   }
 }
 
+/// @brief Each tick permits one step of the check. If the processor wakes 10000 times after a tick,
+/// only the first step adds words to the sum: the check does not reach the end of the program, and
+/// a changed bit is not detected.
+/// @verifies FR-309
+TEST_F(CheckedProgram, FR309_EachTickPermitsOneStep) {
+  copy_.front().front() ^= 1U;
+  ticks(1);
+  for (int number = 0; number < 10'000; ++number) {
+    step();
+  }
+}
+
 }  // namespace
 }  // namespace wr::test

@@ -446,6 +446,32 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningDuringAStopIsNotAcknowledged) {
   }
 }
 
+/// @brief While a protective stop is latched, the contact opens for three ticks and closes again.
+/// The next cycle reads no acknowledgement, and its report shows the protective stop. After this
+/// cycle, an acknowledgement releases the protective stop. This is true for a cycle with set-points
+/// and for a hold.
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR291_AnOpeningDuringAStopIsAcknowledgedAfterItsReport) {
+  for (const bool follows : {true, false}) {
+    for (int opening = 0; opening < 2; ++opening) {
+      contact.set(true);
+      for (int tick = 0; tick < 3; ++tick) {
+        watch.sample();
+      }
+      contact.set(false);
+      watch.sample();
+      if (follows) {
+        order(stop, alike(1000));
+      } else {
+        hold(stop);
+      }
+      EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop) << follows;
+    }
+    acknowledge(stop);
+    EXPECT_EQ(protection(stop).cause, StopCause::None) << follows;
+  }
+}
+
 /// @brief A cycle finds the contact open. Before the next cycle, the contact closes, opens for
 /// three ticks and closes again. The acknowledgement that the next cycle reads does not release the
 /// protective stop, because nobody can have seen the second opening. The next acknowledgement
@@ -734,6 +760,23 @@ TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   }
 }
 
+/// @brief If a wheel has a set-point of voltage or current, this set-point does not change the ramp
+/// of the velocities of the other wheels.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_OtherQuantitiesDoNotChangeTheRamp) {
+  for (const WheelQuantity quantity : {WheelQuantity::Tension, WheelQuantity::Current}) {
+    for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+      acknowledge(ramp);
+      SetPoints mixed = alike(176);
+      mixed.wheels[wheel] = {.quantity = quantity, .value = 1000};
+      order(ramp, mixed);
+      for (std::size_t other = 0; other < kWheelCount; ++other) {
+        EXPECT_EQ(spy.applied.wheels[other].value, other == wheel ? 1000 : 176) << other;
+      }
+    }
+  }
+}
+
 /// @brief If the set-point of one wheel changes by too much, the changes of all set-points are
 /// reduced by the same factor.
 /// @verifies FR-282
@@ -812,7 +855,8 @@ TEST_F(SetPointRampTest, FR295_EachWheelHasItsVoltage) {
 }
 
 /// @brief After orders of voltage, the ramp begins at the present voltage and the present velocity,
-/// not at the values of the previous cycle. After a hold, the ramp begins at 0.
+/// not at the values of the previous cycle. After a hold and after an acknowledgement, the ramp
+/// begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   const auto present = [&](int velocity, int tension) {
@@ -831,6 +875,10 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   EXPECT_EQ(first(), 916 - 2 * 176);
   order(ramp, alike(0, WheelQuantity::Tension));
   hold(ramp);
+  order(ramp, alike(0));
+  EXPECT_EQ(first(), 0);
+  order(ramp, alike(0, WheelQuantity::Tension));
+  acknowledge(ramp);
   order(ramp, alike(0));
   EXPECT_EQ(first(), 0);
 }

@@ -57,6 +57,21 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
+/// @brief Any of the four wheels is detected if it does not move. A check of the currents between
+/// the two comparisons does not prevent this.
+/// @verifies FR-297
+TEST_F(ComparedWheels, FR297_EachWheelWithoutMotionIsFound) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    std::array<int, kWheelCount> edges{20, 20, 20, 20};
+    edges.at(wheel) = 0;
+    EXPECT_EQ(move(edges), std::nullopt) << wheel;
+    EXPECT_EQ(comparison.overloaded(measurements), std::nullopt) << wheel;
+    EXPECT_EQ(move(edges), static_cast<std::uint8_t>(wheel));
+    comparison.reset();
+    move({0, 0, 0, 0});
+  }
+}
+
 /// @brief If the positions of the other wheels overflow, a wheel that does not move is still
 /// detected.
 /// @verifies FR-177
