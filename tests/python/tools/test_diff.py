@@ -14,6 +14,8 @@ from traceability.reading.comparison_record import read_comparison
 from traceability.sources import FRAMES
 from weeding_robot_client import exit_codes
 
+pytestmark = pytest.mark.reads("design/frames.toml")
+
 OTHERS = {
     "tools/a.py": "A = 1\n",
     "tests/python/tools/test_a.py": "from tools.a import A\n",
