@@ -50,7 +50,8 @@ def _examples(root: Path) -> Iterator[tuple[str, str]]:
 
 
 def _problems(examples: list[tuple[str, str]], client: Path) -> list[tuple[str, ...]]:
-    """Returns the errors that mypy reports: number of the example, line, text, and kind."""
+    """Returns the errors that mypy reports. Each error has the number of its example, its line, its
+    text and its kind."""
     if not examples:
         return []
     with tempfile.TemporaryDirectory() as folder:

@@ -173,8 +173,8 @@ def wrong_attributes(root: Path) -> Iterator[Finding]:
 
 
 def _of_report(code: str) -> tuple[dict[str, int], set[str]]:
-    """Returns the fields of the classes of a report with their lines, and all members of these
-    classes."""
+    """Returns the fields and all members of the classes of a report. The line of each field is also
+    returned."""
     fields: dict[str, int] = {}
     members: set[str] = set()
     classes = (node for node in ast.parse(code).body if isinstance(node, ast.ClassDef))

@@ -69,8 +69,8 @@ def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _declared_again(facts: Facts) -> Iterator[Finding]:
-    """Finds source files that declare a name of another file instead of including the header with
-    this name. A name is permitted if a linker script defines it."""
+    """Finds source files that declare a name of another file. They should include the header that
+    declares this name. A name is permitted if a linker script defines it."""
     linked = " ".join(text for _, text in texts_below(facts.root, DESIGN, (".ld",)))
     for name, place in facts.syntax.declared_again.items():
         if not re.search(rf"\b{re.escape(name)}\b", linked):

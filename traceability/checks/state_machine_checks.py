@@ -139,8 +139,8 @@ def _serves_event(requirement: Requirement, step: Transition, machine: StateMach
 
 
 def _serving(requirement: Requirement) -> list[str]:
-    """Returns the methods with @satisfies for a requirement, and the methods in its invocation
-    tree."""
+    """Returns the methods that have a tag @satisfies for a requirement, and the methods in the
+    invocation tree of this requirement."""
     nodes = nodes_of(requirement.tree) if requirement.tree else []
     called = [name for node in nodes for name in (node.label, node.resolved or "")]
     return [*requirement.satisfied_by, *called]

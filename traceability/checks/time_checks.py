@@ -28,8 +28,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds times that cannot be computed, and runs whose measured time is greater than the
-    computed time."""
+    """Finds two kinds of faults: a time that cannot be computed, and a run that took longer than
+    the computed time."""
     if model.times is None:
         return
     loads = model.campaigns.get(LOADS)
