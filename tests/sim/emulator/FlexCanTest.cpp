@@ -135,8 +135,8 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
 }
 
 /// @brief The buffer is locked when the program reads its control word. If a frame arrives while
-/// the buffer is locked, the frame waits until the timer is read. The flag of the buffer is set when
-/// the frame is moved into the buffer.
+/// the buffer is locked, the frame waits until the timer is read. The flag of the buffer is set
+/// when the frame is moved into the buffer.
 TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
