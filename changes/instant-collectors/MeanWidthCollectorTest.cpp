@@ -60,8 +60,8 @@ int velocityOfPulses(const char* image, int first, int second) {
   return robot.report().setPoint.at(0);
 }
 
-/// @brief Pulses of 1.6 ms and 1.8 ms alternate. The unchanged firmware follows the last pulse. The
-/// changed firmware follows the mean of the last two pulses.
+/// @brief Pulses of 1.6 ms and 1.8 ms alternate. The unchanged firmware uses the last width. The
+/// changed firmware uses the mean of the last two widths.
 TEST(MeanWidthCollectorOnBoard, VelocityIsThatOfTheMean) {
   const int ofLast = velocityOfPulses(kUnchanged, 1600, 1600);
   const int ofMean = velocityOfPulses(kUnchanged, 1700, 1700);

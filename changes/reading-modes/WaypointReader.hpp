@@ -105,7 +105,7 @@ class WaypointReader final : public Reader {
   static constexpr std::size_t kMostBytes = 64;  // greatest number of bytes that serve() reads
   static constexpr std::uint8_t kBegin = 165;
   static constexpr std::size_t kLength = 6;
-  static constexpr std::int32_t kRadian = 5730;  // [0.01 degree] one radian
+  static constexpr std::int32_t kRadian = 5730;  // one radian [0.01 degree]
   static constexpr std::int32_t kMostAngle = 2500;
 
   void take(std::uint8_t byte) {

@@ -77,8 +77,8 @@ TEST_F(WaypointReaderTest, OldAndDamagedPositionsGiveNoOrder) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief The changed firmware follows the positions of a receiver at the second serial port. Its
-/// reports contain the number of the mode.
+/// @brief The changed firmware computes its orders from positions, which a receiver sends to the
+/// second serial port. The reports contain the number of the mode.
 TEST(WaypointsOnBoard, PositionsCommandTheRobot) {
   ChangedRobot robot("change_reading-modes");
   robot.connect();

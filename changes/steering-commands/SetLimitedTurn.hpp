@@ -5,7 +5,8 @@
 
 namespace wr {
 
-/// @brief A command that turns a steering whose motor loses steps above 150 steps/s.
+/// @brief A command that limits the rate of the steering motor. At a rate of more than 150 steps/s,
+/// this motor loses steps.
 class SetLimitedTurn final : public SteeringCommand {
  public:
   /// @brief Greatest rate of the motor.

@@ -9,9 +9,9 @@
 
 namespace wr::test {
 
-/// Name of the unchanged firmware image: the design of the paper without extensions. This image is
-/// compiled with the same options as the firmware images of the kits. A kit is a folder of changes/
-/// with a file change.toml.
+/// Name of the unchanged firmware image. This image contains the design of the paper without
+/// extensions. It is compiled with the same options as the firmware images of the kits. A kit is a
+/// folder of changes/ with a file change.toml.
 inline constexpr const char* kUnchanged = "weeding_robot_paper";
 
 /// A virtual board that runs the unchanged firmware image or the firmware image of a kit. A finding

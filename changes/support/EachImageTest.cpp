@@ -33,12 +33,11 @@ class EachImage : public testing::TestWithParam<std::string> {};
 /// two images, because they have separate tests.
 TEST_P(EachImage, DrivesAsThePcOrders) {
   if (GetParam() == "change_can") {
-    GTEST_SKIP()
-        << "this firmware image communicates with the PC by the CAN bus: it has separate tests";
+    GTEST_SKIP() << "this firmware image has separate tests, because it uses CAN to reach the PC";
   }
   if (GetParam() == "change_serializer") {
     GTEST_SKIP()
-        << "this PC cannot read the reports of this firmware image: the image has separate tests";
+        << "this firmware image has separate tests, because its reports have another byte order";
   }
   ChangedRobot robot(GetParam());
   robot.commandByPc();

@@ -5,8 +5,8 @@
 
 namespace wr {
 
-/// @brief An algorithm that computes the voltage for the ordered velocity of a wheel that has no
-/// load. The algorithm does not use measurements.
+/// @brief An algorithm that computes the voltage only from the ordered velocity. It assumes that
+/// the wheel has no load, and does not use measurements.
 class UnregulatedVelocity final : public WheelAlgorithm {
  public:
   UnregulatedVelocity() = default;

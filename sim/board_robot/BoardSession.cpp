@@ -13,8 +13,8 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint32_t kExceptionOfFirstInterrupt = 16;
 constexpr milliseconds kPeriod{100};
-// Longest wait for the next clock pulse. Every start and every control cycle of the robot is
-// shorter.
+// Longest wait for the next clock pulse. A start of the firmware and a control cycle always take
+// less time.
 constexpr milliseconds kLongest{1000};
 // One start bit, eight data bits and one stop bit at 115200 baud.
 constexpr nanoseconds kByte{86'806};

@@ -15,10 +15,10 @@ namespace wr::emulator {
 /// sheet K64P144M120SF5, 16-bit ADC operating conditions.
 ///
 /// A conversion returns the voltage that the input has when the conversion begins. At an open
-/// input, the capacitor of the converter keeps the charge of the previous conversion. The model has
-/// the single-ended conversions that the program starts, and the calibration. It has no hardware
-/// triggers, differential inputs, continuous conversions, compare function, DMA, or other clocks
-/// than the bus clock.
+/// input, the capacitor of the converter keeps the charge of the previous conversion. The model
+/// has the calibration, and single-ended conversions that the program starts. Its only clock is the
+/// bus clock. It has no hardware triggers, differential inputs, continuous conversions, compare
+/// function, or DMA.
 class Adc final : public Peripheral {
  public:
   /// @brief Mode of the pin of a channel; None if the channel has no separate pin.

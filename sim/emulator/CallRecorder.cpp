@@ -54,8 +54,8 @@ void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) 
 }
 
 void CallRecorder::exceptionLeft() {
-  // Ends the handler. If a jump instead of a return has left a call in the handler, this call also
-  // ends.
+  // Ends the handler. If the handler called a function that ended with a jump instead of a return,
+  // calls_ still contains this call. In this case, the call also ends here.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
     const std::size_t begin = calls_.back().begin;
@@ -67,8 +67,8 @@ void CallRecorder::exceptionLeft() {
   }
 }
 
-// Removes the calls of an interrupt if an earlier interrupt had the same calls. Otherwise, fast
-// timers would fill the record with repeated calls.
+// Removes the calls of an interrupt if an earlier interrupt had the same calls. Without this
+// removal, fast timers would fill the record with repeated calls.
 void CallRecorder::forgetRepeated(std::size_t begin) {
   const auto first = events_.begin() + static_cast<std::ptrdiff_t>(begin);
   if (!truncated_ && !handled_.emplace(first, events_.end()).second) {

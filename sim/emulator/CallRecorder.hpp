@@ -31,7 +31,7 @@ class CallRecorder {
   /// @brief Reports the beginning of a block of instructions.
   void block(std::uint32_t address, std::uint32_t stack, std::uint32_t link);
 
-  /// @brief Reports that an exception was entered and its handler begins.
+  /// @brief Reports that an exception was entered, and that its handler begins.
   void exceptionEntered(std::uint32_t handler, std::uint32_t stack);
 
   /// @brief Reports that an exception was left.

@@ -82,7 +82,7 @@ void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t v
   reevaluate();
 }
 
-// Passes to the core those values of system control that the core needs.
+// Copies values of system control to the core: only the values that the core needs.
 void CortexM4::systemChanged() {
   core_.fpu = {
       .on = system_.fpuOn(), .activates = system_.fpuStacks(), .defaults = system_.fpDefaults()};
@@ -377,7 +377,7 @@ void CortexM4::breakpoint() {
   fault(kHardFault, 0, at, "unhandled-fault", "breakpoint");
 }
 
-// Raises the faults that the kind or the address of an instruction causes (ARMv7-M ARM, B1.5.14).
+// Raises a fault because of the kind or the address of an instruction (ARMv7-M ARM, B1.5.14).
 void CortexM4::instructionFault(Trap trap) {
   const std::uint32_t at = core_.at();
   const auto usage = [this](std::uint32_t status, std::uint32_t pc, const char* id,

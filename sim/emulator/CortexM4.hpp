@@ -68,7 +68,7 @@ class CortexM4 {
   /// @param write receives the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Writes memory for the caller. The program may lack the right to write this memory.
+  /// @brief Writes memory for the caller, even memory that the program must not write.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
   /// @brief Reads a word of memory for the caller.

@@ -16,17 +16,17 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter CAN (FlexCAN). The registers and codes are the same as in the driver
 /// of Linux (drivers/net/can/flexcan).
 ///
-/// The model has the modes disabled, freeze and normal, the bit timing, the global mask, and the
-/// flags with their interrupt. Its message buffers send and receive data frames with standard
+/// The model has three modes (disabled, freeze and normal), the bit timing, the global mask, and
+/// the flags with their interrupt. Its message buffers send and receive data frames with standard
 /// identifiers. The duration of a frame is one bit time for each bit that ISO 11898-1 defines.
 /// Stuff bits take no time.
 ///
-/// A read of the control word locks a buffer that contains a received frame. A frame for a locked
-/// buffer waits until the buffer is unlocked. A newer frame replaces the frame that waits. The
-/// program must clear the flag of the buffer before it unlocks the buffer. If it unlocks the buffer
-/// first, it could later clear the flag of the frame that waited. Therefore this sequence causes
-/// a finding. The move of a frame into its buffer takes no time. Therefore the code BUSY never
-/// occurs.
+/// If a buffer contains a received frame, the buffer is locked when the program reads its control
+/// word. A frame for a locked buffer waits until the buffer is unlocked. A newer frame replaces the
+/// frame that waits. The program must clear the flag of the buffer before it unlocks the buffer. If
+/// it unlocks the buffer first, it could later clear the flag of the frame that waited. Therefore
+/// this sequence causes a finding. A frame moves into its buffer in no time. Therefore the code
+/// BUSY never occurs.
 ///
 /// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only mode, wake-up or time stamps. If the program selects one of these

@@ -131,8 +131,8 @@ Ftm::Channel* Ftm::channelAt(std::uint32_t offset) {
              : nullptr;
 }
 
-// Values that are written to MOD and CnV of a running counter take effect when the counter restarts
-// at 0.
+// While the counter runs, a value that is written to MOD or CnV waits. It takes effect when the
+// counter restarts at 0.
 void Ftm::waitForOverflow() {
   if (!waits_) {
     waits_ = true;

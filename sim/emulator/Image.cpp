@@ -16,8 +16,8 @@ struct Format {
 };
 
 // A raw image begins with the initial stack pointer, least significant byte first. This pointer is
-// a multiple of 4. On a K64, its most significant byte is 0x1F or 0x20. Therefore files of the
-// following formats never begin like a raw image.
+// a multiple of 4. Therefore the first byte of a raw image is also a multiple of 4. The first bytes
+// of the following formats are not multiples of 4.
 constexpr std::array<Format, 3> kOtherFormats{{{"\x7f"
                                                 "ELF",
                                                 "an ELF file"},

@@ -15,8 +15,8 @@ namespace wr::emulator {
 ///
 /// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO. The
 /// program may write PFIFO only while receiver and transmitter are off. S1[RDRF] is set when at
-/// least RWFIFO bytes wait. RDRF is cleared when the program has read S1, then reads D, and fewer
-/// than RWFIFO bytes still wait. S1[TDRE] is set while at most TWFIFO bytes wait. S1[OR] is set
+/// least RWFIFO bytes wait. To clear RDRF, the program reads S1 and then D. RDRF stays set if at
+/// least RWFIFO bytes still wait. S1[TDRE] is set while at most TWFIFO bytes wait. S1[OR] is set
 /// when a byte does not fit into the FIFO. OR and FE stop the receiver until they are cleared.
 /// UART0 has FIFOs of 8 bytes. UART4 has buffers of 1 byte (chapter Chip Configuration, UART).
 ///

@@ -217,8 +217,8 @@ void Wdog::refresh(std::uint32_t key) {
 }
 
 void Wdog::checkConfiguration() {
-  // The time-out must be longer than the sum of twice the configuration time and 20 bus clocks (K20
-  // Sub-Family Reference Manual, 23.9).
+  // The time-out must be longer than 2 * kConfigurationTime + 20 bus clocks (K20 Sub-Family
+  // Reference Manual, 23.9).
   const Time unit = source().at(countsFrom_ + divider() * timeOut()) - source().at(countsFrom_);
   const Clock& clock = board_.busClock();
   const Time least = clock.at(bus() + 2 * kConfigurationTime + kKeyTime) - clock.at(bus());

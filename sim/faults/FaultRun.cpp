@@ -76,7 +76,7 @@ bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& ref
          report.steeringState == kSteeringFault;
 }
 
-// The fields of a result, as a copy of this process sends them through a pipe.
+// A result as a message. A copy of this process sends the message through a pipe.
 struct Message {
   InjectedFault fault;
   int at = 0;

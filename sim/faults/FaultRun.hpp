@@ -27,8 +27,8 @@ struct Result {
 /// @brief A test drive and copies of this test drive. A firmware image on the virtual board gets
 /// random orders. One fault is injected into each copy.
 ///
-/// Each copy is a separate process that begins at the injection of the fault. In this way, the part
-/// of the test drive before the fault runs only once.
+/// Each copy is a separate process that begins at the injection of the fault. In this way, a copy
+/// need not repeat the earlier part of the test drive.
 class FaultRun {
  public:
   static constexpr int kFirst = 1500;  ///< earliest injection [ms since the drive began]
@@ -47,7 +47,7 @@ class FaultRun {
   /// @brief Injects random faults.
   /// @param count number of faults
   /// @param random source of the random choices
-  /// @param only kind of all faults; without a value, each fault has a random kind
+  /// @param only all faults have this kind; without a value, each fault has a random kind
   /// @param take gets each result, in the order of the times of injection
   void injectAll(int count, Random& random, std::optional<Kind> only,
                  const std::function<void(const Result&)>& take);

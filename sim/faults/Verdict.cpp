@@ -22,8 +22,9 @@ struct Wrong {
   int after = 0;   // ms with voltage at a wheel or with a moved steering, after a reset
 };
 
-// Before a reset, an output counts as wrong only while a wheel has voltage, because the robot is
-// safe without voltage. After a reset, each voltage at a wheel and a moved steering count as wrong.
+// Before a reset, an output is counted as wrong only while a wheel has voltage, because the robot
+// is safe without voltage. After a reset, the outputs are wrong if a wheel has voltage, or if the
+// steering has moved since the reset.
 Wrong countWrong(const Observation& faulty, const Outputs* reference, int detectedAt) {
   Wrong wrong;
   int run = 0;

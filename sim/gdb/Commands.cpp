@@ -72,8 +72,8 @@ Commands::Commands(programs::SerialLine& line, std::function<bool()> ends, bool 
       goesBack_(goesBack),
       debugger_([this](const std::string& why) { serve(why); }, [this] { return asked(); }) {}
 
-// Returns true if the program shall stop, because bytes have arrived or this process shall end. The
-// bytes are Ctrl-C, or the first bytes of another GDB.
+// Returns true if the program shall stop. There are two reasons: bytes have arrived, or this
+// process shall end. The bytes are Ctrl-C, or the first bytes of another GDB.
 bool Commands::asked() {
   return stream_.takeInterrupt() || stream_.waiting() || ends_();
 }

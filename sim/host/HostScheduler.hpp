@@ -7,8 +7,8 @@ namespace wr::host {
 
 class HostThread;
 
-/// @brief A scheduler that runs threads on the host in the same sequence as an interrupt
-/// controller.
+/// @brief A scheduler that runs threads on the host. Their sequence is the same as on a
+/// microcontroller, whose interrupt controller starts them.
 ///
 /// If a thread has a higher priority than the running thread, it runs immediately, before
 /// HostThread::pend() returns. The other threads run when the running thread ends. No thread starts

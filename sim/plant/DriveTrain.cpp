@@ -90,9 +90,9 @@ double DriveTrain::cogging() const {
   return motor_.cogging * (1.0 - 4.0 * std::abs(part - 0.5));
 }
 
-// Returns the acceleration of the shaft for a direction of its turn. The power flows through the
-// gear from the motor to the wheel, or from the wheel to the motor. In both cases, the gear loses
-// the same fraction of the power.
+// Returns the acceleration of the shaft if it turns in a given direction. The power flows through
+// the gear from the motor to the wheel, or from the wheel to the motor. In both cases, the gear
+// loses the same fraction of the power.
 double DriveTrain::acceleration(double direction, double friction) const {
   const double magnets = speed_ != 0 ? cogging() : 0.0;
   const double motor =

@@ -7,7 +7,7 @@ namespace wr::plant {
 /// @brief The signals from the firmware to the driver of a wheel.
 struct WheelDrive {
   double duty = 0;         ///< fraction of the supply voltage at the motor, 0 to 1
-  bool backwards = false;  ///< orientation
+  bool backwards = false;  ///< orientation; true: the voltage is negative
   bool enabled = false;    ///< false: no current can flow
 };
 
@@ -18,7 +18,7 @@ struct Contact {
   double grip = 0;    ///< greatest force between tyre and ground, N
 };
 
-/// @brief Motor, driver, gear, wheel and tyre of one wheel.
+/// @brief One wheel with its tyre, its gear, its motor and the driver of the motor.
 ///
 /// A brushless motor with its driver is modelled as a motor with a commutator. In each orientation,
 /// the driver works in two quadrants. The motor gets a fraction of the supply voltage. With a

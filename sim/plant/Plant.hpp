@@ -32,7 +32,7 @@ struct MotorParameters {
 
 /// @brief The current sensor of one wheel.
 struct CurrentSensorParameters {
-  double gain = 1.0;    ///< factor of the nominal 0.1 V/A
+  double gain = 1.0;    ///< as a factor of the nominal gain, 0.1 V/A
   double offset = 0.0;  ///< A
 };
 
@@ -47,7 +47,7 @@ struct Plant {
   double batteryResistance = 0.03;  ///< resistance of two lead batteries, cable and fuse [ohm]
   double rollingResistance = 0.04;  ///< fraction of the weight, for a robot that rolls on a meadow
   double staticResistance = 0.05;   ///< fraction of the weight, for a robot at rest
-  double angleGain = 1.0;           ///< factor of the nominal 80 degrees over 3.3 V
+  double angleGain = 1.0;           ///< as a factor of the nominal gain, 80 degrees / 3.3 V
   double angleOffset = 0.0;         ///< degrees
 
   /// @brief Returns a robot with random parameters. Each parameter is within its range.

@@ -9,7 +9,7 @@ namespace wr::programs {
 /// @brief The synchronisation of the time of a simulated robot with the clock of the computer.
 ///
 /// When the computer is late by more than kLate, the time of the robot does not catch up with the
-/// clock. Otherwise, the PC would get the reports of many cycles at once.
+/// clock. If it did, the PC would get the reports of many cycles at once.
 class Pace final {
  public:
   using Clock = std::chrono::steady_clock;

@@ -285,9 +285,9 @@ class Machine {
   std::optional<emulator::VirtualBoard> alone_;
 };
 
-// Returns true if the run is complete. A run with a time is complete when this time has passed. A
-// run with a number of cycles is complete when the time until the end of its last cycle is at most
-// kSlice plus 1 ms. The last cycle ends at a clock pulse.
+// Returns true if the run is complete. If the user chose a time, the run is complete when this time
+// has passed. If the user chose a number of cycles, the run is complete shortly before the clock
+// pulse that ends its last cycle: at most kSlice plus 1 ms earlier.
 bool hasRun(Machine& machine, const Settings& settings) {
   const nanoseconds now = machine.board().now();
   if (settings.seconds != 0 &&
@@ -326,8 +326,8 @@ std::FILE* messagesOf(const Settings& settings) {
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A scenario needs no serial line, because the scenario plays the PC. If the run is as fast as
-    // possible, it needs no pseudo-terminal, because a client cannot follow it.
+    // A scenario needs no serial line, because the scenario plays the PC. With --fast, there is no
+    // pseudo-terminal, because a client would be too slow for the board.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }

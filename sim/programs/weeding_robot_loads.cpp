@@ -181,9 +181,9 @@ class LoadedRobot {
     }
   }
 
-  // Generates edges at all inputs around the next clock pulse. According to FR-201, only a limited
-  // number of edges of an input cause an interrupt in one tick. In each tick, each input reaches
-  // this limit.
+  // Generates edges at all inputs around the next clock pulse. In one tick, the edges of an input
+  // cause only a limited number of interrupts (FR-201). In each tick, each input reaches this
+  // limit.
   void disturb() {
     const nanoseconds pulse =
         session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;

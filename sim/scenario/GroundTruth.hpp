@@ -17,10 +17,10 @@ struct TruthField {
 
 /// @brief Returns all true values that have a name in scenarios: true_velocity0 to 3 [0.1 rpm],
 /// true_current0 to 3 [mA], true_steering [0.01 degree], ground_speed [mm/s], distance [mm], way
-/// since the mark [mm], slope [percent], max_velocity (greatest velocity of any wheel since the
-/// mark) [0.1 rpm], braking (1 while no driver puts power into its motor), yaw_rate [0.01
-/// degree/s], heading [0.01 degree], radius of the curve [mm, at most 1 km], supply [mV], torque0
-/// to 3 of the motors [mN m], side_slip0 to 3 (speed at which the tyres slide sideways) [mm/s].
+/// (distance since the mark) [mm], slope [percent], max_velocity (greatest velocity of any wheel
+/// since the mark) [0.1 rpm], braking (1 while no driver puts power into its motor), yaw_rate [0.01
+/// degree/s], heading [0.01 degree], radius (of the curve) [mm, at most 1 km], supply [mV], torque0
+/// to 3 (of the motors) [mN m], side_slip0 to 3 (speed at which the tyres slide sideways) [mm/s].
 [[nodiscard]] const std::vector<TruthField>& truthFields();
 
 /// @brief Finds a true value by its name.

@@ -51,7 +51,7 @@ namespace wr::scenario {
 /// mm' at the end of the line, the expectation must become true at least once within this time or
 /// distance. The time or distance begins at the time of the line. 'expect-silence MS' checks that
 /// no report was received for this duration. 'expect-finding ID' checks that the simulated board
-/// stops with this finding before the time of the line. The last line is 'end'.
+/// stops with this finding before the time of the line. The last line is 'at T end'.
 class Scenario {
  public:
   using Time = std::chrono::milliseconds;

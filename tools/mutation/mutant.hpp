@@ -1,6 +1,7 @@
 // The functions that replace operators in the mutated copies of the sources. The environment
-// variable WR_MUTANT contains the number of one mutant. A function computes the original value if
-// this number belongs to none of its mutants.
+// variable WR_MUTANT contains the number of one mutant. Each call of a function is the place of one
+// or more mutants. If WR_MUTANT contains the number of another mutant, the call returns the
+// original value.
 
 #pragma once
 

@@ -169,8 +169,8 @@ class Core {
   [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
   [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
 
-  /// @brief Loads successive words for LDM and VLDM. If a load traps, the results of the earlier
-  /// loads stay in `words`.
+  /// @brief Loads successive words for LDM and VLDM. If a trap ends the loads, the words that were
+  /// already loaded stay in `words`.
   [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
   [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
 

@@ -123,7 +123,7 @@ class Memory {
   /// @brief Returns the area of an address; nullptr if there is no memory.
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
-  /// @brief Writes memory for the caller. The program may lack the right to write this memory.
+  /// @brief Writes memory for the caller, even memory that the program must not write.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
   /// @brief Reads memory for the caller. Returns 0 if there is no memory.

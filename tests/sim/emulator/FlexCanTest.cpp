@@ -134,9 +134,9 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x03000000U);
 }
 
-/// @brief A read of the control word locks the buffer. If a frame arrives while the buffer is
-/// locked, the frame waits until the timer is read. The flag of the buffer is set when the frame is
-/// moved into the buffer.
+/// @brief The buffer is locked when the program reads its control word. If a frame arrives while
+/// the buffer is locked, the frame waits until the timer is read. The flag of the buffer is set
+/// when the frame is moved into the buffer.
 TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
