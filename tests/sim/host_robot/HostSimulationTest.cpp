@@ -103,7 +103,7 @@ TEST_F(HostSimulationTest, RemoteControlDrivesTheRobot) {
   EXPECT_NEAR(world.physics.groundSpeed(), 0, 0.001);
 }
 
-/// @brief After a reset, new firmware starts, and it knows the cause of the reset. The robot
+/// @brief After a reset, new firmware starts. It can read the cause of the reset. The robot
 /// continues to roll, and its pins have the state that the new firmware sets.
 TEST_F(HostSimulationTest, ResetStartsNewFirmwareInTheSameRobot) {
   connect();
