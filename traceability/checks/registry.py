@@ -537,13 +537,13 @@ _FIXED = [
         "the member blocks the interrupts. If only its writes are declared as masked, each "
         "function that changes the member blocks the interrupts. The idle program is also regarded "
         "as a context. Exactly one context writes each pipe, and exactly one context reads it.",
-        "The check does not find changes through parameters that are references, or changes in "
-        "the standard library. It reads only the product weeding_robot. It cannot judge whether "
-        "the protection is sufficient. It does not compare two threads of the same kind, such as "
-        "the threads of two wheels. After a reset, the program starts the timers and the sensors "
-        "when the interrupts are already enabled. The check does not read the calls that start "
-        "these timers and sensors. It does not read members of data types. Instead, it reads the "
-        "members in which modules store values of these data types.",
+        "The check does not find a change in the standard library. It also does not find a change "
+        "that code makes through a reference parameter. It reads only the product weeding_robot. "
+        "It cannot judge whether the protection is sufficient. It does not compare two threads of "
+        "the same kind, such as the threads of two wheels. After a reset, the program starts the "
+        "timers and the sensors when the interrupts are already enabled. The check does not read "
+        "the calls that start these timers and sensors. It does not read members of data types. "
+        "Instead, it reads the members in which modules store values of these data types.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
