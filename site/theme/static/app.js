@@ -447,7 +447,7 @@
     ),
   );
 
-  /* a column that contains mostly numbers is aligned to the right, also its heading */
+  /* a column that contains mostly numbers is aligned to the right, and so is its heading */
   const NUMBER = /^[-+−]?\d[\d.\s]*(?:%|[mµn]?s|[kM]?B|bytes|m?V|m?A|rpm|m|°|cycles)?$/;
   const MOSTLY = 0.8; // least share of a column's cells that are numbers
   all(".main table:not(.umx, .dot)").forEach((table) => {

@@ -49,7 +49,7 @@
   const ALIKE = 0.7; // weight of a synonym
   const BEGUN = 0.7; // weight of a word that begins with the typed letters
   const CORRECTED = 0.95; // weight of the most frequent word that differs from the typed word by one typing error
-  const LENGTHS = [0, 4, 6]; // [n]: least number of letters of a word with n typing errors
+  const LENGTHS = [0, 4, 6]; // [n]: least number of letters that a word needs to have n typing errors
   const FEW = 3; // a word with at most this number of letters keeps its ending
   const LONG = 6; // greatest number of words of a phrase; a longer text is handled as a list of single words
   const MIDDLE = 0.7; // for a list of single words, the score uses this share instead of the covered share
@@ -61,7 +61,7 @@
   const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weight of a word of an entry, by the field that contains the word
   const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields in the score of MiniSearch
   const COMMON = 60; // words that are in far fewer entries than this number have almost the same weight
-  const QUOTED = 4; // least number of words of a message that the query contains in the same order
+  const QUOTED = 4; // a query that quotes a message has at least this number of its words, in the same order
   const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // groups whose entries are not found by name, because entries of other groups have the same names
   const WRITTEN = new Set(["Data types", "Source"]); // groups whose entries are found by name only if the query has no space
   const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // groups in which the text of an entry is a second title
