@@ -368,8 +368,9 @@ class Link {
   }
 
   // Returns true if a coded frame is a Welcome. A coded frame begins with the distance to the next
-  // zero byte, followed by the version and the type. Version and type are never 0. Therefore the
-  // third byte is the type.
+  // zero byte, followed by the version and the type. The byte stuffing replaces only zero bytes,
+  // and the version and the type are never 0. Therefore the third byte of the coded frame is the
+  // type.
   [[nodiscard]] static bool isWelcome(std::span<const std::uint8_t> line) {
     return line[2] == kWelcome;
   }

@@ -146,8 +146,8 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
 }
 
 /// @brief The port returns the time of a frame, and the number of bytes that the serial line has
-/// lost. The free space that the port returns does not include the bytes for counter and tag. If
-/// the serial line has no space for a frame, the frame is not sent and uses no counter.
+/// lost. It also returns the free space, without the bytes for counter and tag. If the serial line
+/// has no space for a frame, the frame is not sent and uses no counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20

@@ -208,7 +208,8 @@ TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief A new stop ends an acknowledgement: the orders after the stop contain no acknowledgement.
+/// @brief If a new stop occurs during an acknowledgement, the orders after this stop contain no
+/// acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
   signals(kStopPulse);
@@ -232,8 +233,8 @@ TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
   EXPECT_TRUE(acknowledges());
 }
 
-/// @brief Pulses that return after a gap cause no acknowledgement, because no operator has moved
-/// the switch.
+/// @brief When the pulses return after a gap, the orders contain no acknowledgement, because no
+/// operator has moved the switch.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   signals(kPcPulse);
@@ -314,7 +315,8 @@ TEST_F(EnableSwitchTest, FR288_AGapInThePositionPcDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief A gap of the pulses ends an acknowledgement.
+/// @brief If the pulses have a gap during an acknowledgement, the orders after this gap contain no
+/// acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
   signals(kStopPulse);
@@ -491,9 +493,9 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   }
 }
 
-/// @brief A stop pulse has at most 1249 us or at least 2101 us. A single stop pulse counts as a
-/// disturbance. Two successive stop pulses confirm the stop. Later pulses do not cancel the
-/// confirmed stop.
+/// @brief A pulse of at most 1249 us is a stop pulse. A pulse of at least 2101 us is also a stop
+/// pulse. A single stop pulse counts as a disturbance. Two successive stop pulses confirm the stop.
+/// Later pulses do not cancel the confirmed stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   for (const int width : {1249, 899, 2101}) {

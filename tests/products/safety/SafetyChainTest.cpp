@@ -265,8 +265,9 @@ TEST(RetainedProtectionTest, FR291_OnlyPowerOnReleases) {
   }
 }
 
-/// @brief The memory returns the stored cause with its wheel, or without a wheel. If the stored
-/// number belongs to no wheel, the memory counts as a stored protective stop.
+/// @brief The memory returns the stored cause. If a wheel was stored with the cause, the memory
+/// also returns this wheel. If the stored number belongs to no wheel, the memory counts as a stored
+/// protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   RetainedProtection::Cells cells{};
@@ -980,8 +981,9 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(2701), 1000 - kFall);
 }
 
-/// @brief Any single wheel that is too fast lowers the set-points, even while its velocity falls.
-/// If a wheel will reach but not exceed the limit in two cycles, the set-points do not fall.
+/// @brief The set-points fall if any single wheel is too fast, even while the velocity of this
+/// wheel falls. If a wheel will reach but not exceed the limit in two cycles, the set-points do not
+/// fall.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -1001,8 +1003,8 @@ TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   }
 }
 
-/// @brief A wheel that turns backwards too fast also lowers the set-points. Set-points of voltage
-/// are lowered in the same way as set-points of current.
+/// @brief The set-points also fall if a wheel is too fast backwards. Set-points of voltage are
+/// lowered in the same way as set-points of current.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersSetPointsBackwardsAndOfVoltage) {
   for (const int velocity : {-1000, -3101}) {

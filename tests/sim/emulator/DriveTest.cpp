@@ -267,8 +267,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief From the start time of a level, the program reads this level. The order in which the test
-/// sets the levels has no effect.
+/// @brief Each level of a pin has a start time. After this time, the program reads this level. The
+/// order in which the test sets the levels has no effect.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");

@@ -192,7 +192,7 @@ TEST(SlowFlashTest, EachWordOfDataCosts) {
 }
 
 /// @brief Without wait states, an instruction takes the same number of cycles in each memory. The
-/// memory of its data has no effect either.
+/// memory that contains the data of the instruction has no effect either.
 TEST(SlowFlashTest, NoWaitStatesCostNothing) {
   Program program(Timing::NoWaitStates, 0x106, {0xF240, 0x0000, 0x6808});
   program.core().registers.r[1] = 0x200;
