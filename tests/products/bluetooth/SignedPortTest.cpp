@@ -60,7 +60,8 @@ TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   EXPECT_EQ(given(), std::vector<scenario::Bytes>{order});
 }
 
-/// @brief A frame is dropped when a single bit of the frame, of its counter or of its tag is wrong.
+/// @brief A frame is dropped when a single bit is wrong. The bit can be in the frame, in its
+/// counter or in its tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   const scenario::Bytes right = device.sign(frames.order({.id = 3}));

@@ -123,8 +123,7 @@ TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief A pulse of the enable switch whose width is between two bands does not change the
-/// position of the switch.
+/// @brief If the width of a pulse is between two bands, the enable switch keeps its position.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   signals(1300);
@@ -378,9 +377,9 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Without changes of the pulses, a stop begins after 2 s. Changes of the steering pulses by
-/// exactly 8 us do not restart the 2 s, but changes by 9 us do. This is tested at each deflection
-/// of the steering stick.
+/// @brief Without changes of the pulses, a stop begins after 2 s. If the steering pulses
+/// change by exactly 8 us, the 2 s do not begin again. If they change by 9 us, the 2 s begin again.
+/// This is tested at each deflection of the steering stick.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
   const auto angleOf = [](int deflection) { return (deflection * 3200 + 250) / 500; };

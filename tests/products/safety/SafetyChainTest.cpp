@@ -73,7 +73,7 @@ class RobotOfPool : public SafetyChain {
 };
 
 /// @brief The robot is one control system that contains the other control systems. The robot passes
-/// each order to every control system, with the number of the cycle. The robot has completed a
+/// each order and the number of the cycle to every control system. The robot has completed a
 /// cycle when all control systems have completed this cycle.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
@@ -416,8 +416,8 @@ TEST_F(ProtectiveStopTest, FR271_AnOpeningThatCausedNoStopIsNotAcknowledged) {
 }
 
 /// @brief While a protective stop is latched, the contact opens again and closes again between two
-/// cycles. The acknowledgement that is read in the next cycle does not release the protective stop.
-/// The next acknowledgement releases it.
+/// cycles. The next cycle reads an acknowledgement. This acknowledgement does not release the
+/// protective stop. The next acknowledgement releases it.
 /// @verifies FR-271
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR271_AShortOpeningDuringAStopIsNotAcknowledged) {
@@ -474,9 +474,9 @@ TEST_F(ProtectiveStopTest, FR291_AnOpeningDuringAStopIsAcknowledgedAfterItsRepor
 }
 
 /// @brief A cycle finds the contact open. Before the next cycle, the contact closes, opens for
-/// three ticks and closes again. The acknowledgement that the next cycle reads does not release the
-/// protective stop, because nobody can have seen the second opening. The next acknowledgement
-/// releases it.
+/// three ticks and closes again. The next cycle reads an acknowledgement. This acknowledgement does
+/// not release the protective stop, because nobody can have seen the second opening. The next
+/// acknowledgement releases it.
 /// @verifies FR-271
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR271_ASecondOpeningIsNotAcknowledged) {

@@ -196,7 +196,7 @@ TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
-/// @brief A wheel that drives backwards and is too fast also causes a stop in the third cycle.
+/// @brief If a wheel is too fast backwards, this also causes a stop in the third cycle.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_AWheelThatIsTooFastBackwardsIsACause) {
   const double volts = -150 * 0.05236 - 1.5;
@@ -241,8 +241,8 @@ TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(cycle(measured(98, 0), 5.2, 20), StopCause::Overspeed);
 }
 
-/// @brief A wheel that follows a falling set-point with a delay of four cycles does not cause a
-/// stop.
+/// @brief A wheel does not cause a stop if it follows a falling set-point with a delay of four
+/// cycles.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   std::vector<double> setPoints;
