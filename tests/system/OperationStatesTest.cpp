@@ -125,8 +125,8 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief If the read of a cycle changes the state, the control and the report of this cycle are
-/// those of the new state.
+/// @brief The read of a cycle can change the operation state. In the same cycle, the new state then
+/// controls the robot and writes the report.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   robot.silentCycles(kWaitingCycles);

@@ -761,8 +761,8 @@ TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   }
 }
 
-/// @brief If a wheel has a set-point of voltage or current, this set-point does not change the ramp
-/// of the velocities of the other wheels.
+/// @brief A set-point of voltage or current for one wheel does not change the ramp of the velocity
+/// of another wheel.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_OtherQuantitiesDoNotChangeTheRamp) {
   for (const WheelQuantity quantity : {WheelQuantity::Tension, WheelQuantity::Current}) {
