@@ -40,11 +40,11 @@ Guides you step by step through the checks of a new robot: port, connection, fir
 cause, inputs, end stops, remote control, emergency stop. Then the program turns the steering a few
 degrees to the left and to the right, and turns one wheel at a time with 1 V. It detects a reversed
 steering, swapped motor leads and swapped Hall wires. It tests the stop while a wheel turns. Each
-step states the action and the expected result. To skip a step that waits for you, press 's' and
-Enter. The robot must run a product with the safety functions. Connect no motor before you start. No
-motor turns until the step for the emergency stop has passed and you have confirmed that the wheels
-are off the ground. Ctrl-C stops the robot. The program writes the result to a record with the
-present date, in JSON and in Markdown.
+step shows the action and the expected result. If a step waits for you, press 's' and Enter to skip
+this step. The robot must run a product with the safety functions. Connect no motor before you
+start. No motor turns until the step for the emergency stop has passed and you have confirmed that
+the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a record
+with the present date, in JSON and in Markdown.
 
 Exit code {FAILED}: a step failed or was skipped."""
 
