@@ -40,11 +40,11 @@ Guides you step by step through the checks of a new robot: port, connection, fir
 cause, inputs, end stops, remote control, emergency stop. Then the program turns the steering a few
 degrees to the left and to the right, and turns one wheel at a time with 1 V. It detects a reversed
 steering, swapped motor leads and swapped Hall wires. It tests the stop while a wheel turns. Each
-step states the action and the expected result. To skip a step that waits for you, press 's' and
-Enter. The robot must run a product with the safety functions. Connect no motor before you start. No
-motor turns until the step for the emergency stop has passed and you have confirmed that the wheels
-are off the ground. Ctrl-C stops the robot. The program writes the result to a record with the
-present date, in JSON and in Markdown.
+step shows the action and the expected result. If a step waits for you, press 's' and Enter to skip
+this step. The robot must run a product with the safety functions. Connect no motor before you
+start. No motor turns until the step for the emergency stop has passed and you have confirmed that
+the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a record
+with the present date, in JSON and in Markdown.
 
 Exit code {FAILED}: a step failed or was skipped."""
 
@@ -503,8 +503,9 @@ class BringUp:
         )
 
     def _fail_safe_limit(self) -> float:
-        """Returns the longest accepted time from Enter to the report of the stop. It contains the
-        reaction time of the operator. Therefore the step cannot confirm FAIL_SAFE_S itself."""
+        """Returns the longest accepted time from Enter to the report of the stop. This time
+        includes the reaction time of the operator, and is longer than FAIL_SAFE_S. Therefore the
+        step cannot confirm that the stop begins within FAIL_SAFE_S."""
         return FAIL_SAFE_S + CYCLE_S + self._operator.reaction_s
 
     def _transmitter_off(self) -> str:
@@ -823,8 +824,8 @@ def now() -> str:
 
 
 def find_port() -> list[Path]:
-    """Returns the permanent names of the serial ports of all boards whose debug probe has the
-    vendor PROBE_VENDOR."""
+    """Returns the serial ports of all boards with a debug probe of PROBE_VENDOR. A port is
+    returned with its permanent name."""
     ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
     names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
     return [names.get(port.resolve(), port) for port in ports]

@@ -89,7 +89,7 @@ def _script(options: argparse.Namespace) -> Script | None:
 def by_script(link: Link, script: Script, recording: Recording) -> int:
     """Arms the robot and drives according to the script. Returns the exit code.
 
-    If a signal or an exception ends the program, it orders the robot to stop.
+    If a signal or an exception ends the program, the program first orders the robot to stop.
     """
 
     def observe(report: Report) -> None:
@@ -272,7 +272,7 @@ def raw_keys_off(terminal: int) -> Iterator[None]:
 
 def show_start(link: Link, before: Welcome | None) -> Welcome | None:
     """Shows a fault that was recorded before the last start of the robot. Also shows a difference
-    between the layouts of the robot and this client. Shows both only once for each connection.
+    between the layouts of the robot and this client. Each text is shown once in a connection.
 
     Returns the Welcome of the connection.
     """
@@ -289,8 +289,8 @@ def show_changes(report: Report, before: list[str]) -> list[str]:
     """Shows each condition once when it begins and once when it ends. Returns all present
     conditions.
 
-    A condition can be a reason why the robot does not move. If there is then another such reason,
-    the end of the first reason is not shown.
+    A condition can be a reason why the robot does not move. If another such reason replaces this
+    reason, the end of the first reason is not shown.
     """
     now = conditions(report)
     for condition in now:

@@ -25,7 +25,7 @@ CODES = {
     "i32": "i",
     "char8": "8s",
 }
-# The key is a unit. The name of a value in this unit ends with the text in the table.
+# For each unit, the last part of the names of its values. An example is velocity0_rpm.
 ENDS = {
     "degree": "_degrees",
     "rpm": "_rpm",

@@ -21,8 +21,8 @@ class MessageError(ValueError):
 
 
 class Quantity(Enum):
-    """The quantity of a set-point, with the number of the quantity in a frame, the unit, the number
-    of steps per unit, and the limit."""
+    """The quantity of a set-point. It has a number in a frame, a unit, a number of steps per unit,
+    and a limit."""
 
     VELOCITY = "Velocity"
     TENSION = "Tension"

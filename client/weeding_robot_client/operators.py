@@ -151,7 +151,7 @@ class Control:
             raise OperatorError(f"the simulator does not answer '{words}'") from error
 
 
-# Actions of the bring-up, each with the actions of a scenario that simulate it.
+# Actions of the bring-up. Each has the scenario actions that simulate this action.
 ACTIONS = {
     "left end press": ("fault left-end",),
     "left end release": ("repair left-end",),

@@ -16,7 +16,7 @@ ARM = f"""\
 Sends neutral orders (all wheels at 0) until the robot reports that it is armed. Shows the reason
 while the robot is not armed. Releases an earlier stop that the PC ordered. The robot needs
 neutral orders for {NEUTRAL_S} s.
-A program that drives must then send orders, because the robot does not stay armed without orders.
+Afterwards, another program must send orders, because the robot does not stay armed without orders.
 
 Exit code {FAILED}: not armed, or no connection."""
 ACKNOWLEDGE = f"""\

@@ -135,7 +135,7 @@ def table() -> str:
 
 
 def firmware() -> str:
-    """Returns a C++ table of names in the firmware and their numbers. A test includes the table."""
+    """Returns a C++ table for a test. A row contains a name in the firmware and its number."""
     names = {f"FrameType::{one.name}": one.kind for one in FRAMES.frames.values()}
     for enumeration in FRAMES.enumerations.values():
         names |= {entry.firmware: entry.number for entry in enumeration.entries}

@@ -27,8 +27,8 @@ struct States {
   Connected connected;
 };
 
-/// @brief Compares the state of a connection after a cycle with the state of the oracle that
-/// received the same bytes.
+/// @brief Compares two states after a cycle: the state of a connection, and the state of the oracle
+/// that received the same bytes.
 /// @param connection the connection
 /// @param reader reader of the connection's orders
 /// @param oracle the oracle

@@ -1,7 +1,8 @@
-// Fuzzes the serial line of the PC and the signed serial line of a Bluetooth device, with short
-// inputs at a high rate. A byte of an input selects an operation, and the next bytes may be its
-// data. An operation is a good frame, a frame with one error, raw bytes, a step of time, or a
-// control cycle. The oracles were written only from docs/protocol.rst and docs/bluetooth.rst.
+// Fuzzes the serial line of the PC and the signed serial line of a Bluetooth device. The inputs are
+// short. Therefore many inputs run in a second. A byte of an input selects an operation, and the
+// next bytes may be its data. An operation is a good frame, a frame with one error, raw bytes, a
+// step of time, or a control cycle. The oracles were written only from docs/protocol.rst and
+// docs/bluetooth.rst.
 
 #include <algorithm>
 #include <array>
@@ -368,8 +369,9 @@ class Link {
   }
 
   // Returns true if a coded frame is a Welcome. A coded frame begins with the distance to the next
-  // zero byte, followed by the version and the type. Version and type are never 0. Therefore the
-  // third byte is the type.
+  // zero byte, followed by the version and the type. The byte stuffing replaces only zero bytes,
+  // and the version and the type are never 0. Therefore the third byte of the coded frame is the
+  // type.
   [[nodiscard]] static bool isWelcome(std::span<const std::uint8_t> line) {
     return line[2] == kWelcome;
   }

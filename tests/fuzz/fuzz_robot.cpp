@@ -215,7 +215,7 @@ class FuzzedRobot {
     resetNow_ = false;
   }
 
-  // Checks that voltages rise only while the robot is armed and nothing stops the robot.
+  // Checks that no voltage rises while the robot is stopped or not armed.
   void checkMotion() {
     const bool free = armedBefore_ && !data().stopped() && !latched();
     bool voltage = false;

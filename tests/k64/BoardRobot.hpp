@@ -79,7 +79,7 @@ class BoardRobot : public SteppedRobot {
     return welcome.value();
   }
 
-  /// Returns the pins that are not outputs or do not have their safe level.
+  /// Returns each pin that is not an output, and each output that does not have its safe level.
   [[nodiscard]] std::string unsafePins() const {
     std::string names;
     for (const SafePin& pin : kSafePins) {

@@ -52,9 +52,10 @@ struct Drive {
 /// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
-  // [cycle] The counts of the firmware and of the board may differ by the duration of one interrupt
-  // of a converter (kFew). For the count that ends at the report, a greater difference is permitted
-  // in at most 1 of 20 cycles: the duration of a tick of the second timer (kTick).
+  // [cycle] For the start of a cycle, the counts of the firmware and of the board may differ by
+  // kFew, which is the duration of one interrupt of a converter. For the report, the counts may
+  // differ by kTick, which is the duration of a tick of the second timer. They may differ by more
+  // than kFew in at most 1 of 20 cycles.
   constexpr std::int64_t kFew = 700;
   constexpr std::int64_t kTick = 2000;
   std::size_t ticks = 0;

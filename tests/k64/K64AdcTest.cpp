@@ -202,8 +202,8 @@ TEST(K64AdcInTheRobot, FR205_OpenInputOfTheAngleIsMissing) {
   EXPECT_EQ(robot.report().measured & kSteeringPosition, 0);
 }
 
-/// @brief When the calibrations have failed, the robot runs. Its reports show that the currents and
-/// the angle are missing.
+/// @brief The robot also runs after its calibrations have failed. Its reports then show that the
+/// currents and the angle are missing.
 /// @verifies FR-143
 TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {
   BoardRobot robot(emulator::Options{.calibrates = {false, false}});

@@ -61,8 +61,8 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeTheClockIsSetUp) {
   EXPECT_EQ(unsafe, "");
 }
 
-/// @brief When the outputs become safe after a reset, the memory still has its content from before
-/// the reset.
+/// @brief When the outputs become safe after a reset, the memory still has the content that it had
+/// before the reset.
 /// @verifies FR-71
 TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   BoardRobot robot;
@@ -206,9 +206,9 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
-/// @brief The clock is early enough if it works from 24 ms after the reset on. The first step of
-/// its start begins more than 4 ms after the reset, and each step may take 20 ms. The first start
-/// of the firmware succeeds.
+/// @brief The clock begins to work 24 ms after the reset. This is early enough, because the first
+/// step of its start begins more than 4 ms after the reset, and each step may take 20 ms. The first
+/// start of the firmware succeeds.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -220,9 +220,9 @@ TEST(K64BoardOnBoard, FR73_ClockThatComesWithin20MillisecondsStarts) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
-/// @brief If the clock works only from 135 ms after the reset on, it is too late: a step of its
-/// start has already failed. No cycle runs until the watchdog restarts the firmware. The restarted
-/// firmware reports the step that failed.
+/// @brief The clock begins to work only 135 ms after the reset. This is too late, because a step of
+/// its start has already failed. No cycle runs until the watchdog restarts the firmware. The
+/// restarted firmware reports the step that failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter125MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -288,8 +288,8 @@ TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostLock) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kClockLost);
 }
 
-/// @brief Already before the first cycle, the firmware enables the reset at a low supply voltage,
-/// and selects the higher of the two thresholds.
+/// @brief Before the first cycle, the firmware selects the higher of the two thresholds for the
+/// supply voltage. It also enables the reset that occurs when the voltage is below this threshold.
 /// @verifies FR-204
 TEST(K64BoardOnBoard, FR204_LowSupplyResets) {
   constexpr std::uint32_t kSupplyControl = 0x4007D000;

@@ -56,8 +56,8 @@ TEST(K64FtmOnBoard, FR140_ChannelsAreIndependent) {
   }
 }
 
-/// @brief The width of the pulses changes only between two periods of 50 us. The time at which the
-/// width is set does not matter.
+/// @brief The width of the pulses changes only between two periods of 50 us. The width may be set
+/// at any time.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   DriverBoard drivers;

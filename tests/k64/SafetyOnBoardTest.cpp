@@ -109,7 +109,8 @@ TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {
   EXPECT_LE(resets.front().at, milliseconds(5001));
 }
 
-// A board that runs the firmware image with safety functions, with a PC and a remote control.
+// A board that runs the firmware image with safety functions. The board has a PC and a remote
+// control.
 class SafeBoard final : public SteppedRobot {
  public:
   SafeBoard() : SafeBoard(switchSafeRobotOn()) {}

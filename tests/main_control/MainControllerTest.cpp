@@ -46,8 +46,8 @@ TEST_F(MainControllerTest, FR2_CycleReadsControlsWrites) {
   EXPECT_EQ(state.steps, (Steps{"read without message", "control", "write"}));
 }
 
-/// @brief When a read changes the state, the control step and the write step of the new state
-/// follow.
+/// @brief A read can change the operation state. The new state then executes the control step and
+/// the write step.
 /// @verifies FR-3
 TEST_F(MainControllerTest, FR3_StateAfterTheReadControlsAndWrites) {
   state.next = &other;

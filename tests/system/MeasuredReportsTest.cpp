@@ -32,7 +32,7 @@ class MeasuredReportsOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief A value that is measured or applied is marked as valid, even if it is 0.
+/// @brief If a value is measured or applied, the report marks it as valid, even if it is 0.
 /// @verifies FR-62
 TEST_F(MeasuredReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
   robot.connect();

@@ -19,7 +19,7 @@ class OperationStatesOfRobot : public testing::Test {
 };
 
 /// @brief After the start, the robot is in the state Working and in the mode RC. Without any order,
-/// the N-th failed read sets WaitingN.
+/// the robot is in WaitingN after the N-th failed read.
 /// @verifies FR-10
 TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
   SteppedRobot robot;
@@ -33,7 +33,7 @@ TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
   EXPECT_EQ(robot.report().mode, kRc);
 }
 
-/// @brief The first failed read sets the state Waiting.
+/// @brief After the first failed read, the robot is in the state Waiting.
 /// @verifies FR-15
 TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
   robot.silentCycle();
@@ -41,8 +41,8 @@ TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
   EXPECT_FALSE(robot.report().orderRead());
 }
 
-/// @brief After the first N - 1 failed reads, the robot is in Waiting. The N-th failed read sets
-/// WaitingN. The next failed read sets Reconnecting.
+/// @brief After each of the first N - 1 failed reads, the robot is in Waiting. After the N-th
+/// failed read, it is in WaitingN. After the next failed read, it is in Reconnecting.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
@@ -125,8 +125,8 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief If the read of a cycle changes the state, the control and the report of this cycle are
-/// those of the new state.
+/// @brief The read of a cycle can change the operation state. In the same cycle, the new state then
+/// controls the robot and writes the report.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   robot.silentCycles(kWaitingCycles);

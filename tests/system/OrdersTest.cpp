@@ -61,7 +61,7 @@ TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   EXPECT_FALSE(robot.report().orderRead());
 }
 
-/// @brief An order that waits for the mode PC is read if its last byte arrived 199 ms before the
+/// @brief An order waits for the mode PC. It is read if its last byte arrived 199 ms before the
 /// clock pulse.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
@@ -78,8 +78,8 @@ TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
   EXPECT_EQ(robot.report().state, kWorking);
 }
 
-/// @brief An order whose last byte arrived 201 ms before the clock pulse is too old and is not
-/// read.
+/// @brief If the last byte of an order arrived 201 ms before the clock pulse, the order is too old
+/// and is not read.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
   connectAndFail(kWaitingCycles);
@@ -255,7 +255,8 @@ TEST_F(OrdersOfRobot, FR37_OrderIsInTheReportOfItsCycle) {
   EXPECT_EQ(robot.report().setPoint[3], -4);
 }
 
-/// @brief An order whose last byte arrives after clock pulse n has no effect in cycle n.
+/// @brief If the last byte of an order arrives after clock pulse n, the order has no effect in
+/// cycle n.
 /// @verifies FR-37
 TEST_F(OrdersOfRobot, FR37_OrderThatIsNotWholeWaitsForTheNextCycle) {
   robot.commandByPc();

@@ -60,7 +60,8 @@ TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   EXPECT_EQ(given(), std::vector<scenario::Bytes>{order});
 }
 
-/// @brief A frame is dropped when a single bit of the frame, of its counter or of its tag is wrong.
+/// @brief A frame is dropped when a single bit is wrong. The bit can be in the frame, in its
+/// counter or in its tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   const scenario::Bytes right = device.sign(frames.order({.id = 3}));
@@ -146,8 +147,8 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
 }
 
 /// @brief The port returns the time of a frame, and the number of bytes that the serial line has
-/// lost. The free space that the port returns does not include the bytes for counter and tag. If
-/// the serial line has no space for a frame, the frame is not sent and uses no counter.
+/// lost. It also returns the free space, without the bytes for counter and tag. If the serial line
+/// has no space for a frame, the frame is not sent and uses no counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20

@@ -123,8 +123,7 @@ TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief A pulse of the enable switch whose width is between two bands does not change the
-/// position of the switch.
+/// @brief If the width of a pulse is between two bands, the enable switch keeps its position.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   signals(1300);
@@ -208,7 +207,8 @@ TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief A new stop ends an acknowledgement: the orders after the stop contain no acknowledgement.
+/// @brief If a new stop occurs during an acknowledgement, the orders after this stop contain no
+/// acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
   signals(kStopPulse);
@@ -232,8 +232,8 @@ TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
   EXPECT_TRUE(acknowledges());
 }
 
-/// @brief Pulses that return after a gap cause no acknowledgement, because no operator has moved
-/// the switch.
+/// @brief When the pulses return after a gap, the orders contain no acknowledgement, because no
+/// operator has moved the switch.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   signals(kPcPulse);
@@ -314,7 +314,8 @@ TEST_F(EnableSwitchTest, FR288_AGapInThePositionPcDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief A gap of the pulses ends an acknowledgement.
+/// @brief If the pulses have a gap during an acknowledgement, the orders after this gap contain no
+/// acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapEndsTheAcknowledgement) {
   signals(kStopPulse);
@@ -376,9 +377,9 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Without changes of the pulses, a stop begins after 2 s. Changes of the steering pulses by
-/// exactly 8 us do not restart the 2 s, but changes by 9 us do. This is tested at each deflection
-/// of the steering stick.
+/// @brief Without changes of the pulses, a stop begins after 2 s. If the steering pulses
+/// change by exactly 8 us, the 2 s do not begin again. If they change by 9 us, the 2 s begin again.
+/// This is tested at each deflection of the steering stick.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ChangesAreExactAtEachDeflection) {
   const auto angleOf = [](int deflection) { return (deflection * 3200 + 250) / 500; };
@@ -491,9 +492,9 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   }
 }
 
-/// @brief A stop pulse has at most 1249 us or at least 2101 us. A single stop pulse counts as a
-/// disturbance. Two successive stop pulses confirm the stop. Later pulses do not cancel the
-/// confirmed stop.
+/// @brief A pulse of at most 1249 us is a stop pulse. A pulse of at least 2101 us is also a stop
+/// pulse. A single stop pulse counts as a disturbance. Two successive stop pulses confirm the stop.
+/// Later pulses do not cancel the confirmed stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   for (const int width : {1249, 899, 2101}) {

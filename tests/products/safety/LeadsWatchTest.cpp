@@ -21,7 +21,7 @@ struct Motor {
 
 class WatchedLeads : public testing::Test {
  protected:
-  /// Runs a cycle with a velocity and a voltage of the motor, and computes the current from both.
+  /// Runs a cycle of the motor. The current is computed from the given velocity and voltage.
   bool cycle(double rpm, double ordered) {
     motor.position += rpm * 60 / 600;
     const double real = ordered * motor.supply / 24;
@@ -55,8 +55,8 @@ class WatchedLeads : public testing::Test {
     return stopped;
   }
 
-  /// Returns the number of cycles until swapped leads at a constant voltage are detected; 0 if they
-  /// are not detected within 20 cycles.
+  /// Swaps the leads, and runs cycles at a constant voltage. Returns the number of cycles until the
+  /// watch detects the swapped leads; 0 if it does not detect them within 20 cycles.
   int found(double rpm, double volts) {
     motor.swapped = true;
     for (int number = 1; number <= 20; ++number) {
@@ -132,8 +132,8 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   }
 }
 
-/// @brief If only a single cycle has measurements that match swapped leads, the robot does not
-/// stop, even if they match perfectly.
+/// @brief If the measurements match swapped leads in only a single cycle, the robot does not stop,
+/// even if the match is perfect.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   EXPECT_FALSE(drive(300, 1, 40));
@@ -193,9 +193,9 @@ TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
   EXPECT_EQ(found(100, pulling(100, 1)), 2);
 }
 
-/// @brief The number of cycles until swapped leads are detected is the same at the start and after
-/// a call of reset(). This is tested for velocities from 10 rpm to 60 rpm and for currents up to 14
-/// A, after the watch has learned another motor.
+/// @brief After a call of reset(), the watch needs as many cycles to detect swapped leads as at the
+/// start. This is tested for velocities from 10 rpm to 60 rpm and for currents up to 14 A. Before
+/// the call, the watch has learned another motor.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   const auto detected = [this](double resistance, double rpm, double amperes) {

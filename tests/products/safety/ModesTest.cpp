@@ -134,7 +134,7 @@ TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief A stop that was in force before a reset lasts until a neutral order without a stop is
+/// @brief If a stop was in force before a reset, it lasts until a neutral order without a stop is
 /// read.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {

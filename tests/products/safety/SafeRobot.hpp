@@ -14,7 +14,7 @@
 
 namespace wr::test {
 
-/// The product with safety functions in the simulation, with a PC and a remote control.
+/// The product with safety functions in the simulation. It has a PC and a remote control.
 class SafeRobot : public testing::Test {
  protected:
   static constexpr plant::EnablePosition kStop = plant::EnablePosition::Stop;

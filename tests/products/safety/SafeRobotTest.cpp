@@ -53,7 +53,7 @@ TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
   EXPECT_DOUBLE_EQ(fastest, 0.0);
 }
 
-/// @brief The PC orders different values in both directions, and also 0, in each quantity. These
+/// @brief For each quantity, the PC orders different values in both directions, and also 0. These
 /// orders do not cause a protective stop, and each wheel stays slower than 330 rpm.
 /// @verifies FR-270
 /// @verifies FR-274

@@ -73,7 +73,7 @@ class RobotOfPool : public SafetyChain {
 };
 
 /// @brief The robot is one control system that contains the other control systems. The robot passes
-/// each order to every control system, with the number of the cycle. The robot has completed a
+/// each order and the number of the cycle to every control system. The robot has completed a
 /// cycle when all control systems have completed this cycle.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
@@ -265,8 +265,9 @@ TEST(RetainedProtectionTest, FR291_OnlyPowerOnReleases) {
   }
 }
 
-/// @brief The memory returns the stored cause with its wheel, or without a wheel. If the stored
-/// number belongs to no wheel, the memory counts as a stored protective stop.
+/// @brief The memory returns the stored cause. If a wheel was stored with the cause, the memory
+/// also returns this wheel. If the stored number belongs to no wheel, the memory counts as a stored
+/// protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   RetainedProtection::Cells cells{};
@@ -415,8 +416,8 @@ TEST_F(ProtectiveStopTest, FR271_AnOpeningThatCausedNoStopIsNotAcknowledged) {
 }
 
 /// @brief While a protective stop is latched, the contact opens again and closes again between two
-/// cycles. The acknowledgement that is read in the next cycle does not release the protective stop.
-/// The next acknowledgement releases it.
+/// cycles. The next cycle reads an acknowledgement. This acknowledgement does not release the
+/// protective stop. The next acknowledgement releases it.
 /// @verifies FR-271
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR271_AShortOpeningDuringAStopIsNotAcknowledged) {
@@ -473,9 +474,9 @@ TEST_F(ProtectiveStopTest, FR291_AnOpeningDuringAStopIsAcknowledgedAfterItsRepor
 }
 
 /// @brief A cycle finds the contact open. Before the next cycle, the contact closes, opens for
-/// three ticks and closes again. The acknowledgement that the next cycle reads does not release the
-/// protective stop, because nobody can have seen the second opening. The next acknowledgement
-/// releases it.
+/// three ticks and closes again. The next cycle reads an acknowledgement. This acknowledgement does
+/// not release the protective stop, because nobody can have seen the second opening. The next
+/// acknowledgement releases it.
 /// @verifies FR-271
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR271_ASecondOpeningIsNotAcknowledged) {
@@ -760,8 +761,8 @@ TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   }
 }
 
-/// @brief If a wheel has a set-point of voltage or current, this set-point does not change the ramp
-/// of the velocities of the other wheels.
+/// @brief A set-point of voltage or current for one wheel does not change the ramp of the velocity
+/// of another wheel.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_OtherQuantitiesDoNotChangeTheRamp) {
   for (const WheelQuantity quantity : {WheelQuantity::Tension, WheelQuantity::Current}) {
@@ -980,8 +981,9 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(2701), 1000 - kFall);
 }
 
-/// @brief Any single wheel that is too fast lowers the set-points, even while its velocity falls.
-/// If a wheel will reach but not exceed the limit in two cycles, the set-points do not fall.
+/// @brief The set-points fall if any single wheel is too fast, even while the velocity of this
+/// wheel falls. If a wheel will reach but not exceed the limit in two cycles, the set-points do not
+/// fall.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -1001,8 +1003,8 @@ TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   }
 }
 
-/// @brief A wheel that turns backwards too fast also lowers the set-points. Set-points of voltage
-/// are lowered in the same way as set-points of current.
+/// @brief The set-points also fall if a wheel is too fast backwards. Set-points of voltage are
+/// lowered in the same way as set-points of current.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersSetPointsBackwardsAndOfVoltage) {
   for (const int velocity : {-1000, -3101}) {

@@ -13,9 +13,9 @@
 namespace wr::test {
 namespace {
 
-// Returns the files of all scenarios whose expectations the firmware with safety functions must
-// meet. The scenario with the loss of the clock is not included, because only the virtual board has
-// an external clock.
+// Returns the files of the scenarios for the firmware with safety functions. This firmware must
+// meet the expectations of each of these scenarios. The scenario with the loss of the clock is not
+// included, because only the virtual board has an external clock.
 std::vector<std::filesystem::path> scenarios() {
   std::vector<std::filesystem::path> files = allScenarios();
   std::erase_if(files, [](const std::filesystem::path& file) {

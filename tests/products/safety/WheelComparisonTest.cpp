@@ -90,8 +90,8 @@ TEST_F(ComparedWheels, FR297_PositionsContinueAtTheOtherEnd) {
   }
 }
 
-/// @brief A wheel that stops moving is detected before the robot has driven 0.27 m. This is tested
-/// at each speed up to 300 rpm (30 edges in a cycle), and at each moment of the failure. The
+/// @brief If a wheel stops moving, this is detected before the robot has driven 0.27 m. This is
+/// tested at each speed up to 300 rpm (30 edges in a cycle), and at each moment of the failure. The
 /// circumference of a wheel with a radius of 0.272 m has 600 edges.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFoundWithin27Centimetres) {
@@ -140,9 +140,9 @@ TEST_F(ComparedWheels, FR297_ASlowWheelNeedNotBeTheSlowest) {
   EXPECT_EQ(move({1, 2, 80, 80}), std::uint8_t{1});
 }
 
-/// @brief A wheel is reported if its sensors count in the wrong direction. A position that is
-/// missing in one cycle does not cause a report. In the tightest curve, the wheels have different
-/// velocities. No wheel is reported because of these differences.
+/// @brief A wheel is reported if its sensors count in the wrong direction. If a position is
+/// missing in one cycle, this does not cause a report. In the tightest curve, the wheels have
+/// different velocities. No wheel is reported because of these differences.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   for (int cycle = 0; cycle < 10; ++cycle) {

@@ -9,7 +9,7 @@
 namespace wr::test {
 namespace {
 
-/// A wheel whose measurements a test sets. By default, voltage, velocity and current match. The
+/// A wheel. A test sets its measurements. By default, voltage, velocity and current match. The
 /// motor has 52.36 mV per rpm and 1.5 Ohm. At 150 rpm, the motor needs 7.854 V, and 1.5 V more for
 /// a current of 1 A.
 class SupervisedWheel : public testing::Test {
@@ -196,7 +196,7 @@ TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
-/// @brief A wheel that drives backwards and is too fast also causes a stop in the third cycle.
+/// @brief If a wheel is too fast backwards, this also causes a stop in the third cycle.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_AWheelThatIsTooFastBackwardsIsACause) {
   const double volts = -150 * 0.05236 - 1.5;
@@ -241,8 +241,8 @@ TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(cycle(measured(98, 0), 5.2, 20), StopCause::Overspeed);
 }
 
-/// @brief A wheel that follows a falling set-point with a delay of four cycles does not cause a
-/// stop.
+/// @brief A wheel does not cause a stop if it follows a falling set-point with a delay of four
+/// cycles.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   std::vector<double> setPoints;
@@ -282,7 +282,7 @@ TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
 
 /// @brief These tolerances do not cause a stop: a supply from 21 V to 29 V, a resistance of 75 % to
 /// 125 % of its nominal value, and a motor constant of 90 % to 110 % of its nominal value. This is
-/// tested in both directions, for voltages and currents at which the voltage turns the wheel at up
+/// tested in both directions. In each test, the wheel turns in the direction of its voltage, at up
 /// to 330 rpm.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
@@ -387,8 +387,8 @@ TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief If the other wheels pull a wheel with swapped leads forwards, the wheel causes a stop in
-/// the second cycle.
+/// @brief The leads of a wheel are swapped, and the other wheels pull this wheel forwards. This
+/// causes a stop in the second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   for (const double rpm : {50, 80, 150, 300}) {
@@ -401,9 +401,9 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   }
 }
 
-/// @brief If the current stays the same in seven successive cycles at more than 1.0 V, the seventh
-/// cycle causes a stop, even if the voltage is constant. A current that varies by 1 mA does not
-/// cause a stop. At 1.0 V, a constant current does not cause a stop.
+/// @brief A wheel has a voltage of more than 1.0 V. If its current stays the same in seven
+/// successive cycles, the seventh cycle causes a stop, even if the voltage is constant. A current
+/// that varies by 1 mA does not cause a stop. At 1.0 V, a constant current does not cause a stop.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {
@@ -643,9 +643,8 @@ class FaultyWheel : public SupervisedWheel {
   }
 };
 
-/// @brief After a call of reset(), the supervision behaves as at the start. Faults in up to 15
-/// cycles before this call have no effect: a later fault is detected in the same cycle as without
-/// them.
+/// @brief After a call of reset(), the supervision behaves as at the start. A fault before this
+/// call, in up to 15 cycles, has no effect on the cycle in which a later fault is detected.
 /// @verifies FR-275
 /// @verifies FR-276
 /// @verifies FR-277

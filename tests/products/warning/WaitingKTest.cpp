@@ -38,7 +38,7 @@ TEST_F(WaitingKTest, FR152_WarnsAndGoesOn) {
   EXPECT_EQ(system.applied.steering, Angle(30));
 }
 
-/// @brief A message switches the warning of the state WaitingK off. The message is read, and the
+/// @brief In the state WaitingK, a message switches the warning off. The message is read, and the
 /// working state follows.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
@@ -49,8 +49,8 @@ TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief A failed read switches the warning of the state WaitingK off. The next state follows, and
-/// the mode does not change.
+/// @brief In the state WaitingK, a failed read switches the warning off. The next state follows,
+/// and the mode does not change.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
   controller.control();

@@ -267,8 +267,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief From the start time of a level, the program reads this level. The order in which the test
-/// sets the levels has no effect.
+/// @brief Each level of a pin has a start time. After this time, the program reads this level. The
+/// order in which the test sets the levels has no effect.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -357,8 +357,8 @@ TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   EXPECT_THROW(board.onTime(0ns, [] {}), std::invalid_argument);
 }
 
-/// @brief No interrupt of a robot with four wheels is lost. Each millisecond has one interrupt of a
-/// timer, five interrupts of two converters, and one interrupt of an edge of each wheel.
+/// @brief No interrupt of a robot with four wheels is lost. In each millisecond, a timer causes one
+/// interrupt, two converters cause five interrupts, and an edge of each wheel causes one interrupt.
 TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
   Guest guest("drivesFourWheels");
   guest.handleLine(48, "startsConversions").handleLine(62, "countsEdges");

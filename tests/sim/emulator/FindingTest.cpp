@@ -119,7 +119,7 @@ TEST(FindingOfBoardAlone, EmptyProgramGivesNone) {
   EXPECT_EQ(board.now(), 10s);
 }
 
-/// @brief Both memories can be used up to the border between them.
+/// @brief A program can use both memories, up to the border between them.
 TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
   VirtualBoard board(Guest("usesMemoryUpToTheBorder").image());
   EXPECT_TRUE(board.runUntil(1ms));

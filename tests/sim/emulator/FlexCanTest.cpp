@@ -154,9 +154,9 @@ TEST_F(CanOfTheBoard, FrameForALockedBufferWaits) {
   EXPECT_TRUE(now.findings.empty());
 }
 
-/// @brief It is a mistake to unlock a buffer before its flag is cleared: a waiting frame then sets
-/// the flag again, and the program clears the flag of the waiting frame. This mistake causes a
-/// finding, also if no frame waits.
+/// @brief A program must clear the flag of a buffer before it unlocks this buffer. Otherwise, a
+/// waiting frame sets the flag again, and the program then clears the flag of this new frame. The
+/// mistake causes a finding, even if no frame waits.
 TEST_F(CanOfTheBoard, FindsABufferThatIsUnlockedBeforeItsFlagIsCleared) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});

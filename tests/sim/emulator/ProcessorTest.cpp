@@ -105,7 +105,7 @@ TEST(ProcessorOfBoard, FaultBecomesHardFault) {
   EXPECT_EQ(reported(board, 3), 3U);
 }
 
-/// @brief A fault that the test raises is delivered to the program, even when faults are findings.
+/// @brief If the test raises a fault, the program gets this fault, even when faults are findings.
 TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   Guest guest("countsUp");
   guest.handle(3, "tellsFault");

@@ -119,8 +119,8 @@ TEST_F(HostSchedulerTest, TimerRaisesItsInterruptWhileItRuns) {
   EXPECT_EQ(pulses, 1);
 }
 
-/// @brief A watchdog that was not refreshed in time has missed a time-out. A later refresh does not
-/// change this result.
+/// @brief If a watchdog is not refreshed in time, missed() returns true. This is also true after a
+/// later refresh.
 TEST(HostWatchdogTest, ALaterRefreshKeepsTheMiss) {
   host::HostTimebase time;
   host::HostWatchdog watchdog(time);

@@ -103,8 +103,8 @@ TEST_F(HostSimulationTest, RemoteControlDrivesTheRobot) {
   EXPECT_NEAR(world.physics.groundSpeed(), 0, 0.001);
 }
 
-/// @brief After a reset, new firmware starts. It can read the cause of the reset. The robot
-/// continues to roll, and its pins have the state that the new firmware sets.
+/// @brief After a reset, new firmware starts. The robot continues to roll, and its pins have the
+/// state that the new firmware sets.
 TEST_F(HostSimulationTest, ResetStartsNewFirmwareInTheSameRobot) {
   connect();
   cycles(40, velocity(1000));

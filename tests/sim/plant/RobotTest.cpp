@@ -63,8 +63,8 @@ class RobotTest : public testing::Test {
     return count;
   }
 
-  // Returns the current that the motor needs at a speed while each tyre pulls with a force. The
-  // formula was derived by hand from the equations of a steady state.
+  // Returns the current that a motor needs at the given speed, when its tyre pulls with the given
+  // force. The formula was derived by hand from the equations of a steady state.
   [[nodiscard]] static double currentFor(double force, double rpm) {
     constexpr MotorParameters motor;
     const double torque = force * DriveTrain::kRadius / DriveTrain::kRatio;

@@ -95,8 +95,8 @@ TEST_F(ControlChannelTest, AnActionTakesNoTime) {
   EXPECT_EQ(robot.now(), before);
 }
 
-/// @brief The channel answers an expectation about the robot with "ok" if the expectation is met,
-/// and otherwise with an error.
+/// @brief If an expectation about the robot is met, the channel answers "ok". Otherwise, the
+/// channel answers with an error.
 TEST_F(ControlChannelTest, AnExpectationIsAnswered) {
   scenario::ControlChannel channel("", robot);
   EXPECT_EQ(channel.perform("expect true_velocity0 between -1 1"), "ok");

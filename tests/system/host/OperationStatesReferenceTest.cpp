@@ -4,8 +4,8 @@
 namespace wr::test {
 namespace {
 
-// The comparison of the robot with the reference, with the PC and a remote control as sources of
-// orders. This comparison also includes values that no report contains.
+// The comparison of the robot with the reference. The sources of orders are the PC and a remote
+// control. This comparison also includes values that no report contains.
 class ComparisonInside final : public Comparison {
  public:
   ComparisonInside(HostSteppedRobot& robot, std::mt19937& random)

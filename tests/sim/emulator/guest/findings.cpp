@@ -100,8 +100,8 @@ PROGRAM unlocksWithoutConfiguration() {
   sleepForever();
 }
 
-// Configures the watchdog with the low-power oscillator, a time-out of 300 ms and no permission to
-// change the configuration again.
+// Configures the watchdog. It uses the low-power oscillator, its time-out is 300 ms, and the
+// configuration cannot be changed again.
 static void watchFor300Milliseconds(std::uint16_t control) {
   unlockWatchdog();
   halfAt(0x40052004) = 0;

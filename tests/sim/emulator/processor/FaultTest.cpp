@@ -159,7 +159,8 @@ TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
 }
 
 /// @brief If the condition of an IT block is false, the instructions of the block have no effect. A
-/// fault does not change the state of the block, so that the block can continue after the handler.
+/// fault does not change the state of the block. The block can therefore continue after the
+/// handler.
 TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   core_.registers.r[1] = 0x30000000;
   core_.registers.it = 0x08;  // condition EQ, last instruction of the block

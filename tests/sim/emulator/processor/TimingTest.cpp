@@ -153,7 +153,8 @@ TEST(SlowFlashTest, EachPhraseCostsOnce) {
   EXPECT_EQ(program.cyclesOf(3), 3U);
 }
 
-/// @brief An instruction of 4 bytes whose halves are in two phrases waits for both phrases.
+/// @brief If the halves of an instruction of 4 bytes are in two phrases, the instruction waits for
+/// both phrases.
 TEST(SlowFlashTest, InstructionAcrossTwoPhrasesWaitsForBoth) {
   Program program(Timing::SlowFlash, 0x106, {0xF240, 0x0000, kNop});
   EXPECT_EQ(program.cyclesOf(1), 1U + 5 + 5);
@@ -171,8 +172,8 @@ TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   EXPECT_EQ(other.cyclesOf(3), 3U * (4 + 5));
 }
 
-/// @brief Each word of data that is read from flash takes 5 additional cycles. Data in RAM takes no
-/// additional cycles.
+/// @brief Each read of a word of data in flash takes 5 additional cycles. A read of data in RAM
+/// takes no additional cycles.
 TEST(SlowFlashTest, DataOfFlashCostsEachTime) {
   const std::vector<std::uint16_t> loads{0x6808, 0x6808, 0x6810, 0x6811};  // r0 = [r1], r0 = [r2]
   Program program(Timing::SlowFlash, 0x100, loads);
@@ -192,7 +193,7 @@ TEST(SlowFlashTest, EachWordOfDataCosts) {
 }
 
 /// @brief Without wait states, an instruction takes the same number of cycles in each memory. The
-/// memory of its data has no effect either.
+/// memory that contains the data of the instruction has no effect either.
 TEST(SlowFlashTest, NoWaitStatesCostNothing) {
   Program program(Timing::NoWaitStates, 0x106, {0xF240, 0x0000, 0x6808});
   program.core().registers.r[1] = 0x200;
