@@ -12,8 +12,8 @@ from tools.steps import MissingError, UsageError, need_file
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "plot",
-        description="Draws a recording: velocity, voltage and current of each wheel with their "
-        "set-points, the steering, and the changes of the states. The result is one "
+        description="Draws a recording: the steering, the changes of the states, and for each "
+        "wheel the velocity, the voltage, the current and the set-points. The result is one "
         "HTML file that needs no other file. A recording is a CSV or MCAP file of ./wr "
         "drive and ./wr monitor, or a table of ./wr sim --reports.",
     )
