@@ -96,7 +96,8 @@ std::vector<std::string> typesOf(std::string_view frame) {
   return types;
 }
 
-/// @brief A constant: its value in the firmware, and its value in the frame table.
+/// @brief The two values of a constant: the firmware has one value, and the frame table has the
+/// other value.
 struct Number {
   const char* name;
   unsigned firmware;

@@ -65,8 +65,8 @@ TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
   EXPECT_EQ(report.link.damaged, 5);
 }
 
-/// @brief The next cycle keeps the set-points, their source and the count of overruns, and clears
-/// all other saved values.
+/// @brief The next cycle keeps the set-points, their source and the count of overruns. It clears
+/// the rest of the saved values.
 /// @verifies FR-14
 /// @verifies FR-62
 TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {

@@ -47,7 +47,7 @@ class FakeMode final : public Mode {
   [[nodiscard]] bool stopOrdered() const override { return stop; }
 };
 
-/// A state that records the steps of the cycle, and changes to a given state.
+/// A state that records the steps of the cycle. After each read, `next` is the present state.
 class FakeState final : public OperationState {
  public:
   explicit FakeState(OperationStateId id) : OperationState(id) {}

@@ -267,8 +267,8 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
   EXPECT_TRUE(scenario::welcomeOf(scenario::bodies(port.takeSent()).at(0)).has_value());
 }
 
-/// @brief A serial line without a pause transfers 1152 bytes in each cycle at 115200 baud. No frame
-/// is lost.
+/// @brief When the PC sends without a pause at 115200 baud, the serial line transfers 1152 bytes in
+/// each cycle. No frame is lost.
 /// @verifies FR-35
 /// @verifies FR-37
 TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
@@ -294,8 +294,8 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief A serial line without a pause fills the buffer of the port if a cycle is late by one
-/// period. The bytes that are lost are counted, and the connection continues.
+/// @brief The PC sends without a pause. If a cycle is late by one period, the buffer of the port
+/// becomes full. The bytes that are lost are counted, and the connection continues.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();

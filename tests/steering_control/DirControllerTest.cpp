@@ -132,8 +132,9 @@ TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A second after the motor was switched on, the controller subtracts 0.05 degrees from the
-/// stored difference, in both directions. The limit of 3.00 degrees then applies to the rest.
+/// @brief A second after the motor was switched on, the controller reduces the stored difference by
+/// 0.05 degrees. This is true for a difference to the left and for a difference to the right. The
+/// limit of 3.00 degrees then applies to the reduced difference.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_EachSecondForgets5Hundredths) {
   for (const std::int32_t side : {1, -1}) {
@@ -236,9 +237,9 @@ TEST_F(DirControllerTest, FR105_NoSlowTurnTowardsAnEnd) {
 }
 
 /// @brief If a stall begins in the middle of a turn, it is detected at most 500 ms later, because
-/// the motion before an observation window does not count in this window. The steps after the begin
-/// of the stall add up to at most 3.00 degrees. Therefore the difference between position and steps
-/// is not the cause of the fault.
+/// the motion before an observation window does not count in this window. After the stall has
+/// begun, the steps add up to at most 3.00 degrees. Therefore the difference between position and
+/// steps is not the cause of the fault.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   beginTurn();

@@ -81,7 +81,7 @@ TEST_F(SteeringDeviceTest, FR104_AStepIsAPulseOfOneTick) {
 
 /// @brief The test changes the rate at random. At every change of direction, the direction output
 /// changes at least one tick before the first pulse in the new direction. The device counts each
-/// step in the direction that this output then has.
+/// step in the direction that this output has at the time of the step.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   std::mt19937 random(seed());

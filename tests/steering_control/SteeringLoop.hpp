@@ -152,7 +152,7 @@ class SteeringLoop {
   bool ordering = true;  // false: there are no control cycles
   bool acknowledges = false;
   int moves = 0;      // number of moves; a pause of more than 100 ms ends a move
-  int reversals = 0;  // number of steps in the opposite direction of the previous step
+  int reversals = 0;  // number of steps in the direction opposite to the previous step
 
  private:
   void order() {

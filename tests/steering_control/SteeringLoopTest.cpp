@@ -57,10 +57,10 @@ TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
   EXPECT_EQ(loop.state(), SteeringState::Turning);
 }
 
-/// @brief The steering reaches each of five angles within 0.2 degrees in one move. It overshoots
-/// the angle by at most 0.1 degrees, and then stays at rest for a minute. In the 5 s after each
-/// order, the rate of the motor changes by at most one step/s in each tick, and is at most 500
-/// steps/s.
+/// @brief The steering reaches each of five angles in one move, with an error of at most 0.2
+/// degrees. It overshoots the angle by at most 0.1 degrees, and then stays at rest for a minute. In
+/// the 5 s after each order, the rate of the motor changes by at most one step/s in each tick, and
+/// is at most 500 steps/s.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-103
@@ -103,9 +103,9 @@ TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
   EXPECT_NEAR(plant.degrees(), 32, 0.5);
 }
 
-/// @brief With the noise of a real sensor, the steering reaches random angles within 0.5 degrees in
-/// one move. In the next minute, there is no other move. Each angle is at least 0.3 degrees away
-/// from the start angle.
+/// @brief With the noise of a real sensor, the steering reaches random angles in one move, with an
+/// error of at most 0.5 degrees. In the next minute, it does not move again. Each angle is at least
+/// 0.3 degrees away from the start angle.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   const unsigned first = seed();

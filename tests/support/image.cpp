@@ -1,9 +1,9 @@
 // Switches on virtual boards with the firmware image under test. With WR_GDB=PORT, the firmware
 // waits for GDB at this TCP port each time a test switches a board on. If the firmware image is
-// built for recordings, the calls of the firmware are recorded as on the host. Each test writes one
-// file in the folder WR_TRACE_DIR (see trace.cpp). The file <suite>.<test>.bits in the same folder
-// contains the executed instructions. These are the bits of ExecutedCode::bits(), up to the last
-// bit that is set.
+// built for recordings, the calls of the firmware are recorded in the same way as on the host. Each
+// test writes one file in the folder WR_TRACE_DIR (see trace.cpp). The file <suite>.<test>.bits in
+// the same folder contains the executed instructions. These are the bits of ExecutedCode::bits(),
+// up to the last bit that is set.
 
 #include "support/image.hpp"
 

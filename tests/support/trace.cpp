@@ -1,12 +1,13 @@
 // Records for each test the called functions of the firmware. The build includes this file only
 // with WR_TRACE. Each test writes one file <suite>.<test>.bin in the folder WR_TRACE_DIR. The file
 // has one little-endian 64-bit number for each event. An event is the beginning or the end of a
-// call. The number is the address of the called function. Bit 63 is set at the end of a call. After
-// kWhole events, a call is shortened if it repeats an earlier call of the test or of the simulated
-// platform. Otherwise the calls of the timers would fill the file. Instead of the repeated call,
-// the file contains the number of the event at which the earlier call begins, with bit 62 set. If
-// several equal calls follow each other, the file contains this number only once. After kMost
-// events, nothing more is recorded, and a file <suite>.<test>.truncated shows this.
+// call. The number is the address of the called function. Bit 63 is set at the end of a call. The
+// outermost calls come from the test or from the simulated platform. After kWhole events, such a
+// call is shortened if it repeats an earlier call. Otherwise the calls of the timers would fill the
+// file. Instead of the repeated call, the file contains the number of the event at which the
+// earlier call begins, with bit 62 set. If several equal calls follow each other, the file contains
+// this number only once. After kMost events, nothing more is recorded, and a file
+// <suite>.<test>.truncated shows this.
 
 #include <gtest/gtest.h>
 

@@ -128,8 +128,8 @@ TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   }
 }
 
-/// @brief An order of 3 A accelerates a wheel without friction to more than 150 rpm. The next order
-/// is -0.5 A. 1 s after this order, the error of the current is at most 0.1 A.
+/// @brief With an order of 3 A, a wheel without friction becomes faster than 150 rpm. The next
+/// order is -0.5 A. 1 s after this order, the error of the current is at most 0.1 A.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   run(currentOf(3000), 14);
@@ -193,8 +193,8 @@ TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   }
 }
 
-/// @brief The limited rise of the voltage delays a step to 300 rpm. The overshoot is less than 10
-/// %.
+/// @brief A step to 300 rpm is delayed, because the rise of the voltage is limited. The overshoot
+/// is less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   run(velocityOf(3000), 1);

@@ -170,8 +170,8 @@ TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   EXPECT_EQ(controller.applied(), Tension(7600 + 12000));
 }
 
-/// @brief After a halt, a reversal begins at the voltage at the end of the halt. The orientation
-/// changes only without voltage.
+/// @brief After a halt, a reversal begins with the voltage that the wheel had at the end of the
+/// halt. The orientation changes only without voltage.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -529,9 +529,9 @@ TEST_F(WheelControllerTest, FR222_AnotherQuantityContinuesTheWait) {
   EXPECT_TRUE(controller.reversalLate());
 }
 
-/// @brief A reversal waits even if the velocity order against the orientation is only 0.1 rpm, or
-/// the demand against the orientation is only 0.5 V. With a velocity order of 0 or a smaller
-/// demand, no reversal waits.
+/// @brief The velocity order and the demand have the direction opposite to the orientation. A
+/// reversal waits even if the order is only 0.1 rpm, or the demand is only 0.5 V. With a velocity
+/// order of 0 or a smaller demand, no reversal waits.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_WhichReversalsWait) {
   struct Case {
@@ -579,8 +579,8 @@ TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A demand of 499 mV against the orientation never causes a late reversal. The same is
-/// true without a demand.
+/// @brief A demand of 499 mV in the direction opposite to the orientation never causes a late
+/// reversal. The same is true without a demand.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {

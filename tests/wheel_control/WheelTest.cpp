@@ -157,8 +157,8 @@ TEST_F(WheelTest, FR221_TripWinsBeforeBraking) {
   EXPECT_FALSE(output.on);
 }
 
-/// @brief After a trip, a release has no effect before the first stop: the current of the motor has
-/// not decayed.
+/// @brief After a trip, a release before the first stop has no effect, because the current of the
+/// motor has not decayed.
 /// @verifies FR-89
 /// @verifies FR-221
 TEST_F(WheelTest, FR89_FR221_ReleaseWaitsForTheFirstStop) {

@@ -28,8 +28,8 @@ class Reverse final : public BehaviourDecorator {
   /// wheel. When the wheel has no voltage and was slow in two cycles in a row, changes the
   /// orientation. A wheel is slow below 40 rpm. After ten cycles without voltage, a wheel is also
   /// slow below 80 rpm. If the wheel turns in the direction of the demand, it is considered slow.
-  /// If a demand against the orientation is less than 0.1 V, it is treated as 0, because the noise
-  /// of a measurement must not turn a wheel at rest.
+  /// A demand of less than 0.1 V in the direction opposite to the orientation is treated as 0,
+  /// because the noise of a measurement must not turn a wheel at rest.
   /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards

@@ -19,8 +19,8 @@ TEST(Crc16, FR40_HasTheCheckValueOfItsAlgorithm) {
   EXPECT_EQ(crc.value(), 0x29B1);
 }
 
-/// @brief If bytes are added in several parts, their checksum is the same as if they are added at
-/// once.
+/// @brief The checksum of several bytes is the same in two cases: the bytes are added at once, or
+/// they are added in several parts.
 /// @verifies FR-40
 TEST(Crc16, FR40_BytesCanBeAddedInParts) {
   Crc16 crc;

@@ -127,7 +127,8 @@ TEST(FrameDecoder, FR40_FindsAFrameInSingleBytes) {
   EXPECT_THAT(decoder.frame().payload, ElementsAreArray(Bytes(kMaxPayload, 7)));
 }
 
-/// @brief The bytes in the memory before the decoder do not change the result of the decoder.
+/// @brief The result of the decoder does not depend on the bytes at the addresses directly before
+/// the decoder.
 /// @verifies FR-40
 TEST(FrameDecoder, FR40_DataBeforeTheDecoderHaveNoEffect) {
   struct {

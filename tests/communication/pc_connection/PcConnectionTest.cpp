@@ -837,8 +837,8 @@ TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   EXPECT_EQ(connection.counts().damaged, 1);
 }
 
-/// @brief At most 1216 bytes are read in one cycle. No further read follows in this cycle. The other
-/// bytes are read in the next cycle.
+/// @brief At most 1216 bytes are read in one cycle. After these bytes, no further read follows in
+/// this cycle. The rest of the bytes is read in the next cycle.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   constexpr std::size_t kBytes = 1216;

@@ -101,8 +101,8 @@ ReportData randomData(std::mt19937& random) {
   return data;
 }
 
-/// @brief Returns the payload of a report, built with the frame table instead of the code under
-/// test.
+/// @brief Returns the payload of a report. Builds this payload with the frame table, without the
+/// code under test.
 Bytes expected(const ReportData& data) {
   const Measurements& measured = data.measurements;
   const Protection& protection = measured.protection;

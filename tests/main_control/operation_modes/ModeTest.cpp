@@ -125,7 +125,7 @@ TEST_F(ModeTest, FR36_PcHasNoMessageWithoutConnection) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief changeMode() of the mode RC or PC makes the successor of this mode the present mode.
+/// @brief In the modes RC and PC, changeMode() sets the successor of the mode as the present mode.
 /// @verifies FR-17
 TEST_F(ModeTest, FR17_ModesChangeToTheOther) {
   RC rc(basicRc, second);

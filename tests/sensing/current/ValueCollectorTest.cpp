@@ -133,8 +133,8 @@ TEST_F(CurrentTest, FR125_TickWithoutSample) {
   EXPECT_EQ(collector.record().number, 8U);
 }
 
-/// @brief The current of a cycle is the mean of its samples. A voltage of 0.1 V is 1 A, and the
-/// range of 3.3 V has 4096 steps.
+/// @brief The current of a cycle is the mean of its samples. A voltage of 0.1 V means a
+/// current of 1 A, and the range of 3.3 V has 4096 steps.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_MeanOfTheCycle) {
   ticks(64, 2048);
@@ -251,10 +251,9 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   EXPECT_EQ(collector.record().sum, 0U);
 }
 
-/// @brief When five successive samples are beyond 15 A, the driver is switched off, in both
-/// directions. The command that switches the driver off is executed in the interrupt of the fifth
-/// sample. This command is executed again in the interrupt of each following sample that is too
-/// high.
+/// @brief When five successive samples are beyond 15 A in either direction, the driver is switched
+/// off. The command that switches the driver off is executed in the interrupt of the fifth sample.
+/// This command is executed again in the interrupt of each following sample that is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);

@@ -64,8 +64,8 @@ TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
   EXPECT_EQ(unclear(), 0U);
 }
 
-/// @brief An edge counts as rising when the level of its sensor becomes high, in both directions of
-/// the wheel.
+/// @brief An edge counts as rising when the level of its sensor becomes high. This is true for both
+/// directions of the wheel.
 /// @verifies FR-121
 TEST(HallEdges, FR121_EdgeRisesWithItsLevel) {
   // Records whether each edge rises.

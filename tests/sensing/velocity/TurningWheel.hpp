@@ -84,8 +84,8 @@ struct TurningWheel {
   VelSensor velocity{collector, function, time, pipe};
 
   bool deadB = false;       // the second sensor keeps its level
-  double misplacement = 0;  // displacement of every second edge, relative to the distance between
-                            // two edges
+  double misplacement = 0;  // displacement of the edges with odd numbers, relative to the distance
+                            // between two edges
   long passed = 0;          // edges forwards minus edges backwards
 
  private:

@@ -82,7 +82,7 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
 }
 
 /// @brief In the first cycle with edges after a standstill, n edges count as n - 1/2 edges.
-/// Therefore, the error until the next edge is at most 1.5 edges in a cycle. This is 15 rpm.
+/// Therefore, the error until the next edge is at most 1.5 edges in a cycle, which are 15 rpm.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_StartsAtEachVelocity) {
   for (const double rpm :
@@ -275,8 +275,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief A wheel turns at 100 rpm or more, and one of its sensors has no more edges. No velocity
-/// is written in the next two cycles.
+/// @brief A wheel turns at 100 rpm or more, and one of its sensors no longer causes edges. No
+/// velocity is written in the next two cycles.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {

@@ -250,7 +250,8 @@ TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief A fault of the steering remains with orders to follow a set-point, and without orders.
+/// @brief An order to follow a set-point does not end a fault of the steering. Without orders, the
+/// fault remains too.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AFaultStays) {
   switchOn();

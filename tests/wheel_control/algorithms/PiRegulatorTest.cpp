@@ -32,7 +32,7 @@ TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
   EXPECT_EQ(integral.regulate(-1), Tension(0));
 }
 
-/// @brief The integral is limited to the supply voltage, in both directions.
+/// @brief Neither a positive nor a negative integral exceeds the supply voltage.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   for (int cycle = 0; cycle < 10; ++cycle) {

@@ -18,7 +18,7 @@ class VelocityAlgorithmTest : public testing::Test {
   VelocityAlgorithm algorithm;
 };
 
-/// @brief The first voltage is the voltage of a motor without load at the set-point.
+/// @brief The first voltage is the voltage that a motor without load needs at the set-point.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(1500, 0), Tension(7854));
@@ -28,9 +28,9 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief If a wheel follows the model of the algorithm, it gets only the voltage of a motor
-/// without load. Because velocities are rounded, the error may differ by one unit (0.1 rpm), which
-/// changes the voltage by 7 mV.
+/// @brief If a wheel follows the model of the algorithm, it gets only the voltage that a motor
+/// without load needs. Because velocities are rounded, the error may differ by one unit (0.1 rpm),
+/// which changes the voltage by 7 mV.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;

@@ -33,8 +33,8 @@ TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
   EXPECT_EQ(log, (CommandLog{{"tension", 5000}, {"tension", 0}}));
 }
 
-/// @brief If a demand against the orientation is less than 0.1 V, it counts as 0 and has no effect,
-/// because noise can cause such a demand.
+/// @brief A demand has the direction opposite to the orientation. If it is less than 0.1 V, it
+/// counts as 0 and has no effect, because noise can cause such a demand.
 /// @verifies FR-80
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
@@ -50,8 +50,8 @@ TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
   EXPECT_EQ(apply(100, 0), Tension(100));
 }
 
-/// @brief When a demand is against the orientation, the wheel is stopped. After two slow cycles
-/// without voltage, the orientation changes, and the demand is applied.
+/// @brief When a demand has the direction opposite to the orientation, the wheel is stopped. After
+/// two slow cycles without voltage, the orientation changes, and the demand is applied.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_StopsThenTurns) {
   apply(4000, 900);
@@ -69,8 +69,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief If the wheel is not slow and turns against the demand in a cycle, this cycle sets the
-/// count of slow cycles to 0.
+/// @brief If the wheel is not slow in a cycle and turns in the direction opposite to the demand,
+/// this cycle sets the count of slow cycles to 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -92,9 +92,9 @@ TEST_F(ReverseTest, FR87_AHaltInterruptsTheSlowCycles) {
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
 }
 
-/// @brief If a wheel turns in the direction of the demand for two cycles, its orientation changes,
-/// at any speed. While the wheel turns against the demand at 40 rpm, its orientation does not
-/// change.
+/// @brief If a wheel turns in the direction of the demand for two cycles, its orientation changes
+/// at any speed. While the wheel turns in the opposite direction at 40 rpm, its orientation does
+/// not change.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(-5000, -2000), Tension(0));
@@ -212,8 +212,8 @@ TEST_F(ReverseTest, FR87_AFastWheelIsNotTurned) {
 
 /// @brief For any demand and measurement, the output follows three rules. The orientation changes
 /// only without voltage, and only when the wheel is slow or turns in the direction of the demand.
-/// In a cycle, the voltage rises by at most 12 V. While the demand is against the orientation, the
-/// voltage falls by at most 2.4 V in a cycle.
+/// In a cycle, the voltage rises by at most 12 V. While the demand has the direction opposite to
+/// the orientation, the voltage falls by at most 2.4 V in a cycle.
 /// @verifies FR-87
 /// @verifies FR-81
 TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {

@@ -41,7 +41,7 @@ TEST_F(SoftStartTest, FR81_FallPassesAtOnce) {
   EXPECT_EQ(apply(24000), Tension(13000));
 }
 
-/// @brief At a demand of the other sign, the voltage starts again from 0.
+/// @brief When the sign of the demand changes, the voltage starts again from 0.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_FlipStartsAgain) {
   apply(12000);

@@ -234,8 +234,8 @@ TEST_F(WheelOrderTest, FR89_FR94_FR221_AcknowledgementInTheFirstCycleAfterATrip)
   EXPECT_FALSE(work.measured.cutOff);
 }
 
-/// @brief The faults of missing motion and of a late reversal continue during a halt. These faults
-/// end with the order to release.
+/// @brief Two faults of a wheel continue during a halt: it has no motion feedback, or its reversal
+/// is late. These faults end with the order to release.
 /// @verifies FR-91
 /// @verifies FR-222
 TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {

@@ -1,7 +1,7 @@
 // A likely change: a state that warns. After K - 1 = N - 2 failed reads, the next failed read sets
-// the state WaitingK. This state switches a lamp on. The robot continues to drive in this state. As
-// without the change, the robot stays in the waiting states for N failed reads. The next failed
-// read sets Reconnecting.
+// the state WaitingK. This state switches a lamp on. The robot continues to drive in this state.
+// With and without the change, the robot stays in the waiting states for N failed reads. The next
+// failed read sets Reconnecting.
 
 #include "sim/host/HostDigitalOutput.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
