@@ -192,12 +192,12 @@ _FIXED = [
         "Every public method of a design module has a brief, a text for each parameter, and a text "
         "for its result. A constructor that only stores its arguments needs no brief. Every method "
         "except a constructor has @isr, which states whether interrupts may call it. The texts are "
-        "in the comment of the method, or in the comment of the method that it overrides. If a "
-        "parameter or a result is a plain number, its text states the unit or the counted items. "
-        "If the type of a parameter has a unit (for example Velocity), the text of the parameter "
-        "states this unit. Each unit in a text equals the unit of the type. Every other public "
-        "part of a header has a brief: classes, types, functions, members, constants and friends. "
-        "If one value of an enumeration has a brief, all its values have a brief.",
+        "in the comment of the method, or in the comment of the overridden method. If a parameter "
+        "or a result is a plain number, its text states the unit or the counted items. If the type "
+        "of a parameter has a unit (for example Velocity), the text of the parameter states this "
+        "unit. Each unit in a text equals the unit of the type. Every other public part of a "
+        "header has a brief: classes, types, functions, members, constants and friends. If one "
+        "value of an enumeration has a brief, all its values have a brief.",
         f"{_TEXT_BLIND} The check does not find a constructor that needs a brief and has none.",
         "make the declaration private, or complete the comment above it.",
     ),
@@ -389,9 +389,9 @@ _FIXED = [
         "sim/emulator includes a file of the design, because a driver and the model of its device "
         "must not contain the same mistake. The programs of tests/k64/program and "
         "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
-        "In src, `uses-allowed` checks which modules use src/k64. In src and extensions, no file "
-        "outside the folders of the K64 names a driver or the microcontroller, not even in a "
-        "comment.",
+        "In src, `uses-allowed` checks which modules use src/k64. Outside the folders of the K64, "
+        "no file of src and extensions contains the name of a driver or of the microcontroller, "
+        "not even in a comment.",
         "The check does not find the same wrong number in a driver and in the model of the device.",
         "write the numbers from the manual of the microcontroller, or test the firmware image on "
         "the virtual K64.",
@@ -470,8 +470,8 @@ _FIXED = [
         "of the connection is pipe, the first module writes the pipe and the second module reads "
         "it.",
         "The check does not read physical connections. It does not distinguish the kinds call, "
-        "command and interrupt. It does not find connections in the code that the architecture "
-        "does not declare.",
+        "command and interrupt. If the code contains a connection that the architecture does not "
+        "declare, the check does not find this connection.",
         "correct the connection, or the code.",
     ),
     Check(
@@ -519,9 +519,9 @@ _FIXED = [
     Check(
         "exec-heap",
         "No heap in the source",
-        "No file of src or extensions uses new, delete, malloc or free. No such file includes a "
-        "header of the standard library whose types allocate memory, or names such a type, for "
-        "example std::function.",
+        "No file of src or extensions uses new, delete, malloc or free. Some types of the standard "
+        "library, for example std::function, allocate memory. No file of src or extensions "
+        "contains the name of such a type, or includes its header.",
         "The check does not find library code that allocates memory internally. The symbols of "
         "the firmware image show such code.",
         "use an array of fixed size or a std::optional.",
@@ -534,9 +534,10 @@ _FIXED = [
         "If one context changes a member and another context uses this member, the member is a "
         "Pipe, or design/execution.toml declares its protection. If a member is declared as "
         "atomic, its type is atomic. If a member is declared as masked, each function that uses "
-        "the member blocks the interrupts. If only its writes are declared as masked, each "
-        "function that changes the member blocks the interrupts. The idle program is also regarded "
-        "as a context. Exactly one context writes each pipe, and exactly one context reads it.",
+        "the member blocks the interrupts. If the declaration states that only changes are masked, "
+        "each function that changes the member blocks the interrupts. The idle program is also "
+        "regarded as a context. Exactly one context writes each pipe, and exactly one context "
+        "reads it.",
         "The check does not find changes through parameters that are references, or changes in "
         "the standard library. It reads only the product weeding_robot. It cannot judge whether "
         "the protection is sufficient. It does not compare two threads of the same kind, such as "
@@ -584,11 +585,11 @@ _FIXED = [
         "time-bound",
         "Each loop of the firmware image has a bound",
         "If a handler of the firmware image reaches a loop, or a memory copy of unknown size, this "
-        "loop or copy has a bound. The bound is the constant in the head of the loop, or a "
-        "declared number above the loop or the copy. For a loop over a std::array, the declared "
-        "bound is not lower than the number of elements. The bound can be a smaller number if it "
-        "is a formula or a name, and the loop reads only the first elements. The target of each "
-        "indirect call is known. No lock of the interrupts contains a loop or a call.",
+        "loop or copy has a bound. The bound is the constant in the head of the loop, or a comment "
+        "above the loop or the copy declares the bound. For a loop over a std::array, the declared "
+        "bound is not lower than the number of elements. There is one exception: if a loop reads "
+        "only the first elements, a formula or a name can declare a lower bound. The target of "
+        "each indirect call is known. No lock of the interrupts contains a loop or a call.",
         "If a loop does not read a std::array, the check cannot judge whether the declared bound "
         "is right. It does not read loops that run only before the first interrupt. It reads only "
         "the firmware image of weeding_robot.",
@@ -598,11 +599,11 @@ _FIXED = [
         "time-seen",
         "No run needs more time than the bound",
         "No measured control cycle took longer than the computed bound of the control cycle. In "
-        "the runs of the bench and in the tests of the firmware image, the measured time of a "
-        "cycle ends with the report. In the published random drives, the measured time ends when "
-        "the main thread ends. Random drives with noise at the inputs have a larger bound, which "
-        "includes the interrupts that the noise causes. The recorded time of each path is at most "
-        "the computed bound of this path. In each recording, each interrupt occurs at most as "
+        "the runs of the bench and in the tests of the firmware image, the measured time lasts "
+        "until the report of the cycle. In the published random drives, the measured time lasts "
+        "until the main thread ends. Random drives with noise at the inputs have a larger bound, "
+        "which includes the interrupts that the noise causes. The recorded time of each path is at "
+        "most the computed bound of this path. In each recording, each interrupt occurs at most as "
         "often as design/times.toml states.",
         "The check does not detect that an interrupt can occur more often than in a recording. The "
         "bounds apply only to weeding_robot.",
@@ -616,11 +617,12 @@ _FIXED = [
         "Concrete States of the application. Each event refers to an operation of the State. The "
         "states, the event and the requirement of each transition exist. A method serves a "
         "requirement if its @satisfies names the requirement or if the tree of the requirement "
-        "contains the method. Two methods serve the requirement of a transition: a method of the "
-        "old or of the new state, and an operation of the event or a method of the action. Each "
-        "event occurs in a transition. If a state has several transitions at the same event, "
-        "guards distinguish these transitions. If a transition contains a number with a unit, such "
-        "as 2 s, a requirement of the transition states the same number.",
+        "contains the method. For the requirement of a transition, two conditions are true. A "
+        "method of the old or the new state serves the requirement. The operation of the event, or "
+        "a method of the action, also serves the requirement. Each event occurs in a transition. "
+        "If a state has several transitions at the same event, guards distinguish these "
+        "transitions. If a transition contains a number with a unit, such as 2 s, a requirement of "
+        "the transition states the same number.",
         "The check cannot judge the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
@@ -629,9 +631,9 @@ _FIXED = [
         "The transitions in design/fsm agree with the code",
         "The file of a machine in design/fsm declares its transitions. For each operation of a "
         "state and each successor, the number of state changes in the code equals the number of "
-        "declared transitions. A state change is a call of the operation of the Context that "
-        "assigns the state. The successor is the object that a builder passed to the state. The "
-        "builder passes the initial state to the Context. If an operation changes the state on "
+        "declared transitions. One operation of the Context assigns the state. A state change is a "
+        "call of this operation. The successor is the object that a builder passed to the state. "
+        "The builder passes the initial state to the Context. If an operation changes the state on "
         "every path, no declared transition of this operation stays in the state. If an operation "
         "of a state has only one declared transition, the check compares the condition of this "
         "transition. A guard, or an event with a time, is a condition. The transition has a "
@@ -644,8 +646,9 @@ _FIXED = [
         "lists the methods of each action. Before each change, the code calls the methods of the "
         "action. If an operation calls a method of this table, a transition of the operation has "
         "the action of this method. A function that changes the state can call such a method on "
-        "every path to the change, after any earlier change. In this case, the transition of the "
-        "change has the action of this method.",
+        "every path to the change. If a path contains an earlier change, the call is after the "
+        "earlier change. In this case, the transition of the later change has the action of this "
+        "method.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -662,7 +665,7 @@ _FIXED = [
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
-        "make the transition through its Context in a test of its requirement, or correct the "
+        "let a test of the requirement make the transition through the Context, or correct the "
         "machine.",
     ),
     Check(
@@ -832,8 +835,8 @@ _FIXED = [
         "The check reads each number with a unit in the comment of a module or of its methods, and "
         "each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states the "
         "same number. The constant belongs to the module, to a module that this module uses, or to "
-        "SystemConstants. The requirement is a requirement that the module satisfies, and its text "
-        "or its rationale contains the number.",
+        "SystemConstants. The module satisfies this requirement. The number is in the text or in "
+        "the rationale of the requirement.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
         "sentence that begins with 'Assumption:'. It omits 100 %, and each number that is not "
         "greater than one smallest unit, such as 0.01 degree.",
@@ -842,27 +845,27 @@ _FIXED = [
     Check(
         "req-number",
         "Numbers of requirements agree with the code",
-        "Each number in a requirement is linked with a constant, or with a formula of constants, "
-        "in design/requirement_numbers.toml. The number is in digits or written as a word. The "
-        "constant or the formula has this value. design/requirement_numbers.toml also lists the "
-        "numbers for which the code has no constant, with the reason. If the @evidence of a "
-        "requirement has a bound other than 0, the requirement states this number. If a metric in "
-        "design/closed_loop.toml names a requirement, this requirement states the limit of the "
-        "metric. If the metric is an error, the requirement can state the limit as a percentage of "
-        "the target.",
+        "In design/requirement_numbers.toml, each number in a requirement is linked with a "
+        "constant, or with a formula of constants. The number is in digits or written as a word. "
+        "The constant or the formula has this value. If the code has no constant for a number, the "
+        "file lists this number and the reason. If the @evidence of a requirement has a bound "
+        "other than 0, the requirement states this number. If a metric in design/closed_loop.toml "
+        "names a requirement, this requirement states the limit of the metric. If the metric is an "
+        "error, the requirement can state the limit as a percentage of the target.",
         "The check leaves out the numbers 0, 1 and 2 if they have no unit. A formula may differ by "
         "0.5 % from the number in the text, because the text is rounded. The check cannot judge "
         "whether the linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
         "design/requirement_numbers.toml. If the code has no constant for the number, add the "
-        "number to an entry [[without]] there.",
+        "number to an entry [[without]] of this file.",
     ),
     Check(
         "test-number",
         "Numbers in the brief of a test are in its code",
-        "Each number with a physical unit in the brief of a C++ test is a number in the test, in "
-        "the other code of its file, in its fixtures or in a scenario that the test plays. The "
-        "number can also be the value of a constant that one of these places names.",
+        "The brief of a C++ test can contain numbers with a physical unit. Each of these numbers "
+        "is also in the test, in the other code of its file, in its fixtures or in a scenario that "
+        "the test plays. The number can also be the value of a constant that one of these places "
+        "names.",
         "The check cannot judge whether the number belongs to the sentence. It does not compare "
         "counts, such as cycles or edges.",
         "correct the brief, or write the number in the code of the test or in a constant that this "
@@ -900,8 +903,8 @@ _FIXED = [
         "req-method",
         "Each public method serves a requirement",
         "Each public method of a design module is tagged with @satisfies or has a node in a tree. "
-        "A virtual method and all methods that override it need only one tag or node together. A "
-        "constructor serves the requirements of its module. Other methods are justified in "
+        "For a virtual method and all methods that override it, one tag or one node is sufficient. "
+        "A constructor serves the requirements of its module. Other methods are justified in "
         "design/justified.toml. Each @satisfies is in the comment of a method of a module.",
         "The check cannot judge whether the requirement needs the method.",
         "tag the method with @satisfies, use it in a tree, remove it, or justify it in "
@@ -910,8 +913,9 @@ _FIXED = [
     Check(
         "req-caller",
         "Each public method has a caller",
-        "Code of the firmware calls every public method of a design module, or the method that "
-        "this method overrides. Methods without a caller are justified in design/justified.toml.",
+        "Code of the firmware calls every public method of a design module. If the method "
+        "overrides another method, a call of the other method is sufficient. Methods without a "
+        "caller are justified in design/justified.toml.",
         "The check does not detect whether the calling code is ever executed. It also accepts a "
         "call in dead code. It ignores constructors and operators.",
         "call the method, remove the method, or justify it in design/justified.toml.",
@@ -990,10 +994,11 @@ _FIXED = [
         "Each source line serves a requirement",
         "Each source line of a method of the design is executed by a passing test of a "
         "requirement, and the method serves this requirement. A method serves a requirement in "
-        "three cases: the tree of the requirement contains the method, the @satisfies of the "
-        "method names the requirement, or no tree contains the method but a caller of the method "
-        "serves the requirement. If a method serves no requirement, a passing test of any "
-        "requirement is enough. Other lines are justified in design/justified.toml.",
+        "three cases. First case: the tree of the requirement contains the method. Second case: "
+        "the @satisfies of the method names the requirement. Third case: no tree contains the "
+        "method, and a caller of the method serves the requirement. If a method serves no "
+        "requirement, a passing test of any requirement is enough. Other lines are justified in "
+        "design/justified.toml.",
         "The check does not read the code that only the K64 uses. The page of the virtual K64 "
         "lists the lines of src/k64 that were not executed. It also lists the files of the "
         "extensions for which the executed lines are not measured. The check does not detect "
@@ -1100,9 +1105,9 @@ _FIXED = [
     Check(
         "suspect-method",
         "The methods of each requirement are as in the baseline",
-        "These texts are unchanged since the baseline: the specifications of the methods that "
-        "satisfy a requirement, the bodies of these methods and of the methods in the invocation "
-        "tree of the requirement, and the constants in the files of these methods.",
+        "These texts are unchanged since the baseline: the specifications and bodies of the "
+        "methods that satisfy a requirement, the bodies of the methods in the invocation tree of "
+        "the requirement, and the constants in the files with these bodies.",
         "The check does not find changes of comments in a body, of formatting, or of names of "
         "local variables.",
         "check the text, and then run ./wr review --baseline with the id of the requirement.",

@@ -127,8 +127,8 @@ def cost_of(root: Path, run_name: str) -> Path:
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """Returns the time of the tests with recordings divided by their time without recordings.
-    Returns None if one of the two runs used other sources than ``sources``."""
+    """Returns a quotient: the time of the tests with recordings, divided by their time without
+    recordings. Returns None if one of the two runs used other sources than ``sources``."""
     costs = [read_object(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(cost.get("sources") != sources for cost in costs):
         return None
