@@ -59,13 +59,13 @@ WHY = {
     "proof": "A test checks only some sequences of events. A proof checks all sequences that are "
     "possible in the model.",
     "exec": "Interrupts and threads of different priorities share data. A wrong access may cause a "
-    "fault only once in a thousand cycles, so that tests do not find it.",
+    "fault only once in a thousand cycles. Tests may not find such a fault.",
     "stack": "The threads and interrupts share one stack. The stack must be large enough for the "
     "deepest calls. It is possible that no test makes these calls.",
     "time": "A cycle that is too long disturbs the control. It is possible that no test contains "
     "the longest cycle.",
-    "req": "A requirement counts as fulfilled only if the code, the tests and the test results "
-    "show that it is fulfilled.",
+    "req": "A requirement is regarded as fulfilled only if the code, the tests and the test "
+    "results show this.",
     "test": "People read the brief of a test instead of its code. The brief must describe the test "
     "that was executed.",
     "suspect": "A verdict is valid only for the texts that were judged. The checks compare the "
@@ -250,8 +250,8 @@ _FIXED = [
         "steering_right_end. The pairs are left and right, front and rear, inner and outer, "
         "forward and backward, upper and lower, first and second, A and B, step and direction, "
         "velocity and direction.",
-        "The check does not find swapped arguments of a function, or parts whose names have no "
-        "such words.",
+        "The check does not find swapped arguments of a function. It does not find swapped parts "
+        "if their names do not contain such words.",
         "correct the value, or rename the part.",
         reason="Two parts of the same type can be swapped without an error of the compiler. On "
         "the robot, such a fault moves the wrong part.",
@@ -260,8 +260,8 @@ _FIXED = [
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "The check does not find a computation that needs no condition and no loop. It does not "
-        "find a free function that works on the data.",
+        "If a computation contains neither a condition nor a loop, the check does not find this "
+        "computation. The check also does not find a free function that works on the data.",
         "move the behaviour into a module.",
     ),
     Check(
@@ -286,9 +286,9 @@ _FIXED = [
         "the value from SystemConstants, or design/tuned.toml declares the dependence. Each "
         "constant and each source line in design/tuned.toml exists. The page about a change of "
         "SystemConstants lists the computed and the declared values.",
-        "The check does not find a value that depends on another constant if neither the name, nor "
-        "the comment, nor the rationale of its requirement shows the dependence. It reads no "
-        "source file outside src and extensions.",
+        "Sometimes a value depends on another constant, but neither the name, nor the comment, nor "
+        "the rationale of its requirement shows this. The check does not find such a value. It "
+        "reads no source file outside src and extensions.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
     ),
     Check(
@@ -368,7 +368,7 @@ _FIXED = [
         "Each use of another logic module is allowed",
         "If the code of a logic module includes, calls or names a class of another logic module, "
         "design/uses.toml allows this use.",
-        "The check does not find a use that needs no name, such as an access to a fixed address.",
+        "A use without a name is not found, for example an access to a fixed address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
@@ -925,9 +925,9 @@ _FIXED = [
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
         "tools recognise the macro of every test. No test is disabled, and no test of a "
-        "requirement skips itself. If the limits of a loop in a test are numbers, or constants "
-        "that the file of the test defines, the loop runs at least once. No loop counts away from "
-        "its limit.",
+        "requirement skips itself. A loop in a test runs at least once. This is checked if the "
+        "limits of the loop are numbers, or constants in the file of the test. No loop counts away "
+        "from its limit.",
         "The check does not detect whether the test fails when the code violates the requirement. "
         "Mutation tests show this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
@@ -1012,7 +1012,7 @@ _FIXED = [
         "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an "
         "id AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe "
         "state, another entry of the file declares this goal, assumption or safe state.",
-        "The check does not find hazards that nobody found.",
+        "The check cannot detect that a hazard is missing in the safety case.",
         "correct the name.",
     ),
     Check(
@@ -1043,8 +1043,8 @@ _FIXED = [
         "declares its reaction time as a formula of constants (the key parts), the reaction time "
         "is the value of this formula, rounded up by at most 10 %. The fault-tolerant time and the "
         "reaction time end when the safe state is reached, or when the halt to this state begins. "
-        "If a goal has no known exceptions, its scenarios accept no reaction that is later than "
-        "the fault-tolerant time.",
+        "If a goal has no known exceptions, its scenarios accept only reactions within the "
+        "fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It does not find a formula with the velocity of the robot if the goal declares "
         "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
@@ -1058,10 +1058,10 @@ _FIXED = [
         "hazard-requirement",
         "Requirements name existing goals",
         "If a requirement names a safety goal in @goal, this goal exists.",
-        "The check does not find a missing tag: suspect-requirement reports a removed tag. "
-        "The check cannot judge whether the requirement really contributes to the goal. If some "
-        "requirements of a goal are not verified, the check reports nothing, but the page of the "
-        "goal shows the goal as open.",
+        "The check does not find a missing tag. If a tag is removed, suspect-requirement reports "
+        "this. The check cannot judge whether the requirement really contributes to the goal. If "
+        "some requirements of a goal are not verified, the check reports nothing, but the page of "
+        "the goal shows the goal as open.",
         "correct the tag @goal.",
     ),
     Check(

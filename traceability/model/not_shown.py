@@ -244,8 +244,8 @@ def _missing_runs(model: Model) -> Iterator[NotShown]:
     made = [change.made for change in model.changes.values() if change.made]
     if unproven := len(made) - sum(map(proven, made)):
         yield NotShown(
-            "Number of examples of likely changes with a failed test, or without test results for "
-            f"these sources: {unproven} of {len(made)}.",
+            "Some examples of likely changes have a failed test, or no test results with these "
+            f"sources: {unproven} of {len(made)}.",
             "changes",
         )
     if ports := [name for name, port in model.ports.items() if not port.passed]:
@@ -267,8 +267,8 @@ def _measurements(model: Model) -> Iterator[NotShown]:
         )
     if files := unmeasured_drivers(model):
         yield NotShown(
-            "Some files of the extensions are compiled only for the K64, so that their executed "
-            f"lines are not measured: {', '.join(files)}.",
+            "Some files of the extensions are compiled only for the K64. Their executed lines are "
+            f"not measured: {', '.join(files)}.",
             "virtual_k64",
         )
     if slow := sum(_share(model, paper) > 1 for paper in SCENARIOS):
