@@ -162,8 +162,8 @@ def _stated(requirement: Requirement) -> dict[str, Quantity]:
 def _linked(
     entry: RequirementNumbers, stated: dict[str, Quantity], facts: Facts
 ) -> Iterator[Finding]:
-    """Finds links with a number that the requirement does not contain, with a constant that does
-    not exist, or with a constant or a formula that has another value."""
+    """Finds three kinds of wrong links: the requirement does not contain the number, the constant
+    does not exist, or the constant or the formula has another value."""
     known = {constant.name: constant for constant in facts.syntax.values}
     for number, name in entry.constants.items():
         place = facts.line_in(entry.place, number)

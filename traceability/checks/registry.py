@@ -105,8 +105,8 @@ _FIXED = [
     Check(
         "doc-number",
         "Numbers of ports agree with their code",
-        "Each number with a unit in the README of a port is the value of a constant with this kind "
-        "of unit. The constant is in the folder of the port, or in SystemConstants.",
+        "In the README of a port, each number with a unit is the value of a constant with this "
+        "kind of unit. The constant is in the folder of the port, or in SystemConstants.",
         "The check cannot judge whether the number belongs to the sentence. It does not find a "
         "number whose unit is on the next line, or whose unit is not in the list of "
         "requirement_numbers.py.",
@@ -832,11 +832,11 @@ _FIXED = [
     Check(
         "module-number",
         "Numbers of specifications agree with the code",
-        "The check reads each number with a unit in the comment of a module or of its methods, and "
-        "each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states the "
-        "same number. The constant belongs to the module, to a module that this module uses, or to "
-        "SystemConstants. The module satisfies this requirement. The number is in the text or in "
-        "the rationale of the requirement.",
+        "In the comments of a module and of its methods, the check reads each number with a unit, "
+        "and each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states "
+        "the same number. The constant belongs to the module, to a module that this module uses, "
+        "or to SystemConstants. The module satisfies this requirement. The number is in the text "
+        "or in the rationale of the requirement.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
         "sentence that begins with 'Assumption:'. It omits 100 %, and each number that is not "
         "greater than one smallest unit, such as 0.01 degree.",
@@ -1221,11 +1221,12 @@ _FIXED = [
         "Scenarios agree with their descriptions",
         "docs/scenarios.rst names every action, fault, parameter and true value that a scenario "
         "can contain. Each word of a scenario on this page exists, and each fault in its table has "
-        "the right number of arguments. Each number with a unit in a comment of a scenario is a "
-        "value in the lines of this scenario, or a value in a requirement that the comment names. "
-        "A time can also be the difference of two times. A percentage can also be the difference "
-        "of two values. Any other number can also be in the middle of an expected range. A test of "
-        "the firmware names each file of sim/scenario/examples.",
+        "the right number of arguments. A comment of a scenario can contain numbers with a unit. "
+        "Each of these numbers is a value in the lines of this scenario, or a value in a "
+        "requirement that the comment names. A time can also be the difference of two times. A "
+        "percentage can also be the difference of two values. Any other number can also be in the "
+        "middle of an expected range. A test of the firmware names each file of "
+        "sim/scenario/examples.",
         "The check does not decide whether this test plays the file. It does not find a wrong "
         "number that is equal to a value in another line of the scenario. It does not read a "
         "number after the word 'about'.",

@@ -1,6 +1,6 @@
-"""doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. Each
-number with a unit in a comment of a scenario is also in a line of the scenario, or in a requirement
-that the comment names. Each example scenario is named in a test."""
+"""doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. A comment
+of a scenario can contain numbers with a unit. Each of these numbers is also in a line of the
+scenario, or in a requirement that the comment names. Each example scenario is named in a test."""
 
 from __future__ import annotations
 

@@ -40,8 +40,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _drivers(model: Model, root: Path) -> Iterator[Finding]:
-    """Searches the firmware outside the folders of the K64 for files that name a driver or the
-    microcontroller, in the code or in a comment."""
+    """Outside the folders of the K64, finds files of the firmware that name a driver or the
+    microcontroller. The name can be in the code or in a comment."""
     drivers = {module.name for module in model.modules.values() if is_board(module.header)}
     for place, line in lines_below(root, DESIGN, (".hpp", ".cpp", ".dox")):
         for name in (drivers | MICROCONTROLLER).intersection(NAMED.findall(line)):

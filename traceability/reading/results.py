@@ -1,4 +1,5 @@
-"""Reads the results of the tests and the sizes of the modules that the last run wrote."""
+"""Reads the files that the last run wrote: the results of the tests, and the sizes of the
+modules."""
 
 from __future__ import annotations
 
