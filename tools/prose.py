@@ -145,7 +145,11 @@ def lint_prose(root: Path) -> list[ProseFinding]:
     better = {term.words.lower(): term.better for term in read_terms(glossary)}
     pattern = pattern_of(better)
     right = pattern_of(right_phrases(glossary))
-    findings = []
+    findings = [
+        ProseFinding(str(GLOSSARY), number, "Not:", "it at the beginning of a line of its entry")
+        for number, line in enumerate(glossary.splitlines(), 1)
+        if " Not: " in line and not NOT.match(line)
+    ]
     for path in files_below(root, FOLDERS):
         file = str(path.relative_to(root))
         if path.suffix not in (*PROSE, *CODE) or file in SKIPPED:

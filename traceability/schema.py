@@ -477,8 +477,8 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text that was changed, added or removed since the baseline, so that a person must review
-    it. ``KINDS`` in model/reviews.py lists the kinds of texts."""
+    """A text that was changed, added or removed since the baseline. A person must review this
+    change. ``KINDS`` in model/reviews.py lists the kinds of texts."""
 
     kind: str
     name: str
@@ -1004,7 +1004,7 @@ class ExecutionContext:
     place: Place
     lines: Sequence[int] = field(default_factory=list)  # numbers of its interrupt lines
     priority: int | None = None
-    # the methods of modules with which the context begins
+    # the methods at which the context enters the modules
     first: Sequence[str] = field(default_factory=list)
     # all methods of modules that the context may execute
     methods: Sequence[str] = field(default_factory=list)

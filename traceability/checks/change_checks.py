@@ -29,8 +29,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _findings(entry: Place, problems: Iterable[tuple[str, str]], facts: Facts) -> Iterator[Finding]:
-    """Yields a finding for each problem of an entry. A problem has two parts: the word of the entry
-    to which the finding points, and the text of the finding."""
+    """Yields a finding for each problem of an entry. A problem has two parts: the word to which the
+    finding points, and the text of the finding."""
     for word, text in problems:
         yield Finding(facts.line_in(entry, word), "pattern-change", text)
 

@@ -159,8 +159,8 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled_at(constant: str, context: ExecutionContext, facts: Facts) -> Place:
-    """Returns the place of the last call that enables an interrupt line with this priority
-    constant. If some of these calls name an interrupt line of the context, the other calls are
+    """Calls with this priority constant enable interrupt lines. Returns the place of the last of
+    these calls. If some of these calls name an interrupt line of the context, the other calls are
     ignored."""
     constants = facts.syntax.constants
     calls = [
@@ -263,8 +263,8 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled(facts: Facts) -> Iterator[Finding]:
-    """Finds interrupt lines that no call enables although the vector table has a handler for
-    them."""
+    """Finds interrupt lines that have a handler in the vector table, but are not enabled by any
+    call."""
     for line, handler in silent_lines(facts).items():
         place = facts.bodies[handler][0].place if handler in facts.bodies else DECLARED
         said = f"the vector table has {handler} at interrupt line {line}"
@@ -272,8 +272,8 @@ def _enabled(facts: Facts) -> Iterator[Finding]:
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
-    """Returns the functions that the given handlers call in products with extensions. The
-    extensions contain separate versions of the handlers for these products."""
+    """Returns the functions that the given handlers call in products with extensions. For these
+    products, the extensions contain separate versions of the handlers."""
     return [
         call.target
         for handler in handlers

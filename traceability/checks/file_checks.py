@@ -92,7 +92,7 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _loose(facts: Facts) -> Iterator[Finding]:
-    """Finds variables in the file of a module that are not members of a class and exist as long as
+    """In the file of a module, finds variables that are not members of a class and exist as long as
     the program runs. All objects of the module would share such a variable."""
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)

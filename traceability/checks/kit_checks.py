@@ -1,6 +1,6 @@
-"""change-kit: for each likely change, a folder shows how to make it. The folder adds a class with
-the role that the recipe of the pattern demands, or edits a file of a module that the recipe lists
-as altered."""
+"""change-kit: for each likely change, a folder shows how to make it. The recipe of the pattern
+demands a role for the new class, and lists altered modules. The folder adds a class with this role,
+or edits a file of a listed module."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _change(
     model: Model, facts: Facts, change: LikelyChange, made: MadeChange, kit: Kit
 ) -> Iterator[str]:
     if not made.classes and not made.patched:
-        yield "the folder of the change names no class and changes no file"
+        yield "the folder of the change names no class and edits no file"
     for name in made.classes:
         if name not in kit.bases and name not in model.modules:
             yield f"there is no class {name}"

@@ -143,7 +143,7 @@ class _Site:
 
 
 def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
-    """Returns the page, the line, the link and the reason of each dead link."""
+    """For each dead link, returns its page, its line, its target, and the reason."""
     site = _Site(root)
     dead: list[tuple[Path, int, str, str]] = []
     for file, page in site.pages.items():
@@ -213,8 +213,8 @@ def _written(
 
 
 def missing_parts(root: Path) -> Iterator[Finding]:
-    """Searches the hand-written pages and the texts of design/ for names of products, programs,
-    folders of the build, keys and pins that do not exist."""
+    """Searches the hand-written pages and the texts of design/ for wrong names: a product, a
+    program, a folder of the build, a key or a pin with this name does not exist."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     parts = (
@@ -273,9 +273,9 @@ def _built(root: Path) -> set[str]:
 
 
 def _targets(root: Path) -> set[str]:
-    """Returns the programs and firmware images that CMake builds, with their folders below the
-    folder of the preset. If the name of a CMake function ends with "image", the function adds an
-    image without a folder."""
+    """Returns the programs and firmware images that CMake builds. The name of a program begins with
+    its folder, relative to the folder of the preset. If the name of a CMake function ends with
+    "image", the function adds an image without a folder."""
     found = set()
     for file, text in texts_below(root, BUILDING, (".txt",)):
         values = dict(SET.findall(text))

@@ -1,6 +1,6 @@
-"""doc-warning: if the sentence before a list states a number of items, the list has this number
-of items. If a text states how many scenarios, hazards or other parts the project has, the project
-has this number of parts."""
+"""doc-warning: if the sentence before a list states a number of items, the list has this number of
+items. If a text states the number of all scenarios, of all hazards or of all other parts of one
+kind, this number is right."""
 
 from __future__ import annotations
 

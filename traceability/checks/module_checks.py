@@ -236,7 +236,7 @@ def _nested(facts: Facts) -> Iterator[Finding]:
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
-    """Finds public declarations without a comment in headers. Registers need no comment, because
+    """In headers, finds public declarations without a comment. Registers need no comment, because
     the manual of the microcontroller describes them."""
     spec = [finding.place for finding in findings if finding.check == "module-spec"]
     seen = {(place.file, place.line) for place in spec}

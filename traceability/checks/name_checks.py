@@ -1,8 +1,8 @@
 """doc-name: if a text contains a name of the code, the name exists in the code or in the paper.
 
-A text is a comment of the code, a page, or a text of design/. In a page, a name is a literal, or a
-name such as Class::method. If a page or a text of design/ names a test, this test exists. If a page
-names an attribute of a report, the code of the client has this attribute.
+The check reads the comments of the code, the pages, and the texts of design/. In a page, it reads
+only literals and names of the form Class::method. If a page or a text of design/ names a test, this
+test exists. If a page names an attribute of a report, the code of the client has this attribute.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ DERIVES = re.compile(
     r"\b([A-Z]\w+)`{0,2}\s+derives\s+from\s+(?::module:)?`{0,2}([A-Z]\w+)(?![\w:])"
 )
 FILTER = re.compile(r"--gtest_filter='([^']+)'")
-# The client's classes of a report, and the table of their attributes.
+# Classes of the client that represent a report, and the title of the table with their attributes.
 MESSAGES = "client/weeding_robot_client/messages.py"
 OF_REPORT = ("Report", "WheelReport", "ReportedSetPoint")
 ATTRIBUTES = ".. list-table:: Attributes of a report"
@@ -150,8 +150,8 @@ def _derivations(facts: Facts) -> Iterator[Finding]:
 
 
 def wrong_attributes(root: Path) -> Iterator[Finding]:
-    """Finds attributes of a report that the classes of the client do not have, and fields of these
-    classes that the table of the attributes does not list."""
+    """Finds names of attributes in pages, if the client's report has no such attribute. Also finds
+    fields of this report that are not in the table of the attributes."""
     if not (root / MESSAGES).is_file():
         return
     fields, members = _of_report((root / MESSAGES).read_text(encoding="utf-8"))
@@ -209,9 +209,9 @@ def _fields(root: Path) -> set[str]:
 
 
 def _functions(model: Model, words: Words, comments: list[tuple[Place, str]]) -> Iterator[Finding]:
-    """Finds, in comments, names of functions that do not exist. If a comment of a module names a
-    function, the function must be in the files of this module, or must be a method of a module that
-    this module uses."""
+    """Finds, in comments, names of functions that do not exist. If a comment of a module A names a
+    function, the function must be in the files of A, or must be a method of a module that A
+    uses."""
     syntax = words.facts.syntax
     functions: list[BodyFact | MethodFact] = [*syntax.bodies]
     functions += [method for each in syntax.classes for method in each.methods]

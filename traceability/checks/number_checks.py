@@ -1,9 +1,9 @@
 """req-number: each number in the text of a requirement is linked to a constant in the code and has
 the value of this constant, or design/requirement_numbers.toml states why there is no constant. Each
-limit of a metric is a number of its requirement. module-number: each number with a unit in the
-specification of a module is the value of a constant, or a number of a requirement. doc-number: each
-number with a unit in the README of a port is the value of a constant of the port or of
-SystemConstants."""
+limit of a metric is a number of its requirement. module-number: in the specification of a module,
+each number with a unit is the value of a constant, or a number of a requirement. doc-number: in the
+README of a port, each number with a unit is the value of a constant. This constant is in the port
+or in SystemConstants."""
 
 from __future__ import annotations
 
@@ -122,8 +122,9 @@ def _texts(module: Module) -> Iterator[tuple[Place, str, str]]:
 
 
 def _numbers(text: str) -> dict[str, Quantity]:
-    """Returns the numbers with a unit in a text, and the limits of its ranges. Omits assumptions,
-    100 %, and each number that is not greater than one smallest unit, such as 0.01 degree."""
+    """Returns those numbers of a text that have a unit, and the limits of the ranges in this text.
+    Omits assumptions, 100 %, and each number that is not greater than one smallest unit, such as
+    0.01 degree."""
     stated = stated_numbers(_UNIT_IN_BRACKETS.sub("", _ASSUMPTION.sub("", text)))
     quantities = stated | limits_of_range(text)
     return {name: one for name, one in quantities.items() if one.amount > 1 and one != WHOLE}
@@ -161,8 +162,8 @@ def _stated(requirement: Requirement) -> dict[str, Quantity]:
 def _linked(
     entry: RequirementNumbers, stated: dict[str, Quantity], facts: Facts
 ) -> Iterator[Finding]:
-    """Finds links with a number that the requirement does not contain, with a constant that does
-    not exist, or with a constant or a formula that has another value."""
+    """Finds three kinds of wrong links: the requirement does not contain the number, the constant
+    does not exist, or the constant or the formula has another value."""
     known = {constant.name: constant for constant in facts.syntax.values}
     for number, name in entry.constants.items():
         place = facts.line_in(entry.place, number)
@@ -185,8 +186,9 @@ def _linked(
 
 
 def wrong_bounds(model: Model) -> Iterator[Finding]:
-    """Finds bounds of an @evidence that the requirement does not state. The text need not state a
-    bound of 0, which means that there must be no finding."""
+    """Each @evidence of a requirement has a bound. Finds the bounds that the text of the
+    requirement does not state. The text need not state a bound of 0, which means that there must be
+    no finding."""
     for requirement in model.requirements.values():
         for evidence in requirement.evidence:
             bound = Fraction(str(evidence.bound))
@@ -196,8 +198,8 @@ def wrong_bounds(model: Model) -> Iterator[Finding]:
 
 
 def wrong_limits(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds limits of metrics in design/closed_loop.toml that the requirement of the metric does
-    not state. If the metric is an error, the requirement can state the limit as a percentage of
+    """In design/closed_loop.toml, finds each metric whose limit is not stated by the requirement of
+    this metric. If the metric is an error, the requirement can state the limit as a percentage of
     the value of the key ``target``."""
     if not (facts.root / DECLARED).is_file():
         return

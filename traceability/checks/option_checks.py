@@ -1,5 +1,5 @@
-"""link-doc: the commands, options and values of options in texts exist, and the build of the pages
-inserts the exit codes."""
+"""link-doc: if a text names a command, an option or the value of an option, this command, option or
+value exists. The build of the pages inserts the exit codes."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def _wrong_in(section: list[Line], options: _Options) -> Iterator[Finding]:
 
 
 def wrong_values(root: Path) -> Iterator[Finding]:
-    """Finds values in texts that their option does not accept."""
+    """Finds wrong values of options in texts: the option does not accept the value."""
     values = accepted_values(root)
     for place, line in lines_below(root, PAGES, SUFFIXES) if values else ():
         for option, value in VALUE.findall(line) if "--" in line else ():

@@ -185,8 +185,8 @@ def _name_here(target: str, model: Model) -> str:
 
 
 def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
-    """Finds links from the concordance and the statements to pages or anchors that the built site
-    does not contain."""
+    """The concordance and the statements have links to pages and anchors. Finds each link whose
+    page or anchor is not in the built site."""
     named = [
         (entry.place, target, "paper-stale", f"the paper's {entry.kind} {entry.name}")
         for entry in model.paper

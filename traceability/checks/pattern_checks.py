@@ -44,7 +44,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
     """Checks for every pattern application whether the code fulfils each clause of the pattern.
-    Returns the clauses of each application, by its id, and a finding for each violation."""
+    Returns a map from the id of each application to its clauses, and a finding for each
+    violation."""
     parts = {name: _clauses(pattern, model, facts) for name, pattern in model.patterns.items()}
     clauses = {name: clauses for name, (clauses, _) in parts.items()}
     return clauses, [finding for _, findings in parts.values() for finding in findings]
@@ -139,8 +140,8 @@ def _undeclared(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _undecided(facts: Facts) -> Iterator[Finding]:
-    """Finds clauses in design/clauses.toml that have no function in pattern_clauses.py, and
-    functions there that have no clause."""
+    """Finds clauses in design/clauses.toml that have no function in pattern_clauses.py. In
+    pattern_clauses.py, finds functions that have no clause."""
     clauses = facts.declared.clauses
     if not clauses:
         return
@@ -154,8 +155,8 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> Iterator[tuple[str, str, str]]:
-    """Yields the faults of a clause. Each fault has a text, the word of the entry to which the
-    finding points, and a fix."""
+    """Yields the faults of a clause. Each fault has a text, the word to which the finding points,
+    and a fix."""
     if clause.id not in CLAUSES:
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
         yield f"no function decides the clause {clause.id}", clause.id, fix
@@ -192,7 +193,7 @@ def _wrong_roles(
     item: KnownApplication, patterns: dict[str, list[str]], facts: Facts
 ) -> Iterator[tuple[str, str]]:
     """Yields the faults in the roles of a pattern application. Each fault has a text, and the word
-    of the entry to which the finding points."""
+    to which the finding points."""
     if item.pattern not in patterns:
         yield f"there is no pattern {item.pattern} ({item.id})", "pattern"
     roles = patterns.get(item.pattern, list(item.roles))
@@ -236,8 +237,8 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
                 if body or _has_subclass_role(subclass, binding, model, facts):
                     continue
                 text = (
-                    f"{subclass} derives from {binding.module}, which is {binding.role} in "
-                    f"{application.id}, but has no role of a subclass"
+                    f"{subclass} has no role of a subclass, but derives from {binding.module}, "
+                    f"which is {binding.role} in {application.id}"
                 )
                 finding = Finding(fact.place, "pattern-subclass-unbound", text)
                 findings.setdefault(subclass, finding)

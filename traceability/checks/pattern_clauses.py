@@ -288,8 +288,9 @@ def state_change(shape: Shape) -> Broken:
 def change_operation(
     shape: Shape, states: set[str], context: str, changers: dict[str, Place]
 ) -> str:
-    """Returns the operation of the Context that the states call to change the state. If no state
-    calls such an operation, returns the first operation that changes the state."""
+    """The states call an operation of the Context to change its state. Returns this operation. If
+    no state calls such an operation, returns the first operation of the Context that changes the
+    state."""
     by_states = {target for state in states for target, _ in shape.calls(state)}
     own = [method for method in changers if owner_of(method) == context]
     return next((m for m in own if m in by_states), next(iter(own), ""))
@@ -300,7 +301,10 @@ def changed_outside(shape: Shape, allowed: set[str], operation: str, base: str) 
     for body in shape.facts.syntax.bodies:
         for call in body.calls:
             if call.target in (operation, unresolved) and shape.user(body) not in allowed:
-                yield call.place, f"{body.id}, outside the Context and its states, changes {base}"
+                text = (
+                    f"{body.id} changes {base}, but belongs neither to the Context nor to a state"
+                )
+                yield call.place, text
 
 
 def decorator_holds(shape: Shape) -> Broken:
@@ -383,7 +387,7 @@ def template_nonvirtual(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
         plain = template_methods(shape, module)
         if not plain:
-            text = f"{module} has no template method: no method without virtual calls primitives"
+            text = f"{module} needs a template method: a non-virtual method that calls primitives"
             yield shape.place(module), text
         for method in shape.methods(module):
             if method.virtual and method.id in primitives_called(shape, module):

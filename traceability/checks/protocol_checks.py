@@ -35,7 +35,7 @@ def check(_model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _numbers(facts: Facts) -> Iterator[Finding]:
-    """Finds types of frames and numbers of values in design/frames.toml that differ from the
+    """In design/frames.toml, finds types of frames and numbers of values that differ from the
     enumerators and constants of the firmware."""
     path = facts.root / FRAMES
     lines = text_of(path).splitlines()
@@ -141,8 +141,8 @@ def not_in_body(body: bytes, text: str, layouts: dict[int, Layout]) -> Iterator[
 def _with_units(
     layout: Layout, payload: bytes, values: dict[str, Any]
 ) -> set[tuple[float | None, str]]:
-    """Returns the values of a frame that have a unit, with their units. The unit of a set-point is
-    the unit of its quantity."""
+    """Returns those values of a frame that have a unit, each with its unit. The unit of a set-point
+    is the unit of its quantity."""
     numbers = layout.unpack(payload)
     result = set()
     for one in layout.fields:

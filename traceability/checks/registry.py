@@ -59,13 +59,13 @@ WHY = {
     "proof": "A test checks only some sequences of events. A proof checks all sequences that are "
     "possible in the model.",
     "exec": "Interrupts and threads of different priorities share data. A wrong access may cause a "
-    "fault only once in a thousand cycles, so that tests do not find it.",
+    "fault only once in a thousand cycles. Tests may not find such a fault.",
     "stack": "The threads and interrupts share one stack. The stack must be large enough for the "
     "deepest calls. It is possible that no test makes these calls.",
     "time": "A cycle that is too long disturbs the control. It is possible that no test contains "
     "the longest cycle.",
-    "req": "A requirement counts as fulfilled only if the code, the tests and the test results "
-    "show that it is fulfilled.",
+    "req": "A requirement is regarded as fulfilled only if the code, the tests and the test "
+    "results show this.",
     "test": "People read the brief of a test instead of its code. The brief must describe the test "
     "that was executed.",
     "suspect": "A verdict is valid only for the texts that were judged. The checks compare the "
@@ -105,8 +105,8 @@ _FIXED = [
     Check(
         "doc-number",
         "Numbers of ports agree with their code",
-        "Each number with a unit in the README of a port is the value of a constant with this kind "
-        "of unit. The constant is in the folder of the port, or in SystemConstants.",
+        "In the README of a port, each number with a unit is the value of a constant with this "
+        "kind of unit. The constant is in the folder of the port, or in SystemConstants.",
         "The check cannot judge whether the number belongs to the sentence. It does not find a "
         "number whose unit is on the next line, or whose unit is not in the list of "
         "requirement_numbers.py.",
@@ -192,12 +192,12 @@ _FIXED = [
         "Every public method of a design module has a brief, a text for each parameter, and a text "
         "for its result. A constructor that only stores its arguments needs no brief. Every method "
         "except a constructor has @isr, which states whether interrupts may call it. The texts are "
-        "in the comment of the method, or in the comment of the method that it overrides. If a "
-        "parameter or a result is a plain number, its text states the unit or the counted items. "
-        "If the type of a parameter has a unit (for example Velocity), the text of the parameter "
-        "states this unit. Each unit in a text equals the unit of the type. Every other public "
-        "part of a header has a brief: classes, types, functions, members, constants and friends. "
-        "If one value of an enumeration has a brief, all its values have a brief.",
+        "in the comment of the method, or in the comment of the overridden method. If a parameter "
+        "or a result is a plain number, its text states the unit or the counted items. If the type "
+        "of a parameter has a unit (for example Velocity), the text of the parameter states this "
+        "unit. Each unit in a text equals the unit of the type. Every other public part of a "
+        "header has a brief: classes, types, functions, members, constants and friends. If one "
+        "value of an enumeration has a brief, all its values have a brief.",
         f"{_TEXT_BLIND} The check does not find a constructor that needs a brief and has none.",
         "make the declaration private, or complete the comment above it.",
     ),
@@ -250,8 +250,8 @@ _FIXED = [
         "steering_right_end. The pairs are left and right, front and rear, inner and outer, "
         "forward and backward, upper and lower, first and second, A and B, step and direction, "
         "velocity and direction.",
-        "The check does not find swapped arguments of a function, or parts whose names have no "
-        "such words.",
+        "The check does not find swapped arguments of a function. It does not find swapped parts "
+        "if their names do not contain such words.",
         "correct the value, or rename the part.",
         reason="Two parts of the same type can be swapped without an error of the compiler. On "
         "the robot, such a fault moves the wrong part.",
@@ -260,8 +260,8 @@ _FIXED = [
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "The check does not find a computation that needs no condition and no loop. It does not "
-        "find a free function that works on the data.",
+        "If a computation contains neither a condition nor a loop, the check does not find this "
+        "computation. The check also does not find a free function that works on the data.",
         "move the behaviour into a module.",
     ),
     Check(
@@ -286,9 +286,9 @@ _FIXED = [
         "the value from SystemConstants, or design/tuned.toml declares the dependence. Each "
         "constant and each source line in design/tuned.toml exists. The page about a change of "
         "SystemConstants lists the computed and the declared values.",
-        "The check does not find a value that depends on another constant if neither the name, nor "
-        "the comment, nor the rationale of its requirement shows the dependence. It reads no "
-        "source file outside src and extensions.",
+        "Sometimes a value depends on another constant, but neither the name, nor the comment, nor "
+        "the rationale of its requirement shows this. The check does not find such a value. It "
+        "reads no source file outside src and extensions.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
     ),
     Check(
@@ -368,7 +368,7 @@ _FIXED = [
         "Each use of another logic module is allowed",
         "If the code of a logic module includes, calls or names a class of another logic module, "
         "design/uses.toml allows this use.",
-        "The check does not find a use that needs no name, such as an access to a fixed address.",
+        "A use without a name is not found, for example an access to a fixed address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
@@ -389,9 +389,9 @@ _FIXED = [
         "sim/emulator includes a file of the design, because a driver and the model of its device "
         "must not contain the same mistake. The programs of tests/k64/program and "
         "tests/usual_design/k64 are exceptions: they contain drivers and run on the virtual K64. "
-        "In src, `uses-allowed` checks which modules use src/k64. In src and extensions, no file "
-        "outside the folders of the K64 names a driver or the microcontroller, not even in a "
-        "comment.",
+        "In src, `uses-allowed` checks which modules use src/k64. Outside the folders of the K64, "
+        "no file of src and extensions contains the name of a driver or of the microcontroller, "
+        "not even in a comment.",
         "The check does not find the same wrong number in a driver and in the model of the device.",
         "write the numbers from the manual of the microcontroller, or test the firmware image on "
         "the virtual K64.",
@@ -470,8 +470,8 @@ _FIXED = [
         "of the connection is pipe, the first module writes the pipe and the second module reads "
         "it.",
         "The check does not read physical connections. It does not distinguish the kinds call, "
-        "command and interrupt. It does not find connections in the code that the architecture "
-        "does not declare.",
+        "command and interrupt. If the code contains a connection that the architecture does not "
+        "declare, the check does not find this connection.",
         "correct the connection, or the code.",
     ),
     Check(
@@ -519,9 +519,9 @@ _FIXED = [
     Check(
         "exec-heap",
         "No heap in the source",
-        "No file of src or extensions uses new, delete, malloc or free. No such file includes a "
-        "header of the standard library whose types allocate memory, or names such a type, for "
-        "example std::function.",
+        "No file of src or extensions uses new, delete, malloc or free. Some types of the standard "
+        "library, for example std::function, allocate memory. No file of src or extensions "
+        "contains the name of such a type, or includes its header.",
         "The check does not find library code that allocates memory internally. The symbols of "
         "the firmware image show such code.",
         "use an array of fixed size or a std::optional.",
@@ -584,11 +584,11 @@ _FIXED = [
         "time-bound",
         "Each loop of the firmware image has a bound",
         "If a handler of the firmware image reaches a loop, or a memory copy of unknown size, this "
-        "loop or copy has a bound. The bound is the constant in the head of the loop, or a "
-        "declared number above the loop or the copy. For a loop over a std::array, the declared "
-        "bound is not lower than the number of elements. The bound can be a smaller number if it "
-        "is a formula or a name, and the loop reads only the first elements. The target of each "
-        "indirect call is known. No lock of the interrupts contains a loop or a call.",
+        "loop or copy has a bound. The bound is the constant in the head of the loop, or a comment "
+        "above the loop or the copy declares the bound. For a loop over a std::array, the declared "
+        "bound is not lower than the number of elements. There is one exception: if a loop reads "
+        "only the first elements, a formula or a name can declare a lower bound. The target of "
+        "each indirect call is known. No lock of the interrupts contains a loop or a call.",
         "If a loop does not read a std::array, the check cannot judge whether the declared bound "
         "is right. It does not read loops that run only before the first interrupt. It reads only "
         "the firmware image of weeding_robot.",
@@ -598,11 +598,11 @@ _FIXED = [
         "time-seen",
         "No run needs more time than the bound",
         "No measured control cycle took longer than the computed bound of the control cycle. In "
-        "the runs of the bench and in the tests of the firmware image, the measured time of a "
-        "cycle ends with the report. In the published random drives, the measured time ends when "
-        "the main thread ends. Random drives with noise at the inputs have a larger bound, which "
-        "includes the interrupts that the noise causes. The recorded time of each path is at most "
-        "the computed bound of this path. In each recording, each interrupt occurs at most as "
+        "the runs of the bench and in the tests of the firmware image, the measured time lasts "
+        "until the report of the cycle. In the published random drives, the measured time lasts "
+        "until the main thread ends. Random drives with noise at the inputs have a larger bound, "
+        "which includes the interrupts that the noise causes. The recorded time of each path is at "
+        "most the computed bound of this path. In each recording, each interrupt occurs at most as "
         "often as design/times.toml states.",
         "The check does not detect that an interrupt can occur more often than in a recording. The "
         "bounds apply only to weeding_robot.",
@@ -616,11 +616,12 @@ _FIXED = [
         "Concrete States of the application. Each event refers to an operation of the State. The "
         "states, the event and the requirement of each transition exist. A method serves a "
         "requirement if its @satisfies names the requirement or if the tree of the requirement "
-        "contains the method. Two methods serve the requirement of a transition: a method of the "
-        "old or of the new state, and an operation of the event or a method of the action. Each "
-        "event occurs in a transition. If a state has several transitions at the same event, "
-        "guards distinguish these transitions. If a transition contains a number with a unit, such "
-        "as 2 s, a requirement of the transition states the same number.",
+        "contains the method. For the requirement of a transition, two conditions are true. A "
+        "method of the old or the new state serves the requirement. The operation of the event, or "
+        "a method of the action, also serves the requirement. Each event occurs in a transition. "
+        "If a state has several transitions at the same event, guards distinguish these "
+        "transitions. If a transition contains a number with a unit, such as 2 s, a requirement of "
+        "the transition states the same number.",
         "The check cannot judge the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
@@ -629,9 +630,9 @@ _FIXED = [
         "The transitions in design/fsm agree with the code",
         "The file of a machine in design/fsm declares its transitions. For each operation of a "
         "state and each successor, the number of state changes in the code equals the number of "
-        "declared transitions. A state change is a call of the operation of the Context that "
-        "assigns the state. The successor is the object that a builder passed to the state. The "
-        "builder passes the initial state to the Context. If an operation changes the state on "
+        "declared transitions. One operation of the Context assigns the state. A state change is a "
+        "call of this operation. The successor is the object that a builder passed to the state. "
+        "The builder passes the initial state to the Context. If an operation changes the state on "
         "every path, no declared transition of this operation stays in the state. If an operation "
         "of a state has only one declared transition, the check compares the condition of this "
         "transition. A guard, or an event with a time, is a condition. The transition has a "
@@ -644,8 +645,9 @@ _FIXED = [
         "lists the methods of each action. Before each change, the code calls the methods of the "
         "action. If an operation calls a method of this table, a transition of the operation has "
         "the action of this method. A function that changes the state can call such a method on "
-        "every path to the change, after any earlier change. In this case, the transition of the "
-        "change has the action of this method.",
+        "every path to the change. If a path contains an earlier change, the call is after the "
+        "earlier change. In this case, the transition of the later change has the action of this "
+        "method.",
         "The check cannot judge whether the name of a guard or of an action fits the code. It "
         "does not detect whether the code inverts a condition. It does not read states that "
         "extensions add.",
@@ -662,7 +664,7 @@ _FIXED = [
         "The check does not detect which guard prevented a change of the state. It does not find "
         "a change of the state if the test calls no state after the change. It compares nothing "
         "while the test results are older than the sources.",
-        "make the transition through its Context in a test of its requirement, or correct the "
+        "let a test of the requirement make the transition through the Context, or correct the "
         "machine.",
     ),
     Check(
@@ -829,11 +831,11 @@ _FIXED = [
     Check(
         "module-number",
         "Numbers of specifications agree with the code",
-        "The check reads each number with a unit in the comment of a module or of its methods, and "
-        "each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states the "
-        "same number. The constant belongs to the module, to a module that this module uses, or to "
-        "SystemConstants. The requirement is a requirement that the module satisfies, and its text "
-        "or its rationale contains the number.",
+        "In the comments of a module and of its methods, the check reads each number with a unit, "
+        "and each limit of a range such as '[mV], 0 to 24000'. A constant or a requirement states "
+        "the same number. The constant belongs to the module, to a module that this module uses, "
+        "or to SystemConstants. The module satisfies this requirement. The number is in the text "
+        "or in the rationale of the requirement.",
         "The check cannot judge whether the number belongs to the sentence. It does not read a "
         "sentence that begins with 'Assumption:'. It omits 100 %, and each number that is not "
         "greater than one smallest unit, such as 0.01 degree.",
@@ -842,27 +844,27 @@ _FIXED = [
     Check(
         "req-number",
         "Numbers of requirements agree with the code",
-        "Each number in a requirement is linked with a constant, or with a formula of constants, "
-        "in design/requirement_numbers.toml. The number is in digits or written as a word. The "
-        "constant or the formula has this value. design/requirement_numbers.toml also lists the "
-        "numbers for which the code has no constant, with the reason. If the @evidence of a "
-        "requirement has a bound other than 0, the requirement states this number. If a metric in "
-        "design/closed_loop.toml names a requirement, this requirement states the limit of the "
-        "metric. If the metric is an error, the requirement can state the limit as a percentage of "
-        "the target.",
+        "In design/requirement_numbers.toml, each number in a requirement is linked with a "
+        "constant, or with a formula of constants. The number is in digits or written as a word. "
+        "The constant or the formula has this value. If the code has no constant for a number, the "
+        "file lists this number and the reason. If the @evidence of a requirement has a bound "
+        "other than 0, the requirement states this number. If a metric in design/closed_loop.toml "
+        "names a requirement, this requirement states the limit of the metric. If the metric is an "
+        "error, the requirement can state the limit as a percentage of the target.",
         "The check leaves out the numbers 0, 1 and 2 if they have no unit. A formula may differ by "
         "0.5 % from the number in the text, because the text is rounded. The check cannot judge "
         "whether the linked constant causes the property that the sentence demands.",
         "correct the constant or the requirement, or name the constant in "
         "design/requirement_numbers.toml. If the code has no constant for the number, add the "
-        "number to an entry [[without]] there.",
+        "number to an entry [[without]] of this file.",
     ),
     Check(
         "test-number",
         "Numbers in the brief of a test are in its code",
-        "Each number with a physical unit in the brief of a C++ test is a number in the test, in "
-        "the other code of its file, in its fixtures or in a scenario that the test plays. The "
-        "number can also be the value of a constant that one of these places names.",
+        "The brief of a C++ test can contain numbers with a physical unit. Each of these numbers "
+        "is also in the test, in the other code of its file, in its fixtures or in a scenario that "
+        "the test plays. The number can also be the value of a constant that one of these places "
+        "names.",
         "The check cannot judge whether the number belongs to the sentence. It does not compare "
         "counts, such as cycles or edges.",
         "correct the brief, or write the number in the code of the test or in a constant that this "
@@ -900,8 +902,8 @@ _FIXED = [
         "req-method",
         "Each public method serves a requirement",
         "Each public method of a design module is tagged with @satisfies or has a node in a tree. "
-        "A virtual method and all methods that override it need only one tag or node together. A "
-        "constructor serves the requirements of its module. Other methods are justified in "
+        "For a virtual method and all methods that override it, one tag or one node is sufficient. "
+        "A constructor serves the requirements of its module. Other methods are justified in "
         "design/justified.toml. Each @satisfies is in the comment of a method of a module.",
         "The check cannot judge whether the requirement needs the method.",
         "tag the method with @satisfies, use it in a tree, remove it, or justify it in "
@@ -910,8 +912,9 @@ _FIXED = [
     Check(
         "req-caller",
         "Each public method has a caller",
-        "Code of the firmware calls every public method of a design module, or the method that "
-        "this method overrides. Methods without a caller are justified in design/justified.toml.",
+        "Code of the firmware calls every public method of a design module. If the method "
+        "overrides another method, a call of the other method is sufficient. Methods without a "
+        "caller are justified in design/justified.toml.",
         "The check does not detect whether the calling code is ever executed. It also accepts a "
         "call in dead code. It ignores constructors and operators.",
         "call the method, remove the method, or justify it in design/justified.toml.",
@@ -921,9 +924,9 @@ _FIXED = [
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
         "tools recognise the macro of every test. No test is disabled, and no test of a "
-        "requirement skips itself. If the limits of a loop in a test are numbers, or constants "
-        "that the file of the test defines, the loop runs at least once. No loop counts away from "
-        "its limit.",
+        "requirement skips itself. A loop in a test runs at least once. This is checked if the "
+        "limits of the loop are numbers, or constants in the file of the test. No loop counts away "
+        "from its limit.",
         "The check does not detect whether the test fails when the code violates the requirement. "
         "Mutation tests show this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
@@ -990,10 +993,11 @@ _FIXED = [
         "Each source line serves a requirement",
         "Each source line of a method of the design is executed by a passing test of a "
         "requirement, and the method serves this requirement. A method serves a requirement in "
-        "three cases: the tree of the requirement contains the method, the @satisfies of the "
-        "method names the requirement, or no tree contains the method but a caller of the method "
-        "serves the requirement. If a method serves no requirement, a passing test of any "
-        "requirement is enough. Other lines are justified in design/justified.toml.",
+        "three cases. First case: the tree of the requirement contains the method. Second case: "
+        "the @satisfies of the method names the requirement. Third case: no tree contains the "
+        "method, and a caller of the method serves the requirement. If a method serves no "
+        "requirement, a passing test of any requirement is enough. Other lines are justified in "
+        "design/justified.toml.",
         "The check does not read the code that only the K64 uses. The page of the virtual K64 "
         "lists the lines of src/k64 that were not executed. It also lists the files of the "
         "extensions for which the executed lines are not measured. The check does not detect "
@@ -1007,7 +1011,7 @@ _FIXED = [
         "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an "
         "id AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe "
         "state, another entry of the file declares this goal, assumption or safe state.",
-        "The check does not find hazards that nobody found.",
+        "The check cannot detect that a hazard is missing in the safety case.",
         "correct the name.",
     ),
     Check(
@@ -1038,8 +1042,8 @@ _FIXED = [
         "declares its reaction time as a formula of constants (the key parts), the reaction time "
         "is the value of this formula, rounded up by at most 10 %. The fault-tolerant time and the "
         "reaction time end when the safe state is reached, or when the halt to this state begins. "
-        "If a goal has no known exceptions, its scenarios accept no reaction that is later than "
-        "the fault-tolerant time.",
+        "If a goal has no known exceptions, its scenarios accept only reactions within the "
+        "fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It does not find a formula with the velocity of the robot if the goal declares "
         "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
@@ -1053,10 +1057,10 @@ _FIXED = [
         "hazard-requirement",
         "Requirements name existing goals",
         "If a requirement names a safety goal in @goal, this goal exists.",
-        "The check does not find a missing tag: suspect-requirement reports a removed tag. "
-        "The check cannot judge whether the requirement really contributes to the goal. If some "
-        "requirements of a goal are not verified, the check reports nothing, but the page of the "
-        "goal shows the goal as open.",
+        "The check does not find a missing tag. If a tag is removed, suspect-requirement reports "
+        "this. The check cannot judge whether the requirement really contributes to the goal. If "
+        "some requirements of a goal are not verified, the check reports nothing, but the page of "
+        "the goal shows the goal as open.",
         "correct the tag @goal.",
     ),
     Check(
@@ -1100,9 +1104,9 @@ _FIXED = [
     Check(
         "suspect-method",
         "The methods of each requirement are as in the baseline",
-        "These texts are unchanged since the baseline: the specifications of the methods that "
-        "satisfy a requirement, the bodies of these methods and of the methods in the invocation "
-        "tree of the requirement, and the constants in the files of these methods.",
+        "These texts are unchanged since the baseline: the specifications and bodies of the "
+        "methods that satisfy a requirement, the bodies of the methods in the invocation tree of "
+        "the requirement, and the constants in the files with these bodies.",
         "The check does not find changes of comments in a body, of formatting, or of names of "
         "local variables.",
         "check the text, and then run ./wr review --baseline with the id of the requirement.",
@@ -1216,11 +1220,12 @@ _FIXED = [
         "Scenarios agree with their descriptions",
         "docs/scenarios.rst names every action, fault, parameter and true value that a scenario "
         "can contain. Each word of a scenario on this page exists, and each fault in its table has "
-        "the right number of arguments. Each number with a unit in a comment of a scenario is a "
-        "value in the lines of this scenario, or a value in a requirement that the comment names. "
-        "A time can also be the difference of two times. A percentage can also be the difference "
-        "of two values. Any other number can also be in the middle of an expected range. A test of "
-        "the firmware names each file of sim/scenario/examples.",
+        "the right number of arguments. A comment of a scenario can contain numbers with a unit. "
+        "Each of these numbers is a value in the lines of this scenario, or a value in a "
+        "requirement that the comment names. A time can also be the difference of two times. A "
+        "percentage can also be the difference of two values. Any other number can also be in the "
+        "middle of an expected range. A test of the firmware names each file of "
+        "sim/scenario/examples.",
         "The check does not decide whether this test plays the file. It does not find a wrong "
         "number that is equal to a value in another line of the scenario. It does not read a "
         "number after the word 'about'.",

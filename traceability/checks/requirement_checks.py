@@ -239,8 +239,8 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """Returns the names of a justification that are no longer necessary. If at least one name of an
-    entry is necessary, each name with "/" (a file or a folder) is regarded as necessary too."""
+    """Returns those names of a justification that are no longer necessary. If at least one name of
+    an entry is necessary, each name with "/" (a file or a folder) is regarded as necessary too."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -339,7 +339,7 @@ def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
     for folder, place in folders.items():
         if words and not _built(Path(folder), words):
             text = f"{TEST_BUILD} has no program with the tests of {folder}"
-            yield Finding(place, "req-passed", text, "name the folder there")
+            yield Finding(place, "req-passed", text, "name the folder in this file")
 
 
 def _built(folder: Path, words: set[str]) -> bool:
@@ -400,8 +400,8 @@ def _tags(model: Model) -> Iterator[Finding]:
 
 def _lines(model: Model) -> Iterator[Finding]:
     """Finds source lines of a method that need a justification, but have none in
-    design/justified.toml. A line needs one if no test of the method's requirements executes the
-    line."""
+    design/justified.toml. A line needs a justification if no test of the method's requirements
+    executes the line."""
     if model.stale_on(HOST):
         return
     for gap in model.line_gaps:
@@ -449,8 +449,8 @@ def _reviews(model: Model) -> Iterator[Finding]:
 
 def _macros(facts: Facts) -> Iterator[Finding]:
     """Finds test macros that gtest_cases.py cannot read. The tests that these macros define would
-    be missing in the model. Also finds loops, in the tests, that never run or count away from
-    their limit."""
+    be missing in the model. In the tests, also finds loops that never run, and loops that count
+    away from their limit."""
     for file, code in texts_below(facts.root, ["tests"], (".cpp", ".hpp")):
         for line, head in empty_loops(code):
             text = f"the loop '{head}' never runs, or counts away from its limit"

@@ -1,5 +1,5 @@
-"""hazard-*: the safety case is complete. If two parts must name each other, such as a safety goal
-and a requirement, both parts do."""
+"""hazard-*: the safety case is complete. Its parts name only parts that exist, and no necessary
+link between two parts is missing."""
 
 from __future__ import annotations
 
@@ -182,7 +182,7 @@ def _scenarios(model: Model) -> Iterator[Finding]:
                 said = f"{hazard.id} lists the scenario {scenario.name}"
                 text = f"{said}, but the hazard and the scenario have no goal in common"
                 fix = (
-                    "name a goal of the hazard in the scenario, or remove the scenario from the "
+                    "in the scenario, name a goal of the hazard; or remove the scenario from the "
                     "hazard"
                 )
                 yield Finding(where, check, text, fix)

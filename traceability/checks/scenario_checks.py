@@ -1,6 +1,6 @@
-"""doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. Each
-number with a unit in a comment of a scenario is also in a line of the scenario, or in a requirement
-that the comment names. Each example scenario is named in a test."""
+"""doc-scenario: docs/scenarios.rst names the words that the reader of scenarios accepts. A comment
+of a scenario can contain numbers with a unit. Each of these numbers is also in a line of the
+scenario, or in a requirement that the comment names. Each example scenario is named in a test."""
 
 from __future__ import annotations
 
@@ -77,8 +77,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def unplayed_examples(root: Path) -> Iterator[Finding]:
-    """Finds example scenarios that are named in no test. Only those files of tests are read that
-    contain the name of the folder of the examples."""
+    """Finds example scenarios that are named in no test. Reads only files of tests that contain the
+    name of the folder with the examples."""
     tests = texts_below(root, ("tests",), (".cpp",))
     playing = "".join(text for _, text in tests if EXAMPLES in text)
     for path in files_below(root, (EXAMPLES,), (".scenario",)):
@@ -183,9 +183,9 @@ class _Values:
         self._ranges = [(low, high) for low, high in ends]
 
     def __contains__(self, amount: Amount) -> bool:
-        """Returns whether a line has the value. Also returns true in three cases: the value is a
-        time and the difference of two times, a percentage by which two numbers differ, or the
-        middle of an expected range."""
+        """Returns whether a line has the value. Also returns true in three cases: the value is the
+        difference of two times, a percentage by which two numbers differ, or the middle of an
+        expected range."""
         kind, number = amount
         if number in self._numbers:
             return True

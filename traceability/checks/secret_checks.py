@@ -150,8 +150,8 @@ def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
             outside = other.number > 1 and not hidden.allows(other.place.file)
             if outside and other.number in numbers and _is_similar(hidden.name, other.name):
                 text = (
-                    f"{other.name} has the same value as {hidden.name} and a similar name, but "
-                    f"{hidden.name} is a secret of {hidden.owner}"
+                    f"the values of {other.name} and {hidden.name} are equal and their names are "
+                    f"similar, but {hidden.name} is a secret of {hidden.owner}"
                 )
                 fix = f"call an operation of {hidden.owner}, or use a different name here"
                 yield Finding(other.place, "secret-hidden", text, fix)

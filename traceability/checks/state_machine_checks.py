@@ -88,8 +88,9 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Fin
 
 
 def _wrong_names(step: Transition, machine: StateMachine) -> Iterator[tuple[str, str, str]]:
-    """Yields the faults in the states and the event of a transition, and a missing requirement.
-    Each fault has a text, a fix, and the word to which the finding points."""
+    """Yields the faults in the states and the event of a transition. Also yields a fault if the
+    transition has no requirement. Each fault has a text, a fix, and the word to which the finding
+    points."""
     for name in (step.source, step.target):
         if name not in machine.states:
             yield f"there is no state {name}", "correct the name", name
@@ -387,11 +388,12 @@ def _guarded(row: Transition, change: Change) -> Finding:
 def _undeclared(machine: StateMachine, change: Change) -> Finding:
     where = f"{change.source}::{change.operation}"
     if not change.target:
-        text = f"{where} changes to a state that no builder passes to it"
+        text = f"{where} changes to a state, but no builder passes this state to {change.source}"
         fix = "change to a state that a builder passes to the constructor"
         return Finding(change.place, "fsm-code", text, fix)
     text = (
-        f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
+        f"{where} changes the state to {change.target}, but {machine.id} does not declare this "
+        "transition"
     )
     return Finding(change.place, "fsm-code", text)
 

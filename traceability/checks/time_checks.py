@@ -55,9 +55,9 @@ def exceeded(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _low_bounds(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds loops over an array with a bound that is lower than the number of elements. The bound
-    can be a smaller number if it is a formula or a name, and the loop reads only the first
-    elements."""
+    """Finds loops over an array with a bound that is lower than the number of elements. A lower
+    bound is permitted if two conditions are true: the bound is a formula or a name, and the loop
+    reads only the first elements."""
     bounds = Bounds(facts.root, model.integers)
     before = ""
     for place, line in lines_below(facts.root, DESIGN, (".cpp", ".hpp")):

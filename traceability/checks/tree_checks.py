@@ -81,8 +81,9 @@ def _may_call(node: TreeNode, child: TreeNode, facts: Facts) -> bool:
 def _order(
     node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
 ) -> Iterator[Finding]:
-    """Checks that the code makes a call once, under a condition, or several times, as its node in
-    the tree states. Also checks that the code makes the call after the previous call of the tree.
+    """The node of a call in the tree states whether the code makes the call once, under a
+    condition, or several times. Checks that the code does this. Also checks that the code makes the
+    call after the previous call of the tree.
     """
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
     call, place = f"{node.label} calls {child.label}", _body_place(node, facts)

@@ -40,8 +40,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _drivers(model: Model, root: Path) -> Iterator[Finding]:
-    """Searches the firmware outside the folders of the K64 for files that name a driver or the
-    microcontroller, in the code or in a comment."""
+    """Outside the folders of the K64, finds files of the firmware that name a driver or the
+    microcontroller. The name can be in the code or in a comment."""
     drivers = {module.name for module in model.modules.values() if is_board(module.header)}
     for place, line in lines_below(root, DESIGN, (".hpp", ".cpp", ".dox")):
         for name in (drivers | MICROCONTROLLER).intersection(NAMED.findall(line)):
@@ -100,8 +100,8 @@ def _extensions(model: Model) -> Iterator[Finding]:
 
 
 def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
-    """Finds places in src that use a number which an extension adds to an enumeration of src. The
-    extension adds the number by a conversion to the enumeration."""
+    """Finds places in src that use a number which an extension adds to an enumeration of src. To
+    add the number, the extension converts it to the type of the enumeration."""
     numbers = facts.syntax.enum_numbers
     added: dict[tuple[str, float], Place] = {
         (fact.kind, fact.number): fact.place for fact in numbers if is_extension(fact.place.file)
@@ -117,7 +117,7 @@ def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
     for key, place in uses:
         if key in added and not is_extension(place.file):
             extension = added[key].file
-            text = f"{key[0]} has the number {key[1]} here, which the extension in {extension} adds"
+            text = f"{key[0]} has the number {key[1]} here, but {extension} adds this number"
             yield Finding(place, "uses-extension", text, "keep the number only in the extension")
 
 

@@ -1,4 +1,4 @@
-"""Writes ``build/metrics.json``, the metrics of a run for other programs."""
+"""Writes the metrics of a run to ``build/metrics.json``, so that other programs can read them."""
 
 from __future__ import annotations
 

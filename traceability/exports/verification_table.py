@@ -1,5 +1,5 @@
-"""Exports the verification of each requirement for other programs, as JSON and in the format of
-JUnit."""
+"""Exports the verification of each requirement as JSON and in the format of JUnit, so that other
+programs can read it."""
 
 from __future__ import annotations
 

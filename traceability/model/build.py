@@ -150,8 +150,8 @@ def _assemble(
 
 
 def _last(root: Path, sources: str) -> dict[str, schema.LastRecord]:
-    """Returns the last records of the tests that do not run in each build, because they take too
-    long."""
+    """Some tests do not run in each build, because they take too long. Returns the last records of
+    these tests."""
     records = {
         "mutation": last_mutation(root, sources),
         "drift": last_seeded(root),

@@ -1,5 +1,5 @@
-"""Evidence for requirements that are not fulfilled by calls of methods, for example a limit of the
-flash memory. The tag @evidence of a requirement compares a metric with a bound."""
+"""Evidence for requirements that calls of methods cannot fulfil, for example a limit of the flash
+memory. The tag @evidence of a requirement compares a metric with a bound."""
 
 from __future__ import annotations
 

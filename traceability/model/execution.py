@@ -25,8 +25,8 @@ DISPATCH = "Command::execute"  # operation that the handler of a thread calls
 ENABLE = "K64Thread::enable"  # method with the arguments: interrupt line, priority of this line
 
 
-# context -> method that the context may execute while the other contexts run -> the caller of this
-# method that was found first
+# context -> method that the context may execute while the other contexts run -> the caller through
+# which the search found this method
 Methods = dict[str, Ways[str]]
 
 

@@ -300,7 +300,8 @@ def methods(requirements: Iterable[schema.Requirement]) -> dict[str, Any]:
 
 
 def driver_lines(model: Model) -> tuple[int, int]:
-    """Returns two numbers of lines of the drivers in the image with recorded lines: the lines that
-    were not executed, and all lines. Both numbers are 0 if the lines were not measured."""
+    """The image with recorded lines contains drivers. Returns two numbers for the source lines of
+    these drivers: the lines that were not executed, and all lines. Both numbers are 0 if the lines
+    were not measured."""
     hits = [hit for lines in (model.board_lines or {}).values() for hit in lines.values()]
     return hits.count(False), len(hits)

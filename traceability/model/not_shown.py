@@ -219,8 +219,9 @@ def targets_of(model: Model, requirement: Requirement) -> list[str]:
 
 
 def _missing_runs(model: Model) -> Iterator[NotShown]:
-    """Yields the results that this build lacks. Also yields the number of examples of changes and
-    the ports with a test that did not pass. ``_sources`` lists missing test results of a target."""
+    """Yields the results that this build lacks. If a test of an example of a change did not pass,
+    this example is counted. If a test of a port did not pass, this port is listed. ``_sources``
+    lists missing test results of a target."""
     coverage = model.measured.get("coverage.line")
     results = (
         (coverage, "The combined coverage of the tests was not measured", "requirements"),
@@ -243,8 +244,8 @@ def _missing_runs(model: Model) -> Iterator[NotShown]:
     made = [change.made for change in model.changes.values() if change.made]
     if unproven := len(made) - sum(map(proven, made)):
         yield NotShown(
-            "Number of examples of likely changes with a failed test, or without test results for "
-            f"these sources: {unproven} of {len(made)}.",
+            "Some examples of likely changes have a failed test, or no test results with these "
+            f"sources: {unproven} of {len(made)}.",
             "changes",
         )
     if ports := [name for name, port in model.ports.items() if not port.passed]:
@@ -266,8 +267,8 @@ def _measurements(model: Model) -> Iterator[NotShown]:
         )
     if files := unmeasured_drivers(model):
         yield NotShown(
-            "The executed lines of these files of the extensions, which are compiled only for the "
-            f"K64, are not measured: {', '.join(files)}.",
+            "Some files of the extensions are compiled only for the K64. Their executed lines are "
+            f"not measured: {', '.join(files)}.",
             "virtual_k64",
         )
     if slow := sum(_share(model, paper) > 1 for paper in SCENARIOS):

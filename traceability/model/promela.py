@@ -132,8 +132,8 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 
 
 def proofs_of(root: Path, declared: Declared) -> Proofs:
-    """Returns the declared properties, the results of their proofs, the text of the proved model,
-    and the counterexamples as lists of cycles with their events."""
+    """Returns the declared properties, the results of their proofs, and the text of the proved
+    model. Also returns the counterexamples, as lists of cycles with their events."""
     path = root / ROBOT
     if not path.exists():
         return Proofs()

@@ -81,8 +81,8 @@ class Quantity:
 
 
 def stated_numbers(text: str) -> dict[str, Quantity]:
-    """Returns the quantity of each number with a unit in a text. The key is the number with its
-    unit, such as ``200 ms``."""
+    """Returns the quantities of those numbers of a text that have a unit. The key is the number
+    with its unit, such as ``200 ms``."""
     quantities: dict[str, Quantity] = {}
     for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
         unit = match["unit"] or match["later"]
@@ -95,7 +95,7 @@ def stated_numbers(text: str) -> dict[str, Quantity]:
 
 
 def bare_numbers(text: str) -> dict[str, Quantity]:
-    """Returns the numbers without a unit in a text, in digits or in words."""
+    """Returns those numbers of a text that have no unit. The numbers are in digits or are words."""
     rest = _NAMED.sub("", _STATED.sub("", _IDENTIFIER.sub("", re.sub(r"\s+", " ", text))))
     found = {match["number"] for match in _BARE.finditer(rest)} - _TRIVIAL
     return {number: Quantity("", number_in(number)) for number in sorted(found)}

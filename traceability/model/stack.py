@@ -44,8 +44,8 @@ class Declared:
     faults: list[str] = field(default_factory=list)
     # Function with a call through a pointer -> pattern of the symbols that it may call, with ``*``.
     calls: dict[str, str] = field(default_factory=dict)
-    # Class -> number of its objects in a chain, with the objects of its subclasses. In a chain,
-    # each object wraps the next object.
+    # Class -> number of its objects in a chain, including the objects of its subclasses. In a
+    # chain, each object wraps the next object.
     entries: dict[str, int] = field(default_factory=dict)
     # Class of an object in a chain -> the classes of all later objects in the chain.
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
@@ -68,7 +68,7 @@ def read_declared(root: Path, facts: Facts) -> Declared:
 
 
 def objects_in_chains(classes: set[str], facts: Facts) -> dict[str, int]:
-    """Returns a map from each class to the greatest number of its objects in a chain, with the
+    """Returns a map from each class to the greatest number of its objects in a chain, including the
     objects of its subclasses. The classes are those of the chains, and their base classes. A chain
     contains at most one object of each class. A base class with a subclass outside the chains is
     left out."""
@@ -103,9 +103,9 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Returns the greatest number of nested calls for each method of the classes in chains of
-    objects. The chains are the objects in the applications of the Decorator pattern, and the
-    chains that ``design/stack.toml`` declares."""
+    """Some classes have objects in chains. For each method of these classes, returns the greatest
+    number of nested calls. The objects in an application of the Decorator pattern are a chain.
+    ``design/stack.toml`` declares the other chains."""
     entries = {
         method.id: most
         for name, most in declared.entries.items()

@@ -184,7 +184,7 @@ class _Changes:
 
     def initial(self) -> set[str]:
         """Returns the initial states. The class with the objects of the states passes states to
-        other objects. A state is an initial state if the other object is not a state."""
+        other objects. An initial state is passed to an object that is not a state."""
         members = {
             f"field {self.code.storage}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.storage)]
@@ -270,7 +270,7 @@ class _Run:
         self.watcher = watcher
         self.found: list[Seen] = []
         self.stack: list[str] = []
-        self.running: int | None = None  # index in ``stack`` of the present state's operation
+        self.running: int | None = None  # index in ``stack``: the operation of the present state
         self.changed: tuple[str, ...] | None = None  # methods on the path to the change
         self._forget()
 

@@ -1,4 +1,4 @@
-"""The tests of the model. For each test, the model contains the requirements that the test
+"""The tests in the model. For each test, the model contains the requirements that the test
 verifies, the result on each target, and the modules that the test executed."""
 
 from __future__ import annotations

@@ -23,8 +23,8 @@ def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
 
 
 def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
-    """Returns the calls between modules that are made inside the calls at the rows ``firsts``. If
-    an interrupt occurs during these calls, the calls of its handler are left out."""
+    """Inside the calls at the rows ``firsts``, modules call other modules. Returns these inner
+    calls. If an interrupt occurs during these calls, the calls of its handler are left out."""
     paths: dict[tuple[str, ...], Folded] = {}
     end = 0
     for first in firsts:

@@ -352,8 +352,8 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records a call of a function whose address is taken, because the function can later be
-        called through the address. A direct call is not recorded here."""
+        """If the code takes the address of a function, records a call of this function, because the
+        function can later be called through the address. A direct call is not recorded here."""
         pending = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in pending:
             self.call(target, body, place, virtual=False)

@@ -25,8 +25,8 @@ def fault_kinds(root: Path) -> dict[str, str]:
 
 
 def sensor_faults(root: Path) -> list[str]:
-    """Returns the faults of sensors from which the campaign chooses, each with the range of its
-    value."""
+    """The campaign chooses from several faults of sensors. Returns these faults, each with the
+    range of its value."""
     texts = enumerators(root / PLANT, "Fault")
     choices = _CHOICE.findall(text_of(root / CHOICES))
     return [_with_range(texts.get(name, name), *values) for name, *values in choices]

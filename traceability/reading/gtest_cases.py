@@ -1,5 +1,5 @@
-"""Reads the GoogleTest cases in a source file: suite, name, line and body of each test. Also finds
-loops, in the tests, that never run."""
+"""Reads the GoogleTest cases in a source file: suite, name, line and body of each test. In the
+tests, also finds loops that never run."""
 
 from __future__ import annotations
 

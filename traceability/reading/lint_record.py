@@ -77,8 +77,8 @@ def tidied(root: Path, suffixes: tuple[str, ...]) -> list[Path]:
 
 
 def read_exemptions(root: Path) -> list[Exemption]:
-    """Returns the comments that exempt a source line from rules of clang-tidy, in the files that
-    clang-tidy reads."""
+    """In the files that clang-tidy reads, some comments exempt a source line from rules of
+    clang-tidy. Returns these comments."""
     return [
         Exemption(Place(str(path.relative_to(root)), number), match["rules"], match["why"])
         for path in tidied(root, (".hpp", ".cpp"))

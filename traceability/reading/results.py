@@ -1,4 +1,5 @@
-"""Reads the results of the tests and the sizes of the modules that the last run wrote."""
+"""Reads the files that the last run wrote: the results of the tests, and the sizes of the
+modules."""
 
 from __future__ import annotations
 
@@ -127,8 +128,8 @@ def cost_of(root: Path, run_name: str) -> Path:
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """Returns the time of the tests with recordings divided by their time without recordings.
-    Returns None if one of the two runs used other sources than ``sources``."""
+    """Returns a quotient: the time of the tests with recordings, divided by their time without
+    recordings. Returns None if one of the two runs used other sources than ``sources``."""
     costs = [read_object(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(cost.get("sources") != sources for cost in costs):
         return None

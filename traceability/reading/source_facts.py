@@ -87,7 +87,7 @@ class Facts:
 
     def named_by(self, user: str) -> Iterator[tuple[Place, str]]:
         """Yields each class whose name is in the code of a class, or whose header this code
-        includes, with the place."""
+        includes. Each result also contains the place."""
         for name in self.names_of.get(user, []):
             yield name.place, name.target.split("::", maxsplit=1)[0]
         for include in self.includes_of.get(user, []):

@@ -51,6 +51,11 @@ def test_the_terms_are_those_of_the_glossary() -> None:
     ]
 
 
+def test_a_list_of_terms_inside_a_line_is_found(root: Path) -> None:
+    (finding,) = found(root, str(GLOSSARY), TERMS.replace("\n      Not:", " Not:"))
+    assert finding.endswith('"Not:": write it at the beginning of a line of its entry')
+
+
 @pytest.mark.parametrize(
     ("file", "text", "line"),
     [
