@@ -69,8 +69,8 @@ class K64Uart final : public SerialPort {
   template <class Element, std::size_t kSize>
   class Ring {
    public:
-    // This method, load() and store() are always inlined: they have few instructions and run for
-    // each element.
+    // count(), load() and store() are always inlined: they have few instructions and run for each
+    // element.
     [[nodiscard, gnu::always_inline]] std::size_t count() const { return end() - first(); }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
     void put(std::span<const Element> elements) {  // precondition: the buffer has enough space

@@ -29,8 +29,8 @@ consteval Table remainders() {
 
 constexpr Table kRemainders = remainders();
 
-// Returns a table of CRC remainders. `other` is the table for a byte with n more bytes after it.
-// The result is the table for a byte with n + 1 more bytes after it.
+// Returns a table of CRC remainders. `other` is the table for a byte that is followed by n more
+// bytes. The result is the table for a byte that is followed by n + 1 more bytes.
 consteval Table beforeByte(const Table& other) {
   Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {

@@ -16,7 +16,7 @@ namespace wr {
 /// @patternapp{wheel-timer-interrupt, Command, Process timer interruptions for the wheel control
 /// system}
 /// @why The current of a wheel is sampled at each interrupt of a timer. The timer executes a
-/// command object. Therefore the timer names no module of the wheels.
+/// command object. Therefore the class of the timer does not name a module of the wheels.
 /// @changes The actions in a tick, and the affected modules, may change. The timer does not change.
 class ReadCnt final : public Command {
  public:

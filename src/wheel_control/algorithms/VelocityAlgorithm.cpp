@@ -27,9 +27,9 @@ constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of doubtf
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
 // Returns a part of the deviation of the model from the set-point. The processor divides numbers of
-// more than 32 bits slowly. Therefore the thousands of the deviation and the remainder are computed
-// separately. The products fit into 32 bits, because a set-point and a measured velocity have at
-// most 16 bits.
+// more than 32 bits slowly. Therefore this function multiplies two numbers separately: the
+// thousands of the deviation, and the remainder. The products fit into 32 bits, because a set-point
+// and a measured velocity have at most 16 bits.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
   return deviation / kThousand * thousandths + deviation % kThousand * thousandths / kThousand;
 }
