@@ -56,9 +56,9 @@ struct PinRow {
 // debug probe of this board needs SWO. The pin of emergency_stop is also connected to the
 // accelerometer, which the firmware does not use. The firmware does not use the connector pin J2-2.
 // Up to revision D of the board, J2-2 is PTA0, a pin of the debugger. From revision E on, J2-2 is
-// PTC12. The documents may name only the pins of the table and of these comments. If these comments
-// named a pin of the table, and this pin were removed from the table, no check would find the
-// documents that still name this pin. Therefore these comments name no pin of the table.
+// PTC12. The documents may name only the pins of the table and of these comments. These comments do
+// not name a pin of the table. Otherwise, after the removal of this pin from the table, no check
+// would find the documents that still name the pin.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "The button is not used. The flash configuration disables the non-maskable interrupt of this pin."},

@@ -185,6 +185,6 @@ static_assert(SystemConstants::instance().steeringRate().count() *
               "a step must have one tick with the pulse and one tick without it");
 static_assert(SystemConstants::instance().watchdogTimeout() >
                   SystemConstants::instance().cyclePeriod() * 2,
-              "one cycle that does not complete must not cause a reset");
+              "the watchdog must tolerate one cycle that does not complete");
 
 }  // namespace wr

@@ -9,8 +9,8 @@ namespace wr {
 /// @brief Command that samples the current of a wheel at each tick.
 /// @function Reads the sample that the previous tick requested, passes this sample to the
 /// collector, and requests the next sample.
-/// @secret The rule that one tick requests a sample and the next tick reads this sample. Therefore
-/// no interrupt waits for a conversion.
+/// @secret The rule that a sample is requested in one tick and read in the next tick. Therefore no
+/// interrupt waits for a conversion.
 /// @role{wheel-timer-interrupt, Concrete Command}
 ///
 /// @patternapp{wheel-timer-interrupt, Command, Process timer interruptions for the wheel control

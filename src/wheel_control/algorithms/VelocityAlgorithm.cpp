@@ -17,8 +17,8 @@ constexpr std::int32_t kMean = 806;   // [1/1000] mean of the remaining part dur
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};  // [uV per 0.1 rpm]
 
 // Lost edges make the measured velocity too low. The velocity is doubtful when the motor induces
-// more voltage than this velocity explains, and the tolerances of supply, winding and motor
-// constant do not explain the difference.
+// more voltage than this velocity explains. The difference must be greater than the tolerances of
+// supply, winding and motor constant.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
 constexpr std::int32_t kModelToleranceDivisor = 3;  // 1/3 of the voltage is added to the tolerance
 constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of doubtful cycles in a row
