@@ -96,7 +96,7 @@ class K64Uart final : public SerialPort {
       return element;
     }
     // Returns the position of the next element to read. The position of an element is the number of
-    // elements that were written before this element, since start.
+    // elements that were written since start and before this element.
     [[nodiscard]] std::size_t first() const { return load(read_); }
     // Returns the position after the last element.
     [[nodiscard]] std::size_t end() const { return load(written_); }

@@ -12,7 +12,7 @@ namespace {
 
 // docs/wheel_control.rst derives these values.
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kDecay = 637;  // [1/1000] part of a deviation that remains after a cycle
+constexpr std::int32_t kDecay = 637;  // [1/1000] after a cycle, this part of a deviation remains
 constexpr std::int32_t kMean = 806;   // [1/1000] mean of the remaining part during a cycle
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};  // [uV per 0.1 rpm]
 
