@@ -33,7 +33,7 @@ class Waypoints final : public ModeDecorator {
     ModeDecorator::read(mCtrl);
   }
 
-  /// @brief Changes to the other mode.
+  /// @brief Selects the other mode.
   /// @param mCtrl main controller
   /// @isr{no}
   void changeMode(MainController& mCtrl) override { mCtrl.changeMode(other_); }

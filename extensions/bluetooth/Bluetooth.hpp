@@ -9,8 +9,8 @@ namespace wr {
 /// @brief The reading mode in which a Bluetooth device commands the robot.
 ///
 /// @function Extends the basic mode: an order is valid only while the Bluetooth device is
-/// connected. When an order is read, Bluetooth is recorded as the source of the set-points. Changes
-/// to the other reading mode when the operation state demands this change.
+/// connected. When an order is read, Bluetooth is recorded as the source of the set-points. Selects
+/// the other reading mode at the request of the operation state.
 ///
 /// @secret The form in which a Bluetooth device is recorded as the source of set-points.
 ///

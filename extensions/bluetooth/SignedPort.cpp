@@ -153,10 +153,10 @@ bool SignedPort::accept() {
   return true;
 }
 
-// Sends a challenge only if there is space for two frames of the greatest size, with counter and
-// tag. Otherwise the challenges after many wrong frames would fill the transmit buffer, and the
-// robot could not send other frames. Before the first challenge, also sends a zero byte, which ends
-// a frame that the last reset may have interrupted.
+// Sends a challenge only if there is space for two frames of the greatest size, each with its
+// counter and its tag. Otherwise the challenges after many wrong frames would fill the transmit
+// buffer, and the robot could not send other frames. Before the first challenge, also sends a zero
+// byte, which ends a frame that the last reset may have interrupted.
 void SignedPort::challenge() {
   if (port_.free() < 2 * received_.size()) {
     return;

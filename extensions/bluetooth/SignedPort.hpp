@@ -34,8 +34,8 @@ class SignedPort final : public SerialPort {
   /// hexadecimal digits of the counter, then 16 hexadecimal digits of the tag.
   static constexpr std::size_t kTrailer = 24;
 
-  /// @brief Draws the random number of this start. If no random number can be drawn, this port
-  /// receives and sends nothing.
+  /// @brief Gets the random number of this start from the generator. If the generator returns no
+  /// number, this port receives and sends nothing.
   /// @param port extended port, to which the Bluetooth module is connected
   /// @param key secret key. If all its bytes are 0xFF, the robot has no key, and this port receives
   /// and sends nothing

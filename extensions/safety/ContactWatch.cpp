@@ -24,8 +24,8 @@ void ContactWatch::sample() {
   }
 }
 
-// A tick can interrupt this function between two statements. If a tick records an opening between
-// the first and the third statement, this call and the next call both report this opening. If the
+// A tick can interrupt this function between two statements. If a tick between the first and the
+// third statement records an opening, this call and the next call both report this opening. If the
 // contact closes after the second statement, a tick can record the closing before the third
 // statement is executed. The third statement then deletes this record, and the openings before and
 // after the closing count as one opening.

@@ -31,7 +31,8 @@ struct EnableChannel {
   }
 
   Pipe<Microseconds> width;  ///< width of each valid pulse, 900 to 2100 us
-  Pipe<Microseconds> stop;   ///< width of the second of two successive pulses that order a stop
+  Pipe<Microseconds> stop;   ///< width of a pulse that orders a stop, if the previous pulse also
+                             ///< ordered a stop
   BasicCollector instants;   ///< stores the time of the last edge
   PeriodCollector period;    ///< measures the period of the pulses
   WidthCollector collector;  ///< measures the width of a pulse

@@ -27,9 +27,11 @@ constexpr Microseconds kAcknowledgeTime = milliseconds(1000);
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
 
-// Returns the deflection of a stick [us]. The value of the stick was computed from the deflection
-// of a pulse, and was rounded. This function rounds too. Therefore its result is the deflection of
-// this pulse, except in the neutral range and beyond full deflection.
+// Returns the deflection of a stick [us], rounded to the nearest integer. The value of the stick
+// was computed from the deflection of a pulse, and was rounded. One microsecond of deflection
+// changes the value by several units. Therefore the rounding of the value does not change the
+// result: it is the deflection of this pulse, except in the neutral range and beyond full
+// deflection.
 std::int32_t deflectionOf(std::int32_t value, std::int32_t limit) {
   const std::int32_t half = value < 0 ? -limit / 2 : limit / 2;
   return (value * kFullDeflection + half) / limit;

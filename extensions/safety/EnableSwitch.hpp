@@ -37,7 +37,8 @@ class EnableSwitch final : public ModeDecorator {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick
     Pipe<Angle>& direction;      ///< position of the direction stick
     Pipe<Microseconds>& enable;  ///< width of the pulses of the enable switch
-    Pipe<Microseconds>& stop;    ///< width of the second of two successive pulses that order a stop
+    Pipe<Microseconds>& stop;    ///< width of a pulse that orders a stop, if the previous pulse
+                                 ///< also ordered a stop
     const Timebase& timebase;    ///< returns the present time
   };
 
@@ -81,8 +82,9 @@ class EnableSwitch final : public ModeDecorator {
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 
-  /// @brief Checks whether the remote control orders a stop.
-  /// @return true while a stop of the switch is latched, or while the wrapped mode orders a stop.
+  /// @brief Checks whether a stop of the remote control is in force.
+  /// @return true while a stop of the switch is latched, or while stopOrdered() of the wrapped mode
+  /// returns true.
   /// @satisfies FR-285
   /// @satisfies FR-286
   /// @isr{no}

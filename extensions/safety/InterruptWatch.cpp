@@ -10,8 +10,9 @@ namespace {
 // degree.
 constexpr Microseconds kLatestTick = milliseconds(20);
 
-// If a Hall edge waits at each of this number of successive ticks, the processor does not serve its
-// interrupt. A shorter wait is no fault, because a new edge can arrive just before a tick.
+// Number of successive ticks. If a Hall edge waits at each of these ticks, the processor does not
+// serve the interrupt of the edge. A shorter wait is no fault, because a new edge can arrive just
+// before a tick.
 constexpr std::uint8_t kWaitingTicks = 5;
 
 }  // namespace

@@ -21,8 +21,8 @@ constexpr float kVarianceDrift = 1e-6F;
 // Standard deviations of the unexplained voltage. The unexplained voltage is the difference between
 // the voltage of the wheel and the voltage that the model computes.
 constexpr float kNoise = 0.1F;          // [V] noise that is always present
-constexpr float kVelocityNoise = 0.3F;  // noise for each volt of change of the induced voltage
-constexpr float kTensionNoise = 0.2F;   // noise for each volt of change of the wheel's voltage
+constexpr float kVelocityNoise = 0.3F;  // noise for each volt by which the induced voltage changes
+constexpr float kTensionNoise = 0.2F;   // noise for each volt by which the wheel's voltage changes
 constexpr float kCurrentNoise = 0.02F;  // noise for each volt across the winding
 
 // The evidence is the logarithm of a ratio of two probabilities: the probability of the

@@ -39,16 +39,16 @@ class PersistentStop final : public ModeDecorator {
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 
-  /// @brief Checks whether the source orders a stop.
-  /// @return true if the source orders a stop, or if its stop from before the reset is still in
-  /// force.
+  /// @brief Checks whether a stop of the source is in force.
+  /// @return true if stopOrdered() of the wrapped mode returns true, or if a stop that the source
+  /// ordered before the reset is still in force.
   /// @satisfies FR-290
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;
 
  private:
   StopMemory& memory_;
-  bool kept_;  // a stop from before the reset is still in force
+  bool kept_;  // a stop that was ordered before the reset is still in force
 };
 
 }  // namespace wr

@@ -25,7 +25,7 @@ class ProgramCheck final {
   /// @datatype
   struct Part {
     std::span<const Words> original;  ///< words in flash
-    std::span<const Words> copy;      ///< words in RAM, as many as in the original
+    std::span<const Words> copy;      ///< words in RAM; the same number as in flash
   };
 
   /// @param parts sections of the program: at least one section, and no empty section. This array

@@ -67,8 +67,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @satisfies FR-272
   /// @satisfies FR-273
   void examine(const SetPoints* followed);
-  /// @brief Latches a protective stop if the contact of the emergency-stop circuit is open, or was
-  /// open since the last cycle.
+  /// @brief Latches a protective stop if the contact of the emergency-stop circuit is open, or if
+  /// an opening was recorded since the last cycle.
   /// @satisfies FR-271
   /// @satisfies FR-291
   void examineContact();

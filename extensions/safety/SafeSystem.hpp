@@ -18,7 +18,7 @@ namespace wr {
 /// @role{control-system-orders, Concrete Class}
 class SafeSystem final : public ControlSystem {
  public:
-  /// @param first first stage of each order
+  /// @param first stage that receives each order first
   explicit SafeSystem(OrderStage& first);
 
   /// @brief Checks whether every control system of the robot has executed the orders of a cycle.

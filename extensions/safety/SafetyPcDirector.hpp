@@ -9,14 +9,13 @@
 
 namespace wr {
 
-/// @brief The director that builds and starts a robot that has safety functions and receives orders
-/// only from the PC.
+/// @brief The director of a robot that has safety functions and receives orders only from the PC.
 ///
 /// @function Calls the steps of the builders in the required sequence. Passes one reading mode with
 /// safety functions to the builder of the main controller, instead of the standard mode PC. Starts
 /// the control systems and the main controller.
 ///
-/// @secret The steps that build a robot that has safety functions and no remote control.
+/// @secret The steps that build a robot with safety functions and without a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}

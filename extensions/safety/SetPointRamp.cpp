@@ -62,7 +62,8 @@ std::int32_t unloadedVelocity(Tension tension) {
 
 // Returns the ordered voltage, limited to the permitted change in this cycle. A change away from 0
 // is at most kMaxRisePerCycle. A change towards 0 is at most kMaxFallPerCycle, and can change the
-// sign of the voltage. The magnitude of the voltage is then at most kMaxRisePerCycle.
+// sign of the voltage. If the sign changes, the magnitude of the voltage is at most
+// kMaxRisePerCycle.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
       std::min(applied + kMaxFallPerCycle, std::max(applied, Tension()) + kMaxRisePerCycle);

@@ -20,8 +20,8 @@ constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-// In a cycle with a high current, the count of the wheel increases. While the steering angle does
-// not exceed kStraight, it increases by kStraightCycle, otherwise by 1.
+// In a cycle with a high current, the count of the wheel increases: by kStraightCycle while the
+// steering angle does not exceed kStraight, otherwise by 1.
 constexpr std::uint8_t kStraightCycle = 5;
 
 bool isGreat(std::optional<Current> current) {

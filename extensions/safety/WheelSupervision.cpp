@@ -44,9 +44,9 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-// In the first cycle without a new value, the old value is still valid (FR-127). The value is
-// missing from the second such cycle on. Therefore it is missing for the second time in the third
-// such cycle.
+// Number of cycles without a valid value. When no new value arrives, the old value is still valid
+// in the first cycle (FR-127). The value is missing in the second and in the third cycle. Therefore
+// the fault is found in the third cycle without a new value.
 constexpr std::uint8_t kMissingCycles = 2;
 
 // If the voltage of a wheel exceeds kDriving, its current must change. If the measured current [mA]

@@ -9,8 +9,8 @@ namespace wr {
 ///
 /// @function Switches a warning on while the state lasts, unless a stop is in force. The report to
 /// the PC contains the number of this state. During this state the control systems follow the
-/// set-points that were read last, unless a stop is in force. Changes to the working state when a
-/// message arrives, and to the next waiting state when a read fails.
+/// set-points that were read last, unless a stop is in force. Sets the working state when a
+/// message arrives, and the next waiting state when a read fails.
 ///
 /// @secret The output that shows the warning.
 ///

@@ -7,13 +7,13 @@
 
 namespace wr {
 
-/// @brief The director that builds and starts a robot that warns before it stops.
+/// @brief The director of a robot that warns before it stops.
 ///
 /// @function Calls the steps of the builders in the required sequence. Passes operation states with
 /// a warning to the builder of the main controller, instead of the standard states. Starts the
 /// control systems and the main controller.
 ///
-/// @secret The steps that build a robot that has a warning and a remote control.
+/// @secret The steps that build a robot with a warning and a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}

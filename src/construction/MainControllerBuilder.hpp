@@ -100,8 +100,8 @@ class MainControllerBuilder {
   MainControllerBuilder(const MainControllerBuilder&) = delete;
   MainControllerBuilder& operator=(const MainControllerBuilder&) = delete;
 
-  /// @brief Builds the reader of the orders of the PC, and the link to the PC with the states of
-  /// the connection. At first no PC is connected.
+  /// @brief Builds the reader of the orders of the PC, the link to the PC, and the states of the
+  /// connection. At first no PC is connected.
   /// @errors If the link is built twice, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
@@ -138,7 +138,7 @@ class MainControllerBuilder {
 
   /// @brief Sets reading modes that an extension built.
   /// @param first reading mode in which the firmware starts
-  /// @param all all modes; the modes and this array must exist as long as the builder
+  /// @param all the reading modes; these modes and this array must exist as long as the builder
   /// @errors If modes are already built, the program ends with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}

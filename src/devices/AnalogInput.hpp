@@ -7,8 +7,7 @@ namespace wr {
 
 /// @brief Analog input for a voltage.
 /// @function Converts a voltage to a number, in the background.
-/// @secret The converter that converts the input, and the sequence in which a converter serves its
-/// inputs.
+/// @secret The converter of the input, and the sequence in which a converter serves its inputs.
 class AnalogInput {
  public:
   /// @brief Greatest number that a conversion returns.

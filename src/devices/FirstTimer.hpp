@@ -8,7 +8,7 @@ namespace wr {
 /// @brief Timer that starts the control cycles.
 /// @function Generates one clock pulse in each cycle period, and executes a command at each clock
 /// pulse.
-/// @secret The accesses to the hardware timer that each clock pulse needs.
+/// @secret The accesses to the hardware timer at each clock pulse.
 /// @role{cycle-timer-interrupt, Invoker}
 class FirstTimer final {
  public:

@@ -8,7 +8,8 @@ namespace wr {
 
 /// @brief Source of the time since the start of the system.
 /// @function Returns the time since start, for time stamps and time-outs. Returns the number of
-/// processor cycles without sleep, from which the computing time of a control cycle is calculated.
+/// processor cycles without sleep. The computing time of a control cycle is calculated from this
+/// number.
 /// @secret The counters that measure the time and the processor cycles, and the method by which an
 /// overflow of the time is prevented.
 class Timebase {

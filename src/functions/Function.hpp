@@ -14,9 +14,9 @@ namespace wr {
 /// @role{functions, Strategy}
 ///
 /// @patternapp{functions, Strategy, Functions}
-/// @why The values of sensors and of the remote control must be converted to physical values, each
-/// with a different formula. A sensor uses a function only through this interface, and does not
-/// depend on the formula.
+/// @why The values of sensors and of the remote control must be converted to physical values. Each
+/// conversion needs a different formula. A sensor uses a function only through this interface, and
+/// does not depend on the formula.
 /// @changes The formula may change when a different sensor is used. A new calculation is a new
 /// subclass of this class.
 class Function {

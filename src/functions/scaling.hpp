@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief Divides, and rounds the quotient to the nearest integer. A quotient in the middle between
 /// two integers is rounded away from zero.
-/// @param dividend number to divide; if the divisor fits into 32 bits, each product of a 33-bit
-/// number and a 32-bit number is permitted
+/// @param dividend number to divide; if the divisor fits into 32 bits, the dividend may be each
+/// product of a 33-bit number and a 32-bit number
 /// @param divisor the divisor
 /// @return the quotient; nothing when the divisor is 0 or less, or when the quotient needs more
 /// than 32 bits

@@ -14,7 +14,7 @@ namespace wr {
 /// @brief Analog input of the K64, which has two converters.
 /// @function Converts the voltage of one pin to 12 bits, as the mean of four samples.
 /// @secret The steps that calibrate and start a converter, and the sequence in which a converter
-/// converts its inputs.
+/// serves its inputs.
 class K64Adc final : public AnalogInput {
  public:
   /// @brief Number of converters.

@@ -84,8 +84,8 @@ class K64Board {
   /// @satisfies FR-140
   static void openGates();
 
-  /// @brief Reads one word from the random number generator. To wait for the word, reads the status
-  /// of the generator at most 2,000 times.
+  /// @brief Reads one word from the random number generator. Before this, reads the status of
+  /// the generator until the word is ready, but at most 2,000 times.
   /// @return a word of 32 random bits, without meaning as a number; nothing when no word was ready
   /// in time
   /// @pre openGates() was called.

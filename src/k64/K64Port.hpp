@@ -10,8 +10,9 @@ namespace wr {
 /// @brief Input pin of the K64.
 /// @function Reads the level of one pin. Causes an interrupt at each rising and each falling edge,
 /// up to a limit in each tick.
-/// @secret The methods that detect edges, clear the flag of one edge but not the flags of other
-/// pins, and block the interrupts of an input with too many edges.
+/// @secret The method by which edges are detected. The method by which the flag of one pin is
+/// cleared without a change of the flags of other pins. The method by which the interrupts of an
+/// input with too many edges are blocked.
 class K64Port final : public EdgeInput {
  public:
   /// @brief Greatest number of interrupts of one input in one tick. Without noise an input has at

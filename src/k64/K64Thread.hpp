@@ -7,7 +7,7 @@
 
 namespace wr {
 
-/// @brief Control thread that runs in an interrupt that no device uses.
+/// @brief Control thread that runs in an interrupt of its own. No device uses this interrupt.
 /// @function Requests the interrupt in software. The handler of the interrupt then runs the thread
 /// at the priority of the interrupt.
 /// @secret The method by which the interrupt controller starts a thread, and the other code that

@@ -69,8 +69,8 @@ class K64Uart final : public SerialPort {
   template <class Element, std::size_t kSize>
   class Ring {
    public:
-    // This method, load() and store() are always inlined: they have few instructions and run for
-    // each element.
+    // count(), load() and store() are always inlined: they have few instructions and run for each
+    // element.
     [[nodiscard, gnu::always_inline]] std::size_t count() const { return end() - first(); }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
     void put(std::span<const Element> elements) {  // precondition: the buffer has enough space
@@ -96,7 +96,7 @@ class K64Uart final : public SerialPort {
       return element;
     }
     // Returns the position of the next element to read. The position of an element is the number of
-    // elements that were written before this element, since start.
+    // elements that were written since start and before this element.
     [[nodiscard]] std::size_t first() const { return load(read_); }
     // Returns the position after the last element.
     [[nodiscard]] std::size_t end() const { return load(written_); }

@@ -56,9 +56,9 @@ struct PinRow {
 // debug probe of this board needs SWO. The pin of emergency_stop is also connected to the
 // accelerometer, which the firmware does not use. The firmware does not use the connector pin J2-2.
 // Up to revision D of the board, J2-2 is PTA0, a pin of the debugger. From revision E on, J2-2 is
-// PTC12. The documents may name only the pins of the table and of these comments. If these comments
-// named a pin of the table, and this pin were removed from the table, no check would find the
-// documents that still name this pin. Therefore these comments name no pin of the table.
+// PTC12. The documents may name only the pins of the table and of these comments. These comments do
+// not name a pin of the table. Otherwise, after the removal of this pin from the table, no check
+// would find the documents that still name the pin.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "The button is not used. The flash configuration disables the non-maskable interrupt of this pin."},
@@ -67,23 +67,23 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
     {{Port::C, 14, Mux::Alt3, Role::PulledUp}, "UART4_RX", "J199-3", "Bytes from the Bluetooth device."},
     {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199-4", "Bytes to the Bluetooth device."},
-    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low switches the light on. The light shows that the start has not ended. In the product weeding_robot_warning it also shows a warning."},
-    {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low switches the light on. The light shows that the start has ended."},
+    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "A low level switches the light on. The light shows that the start has not ended. In the product weeding_robot_warning it also shows a warning."},
+    {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "A low level switches the light on. The light shows that the start has ended."},
     {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the front left wheel."},
     {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the front right wheel."},
     {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the rear left wheel."},
     {{Port::C, 4, Mux::Alt4, Role::LateOutput}, "FTM0_CH3", "J2-4", "PWM of 20 kHz, 3.3 V: its duty cycle sets the voltage of the rear right wheel."},
-    {{Port::C, 16, Mux::Gpio, Role::LowOutput}, "wheel_fl_orientation", "J1-2", "High turns the front left wheel backwards."},
-    {{Port::C, 17, Mux::Gpio, Role::LowOutput}, "wheel_fr_orientation", "J1-4", "High turns the front right wheel backwards."},
-    {{Port::B, 9, Mux::Gpio, Role::LowOutput}, "wheel_rl_orientation", "J1-6", "High turns the rear left wheel backwards."},
-    {{Port::A, 2, Mux::Gpio, Role::LowOutput}, "wheel_rr_orientation", "J1-12", "High turns the rear right wheel backwards."},
-    {{Port::C, 5, Mux::Gpio, Role::LowOutput}, "wheel_fl_enable", "J1-15", "High enables the motor driver of the front left wheel."},
-    {{Port::C, 7, Mux::Gpio, Role::LowOutput}, "wheel_fr_enable", "J1-13", "High enables the motor driver of the front right wheel."},
-    {{Port::C, 11, Mux::Gpio, Role::LowOutput}, "wheel_rl_enable", "J4-10", "High enables the motor driver of the rear left wheel."},
-    {{Port::B, 20, Mux::Gpio, Role::LowOutput}, "wheel_rr_enable", "J4-9", "High enables the motor driver of the rear right wheel."},
+    {{Port::C, 16, Mux::Gpio, Role::LowOutput}, "wheel_fl_orientation", "J1-2", "A high level turns the front left wheel backwards."},
+    {{Port::C, 17, Mux::Gpio, Role::LowOutput}, "wheel_fr_orientation", "J1-4", "A high level turns the front right wheel backwards."},
+    {{Port::B, 9, Mux::Gpio, Role::LowOutput}, "wheel_rl_orientation", "J1-6", "A high level turns the rear left wheel backwards."},
+    {{Port::A, 2, Mux::Gpio, Role::LowOutput}, "wheel_rr_orientation", "J1-12", "A high level turns the rear right wheel backwards."},
+    {{Port::C, 5, Mux::Gpio, Role::LowOutput}, "wheel_fl_enable", "J1-15", "A high level enables the motor driver of the front left wheel."},
+    {{Port::C, 7, Mux::Gpio, Role::LowOutput}, "wheel_fr_enable", "J1-13", "A high level enables the motor driver of the front right wheel."},
+    {{Port::C, 11, Mux::Gpio, Role::LowOutput}, "wheel_rl_enable", "J4-10", "A high level enables the motor driver of the rear left wheel."},
+    {{Port::B, 20, Mux::Gpio, Role::LowOutput}, "wheel_rr_enable", "J4-9", "A high level enables the motor driver of the rear right wheel."},
     {{Port::C, 8, Mux::Gpio, Role::LowOutput}, "steering_step", "J1-7", "Each pulse turns the steering by one step."},
-    {{Port::C, 9, Mux::Gpio, Role::LowOutput}, "steering_direction", "J1-9", "High turns the steering to the left."},
-    {{Port::C, 0, Mux::Gpio, Role::LowOutput}, "steering_enable", "J1-11", "High switches the steering motor on."},
+    {{Port::C, 9, Mux::Gpio, Role::LowOutput}, "steering_direction", "J1-9", "A high level turns the steering to the left."},
+    {{Port::C, 0, Mux::Gpio, Role::LowOutput}, "steering_enable", "J1-11", "A high level switches the steering motor on."},
     {{Port::D, 0, Mux::Gpio, Role::Input}, "wheel_fl_hall_a", "J2-6", "First Hall sensor of the front left wheel."},
     {{Port::D, 1, Mux::Gpio, Role::Input}, "wheel_fl_hall_b", "J2-12", "Second Hall sensor of the front left wheel."},
     {{Port::D, 2, Mux::Gpio, Role::Input}, "wheel_fr_hall_a", "J2-8", "First Hall sensor of the front right wheel."},

@@ -8,8 +8,8 @@ class MainController;
 
 /// @brief Command of the clock pulse: begins a control cycle.
 ///
-/// @function Forwards the interrupt of the cycle timer to the main controller. Therefore the timer
-/// names no module of Main Control.
+/// @function Forwards the interrupt of the cycle timer to the main controller. Therefore the class
+/// of the timer does not name a module of Main Control.
 ///
 /// @secret The module that reacts to the clock pulse, and the operation that is called.
 ///
@@ -17,7 +17,7 @@ class MainController;
 ///
 /// @patternapp{cycle-timer-interrupt, Command, Process timer interruptions for the main controller}
 /// @why A timer interrupt starts each control cycle. The timer executes a command object.
-/// Therefore the timer names no module that reacts to the interrupt.
+/// Therefore the class of the timer does not name the module that reacts to the interrupt.
 /// @changes The actions at the beginning of a cycle, and the affected modules, may change. The
 /// timer does not change.
 class ControllerTimeOut final : public Command {

@@ -45,7 +45,7 @@ class MainController {
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< all reading modes; in every cycle, the controller serves
-                                   ///< each mode and checks whether its source orders a stop
+                                   ///< each mode, and checks its source for a stop order
   };
 
   /// @param parts parts of the controller
@@ -90,12 +90,12 @@ class MainController {
   void write();
 
   /// @brief Sets the operation state.
-  /// @param state operation state from the next step on
+  /// @param state operation state that applies from the next step
   /// @isr{no}
   void changeOpState(OperationState& state);
 
   /// @brief Sets the reading mode.
-  /// @param mode reading mode from the next read on
+  /// @param mode reading mode that applies from the next read
   /// @satisfies FR-11
   /// @satisfies FR-12
   /// @isr{no}

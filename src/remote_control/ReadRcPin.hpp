@@ -15,7 +15,8 @@ namespace wr {
 ///
 /// @patternapp{rc-pin-interrupt, Command, Process the RC pin interruptions}
 /// @why An edge on a pin of the remote control causes an interrupt. In this interrupt, the pin
-/// executes a command object. Therefore the pin names no module that reacts to the edge.
+/// executes a command object. Therefore the class of the pin does not name the module that reacts
+/// to the edge.
 /// @changes The actions at an edge, and the affected modules, may change. The pin does not change.
 class ReadRcPin final : public Command {
  public:

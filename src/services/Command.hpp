@@ -2,7 +2,8 @@
 
 namespace wr {
 
-/// @brief Action that a caller can start without naming the module that performs the action.
+/// @brief Action that a caller can start. The caller does not name the module that performs the
+/// action.
 /// @function Lets interrupts and threads start an action without a dependency on the module that
 /// performs the action.
 /// @secret The module that performs the action of a command.

@@ -32,7 +32,7 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds cyclePeriod() const { return milliseconds(100); }
 
-  /// @brief Returns N, the number of failed reads in a row that lead to the last waiting state.
+  /// @brief Returns N. After N failed reads in a row, the last waiting state begins.
   /// @return number of cycles [2 to 255]
   /// @satisfies FR-16
   /// @isr{yes}
@@ -185,6 +185,6 @@ static_assert(SystemConstants::instance().steeringRate().count() *
               "a step must have one tick with the pulse and one tick without it");
 static_assert(SystemConstants::instance().watchdogTimeout() >
                   SystemConstants::instance().cyclePeriod() * 2,
-              "one cycle that does not complete must not cause a reset");
+              "the watchdog must tolerate one cycle that does not complete");
 
 }  // namespace wr

@@ -4,8 +4,8 @@
 
 namespace wr {
 
-/// @brief Number that identifies a condition that must be true. If the condition is false, the
-/// program has a fault.
+/// @brief Number of a condition that must be true. If the condition is false, the program has a
+/// fault.
 /// @datatype
 enum class AssertId : std::uint16_t {
   PartMissing = 1,         ///< a builder needs a part that was not built yet

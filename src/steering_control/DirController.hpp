@@ -91,7 +91,8 @@ class DirController final {
 
   /// @brief Returns whether an order to follow a set-point is in force. The states call this
   /// method.
-  /// @return true if the newest target orders to follow an angle and is not older than 300 ms
+  /// @return true if the newest target contains the order to follow an angle, and is not older than
+  /// 300 ms
   /// @isr{yes}
   /// @satisfies FR-106
   [[nodiscard]] bool following() const;
@@ -104,8 +105,8 @@ class DirController final {
 
   /// @brief Checks whether the release of a fault was ordered after the last change of state. The
   /// states call this method.
-  /// @return true if the newest target orders the release, and was written after the present state
-  /// began
+  /// @return true if the newest target contains the order to release a fault, and was written after
+  /// the present state began
   /// @isr{yes}
   /// @satisfies FR-112
   [[nodiscard]] bool released() const;
@@ -146,7 +147,7 @@ class DirController final {
   /// @satisfies FR-111
   [[nodiscard]] bool stalled();
 
-  /// @brief Returns the speed of the motor that turns the steering towards its target. The states
+  /// @brief Returns the speed at which the motor turns the steering towards its target. The states
   /// call this method.
   /// @return speed that the algorithm computes [steps/s], -500 to 500; 0 if no order to follow a
   /// set-point is in force, if the motor is not ready, or if it would turn towards a reached end
@@ -184,7 +185,7 @@ class DirController final {
   void turn(StepRate rate);
 
   /// @brief Sets the state. The states call this method.
-  /// @param next state from the next tick on
+  /// @param next state that applies from the next tick
   /// @isr{yes}
   void changeState(DirState& next);
 

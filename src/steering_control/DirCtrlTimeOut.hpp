@@ -21,7 +21,7 @@ class SteeringDevice;
 ///
 /// @patternapp{steering-timer-interrupt, Command, Process timer interruptions for the steering system}
 /// @why Several elements of the steering work at each tick of the timer. The timer executes a
-/// command object. Therefore the timer names no element of the steering.
+/// command object. Therefore the class of the timer does not name an element of the steering.
 /// @changes The actions in a tick, and the elements that these actions affect. The timer does not
 /// change.
 class DirCtrlTimeOut final : public Command {

@@ -103,7 +103,7 @@ void SteeringDevice::advance() {
 }
 
 void SteeringDevice::changeRate() {
-  if (rate_ == 0 && demand_ == 0) {  // at rest the end stops do not matter
+  if (rate_ == 0 && demand_ == 0) {  // at rest each end stop is ignored
     return;
   }
   const std::int32_t most = leftEnd() ? 0 : kFastest;

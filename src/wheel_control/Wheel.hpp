@@ -14,9 +14,10 @@ namespace wr {
 ///
 /// @function Sets the voltage and the orientation of the motor, and stops the motor. Switches the
 /// driver off when the current is too high: this is the overcurrent trip. An enabled driver applies
-/// the supply voltage times the duty cycle to the motor, in the present orientation. The motor can
-/// drive and brake in this orientation. When the duty cycle is 0, the motor is short-circuited and
-/// brakes. When the driver is disabled, the motor is disconnected and the wheel coasts.
+/// a voltage to the motor, in the present orientation: the supply voltage multiplied by the duty
+/// cycle. The motor can drive and brake in this orientation. When the duty cycle is 0, the motor is
+/// short-circuited and brakes. When the driver is disabled, the motor is disconnected and the wheel
+/// coasts.
 ///
 /// @secret The method by which the driver of a motor applies a voltage, the method by which a
 /// tripped driver brakes, and the rule by which an interrupt and a thread share the state of the
@@ -38,7 +39,7 @@ class Wheel final {
   /// overcurrent trip the caller calls this function once in each control cycle. Before the second
   /// call the current has decayed. Therefore the second call enables the driver, and the motor
   /// brakes.
-  /// @post The driver is enabled, with two exceptions: this is the first call after an overcurrent
+  /// @post The driver is enabled, except in two cases: this is the first call after an overcurrent
   /// trip, or the trip acted again while the motor braked.
   /// @satisfies FR-88
   /// @satisfies FR-89

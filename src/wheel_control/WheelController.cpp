@@ -118,9 +118,9 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint,
   blind_ = blind_ || effort_ >= kMaxEffort;
 }
 
-// Returns the share of a voltage that is added to effort_ while the wheel shows no motion. If the
-// motor turns and its motion is not detected, it draws less current than a motor that is blocked by
-// its load. Therefore only a small part of the voltage is added if the motor draws much current.
+// Returns the share of a voltage that is added to effort_ while the wheel shows no motion. A motor
+// that is blocked by its load draws more current than a motor whose motion is not detected. A high
+// current thus means that the motor is blocked, and only a small part of the voltage is added.
 // However, while the wheel follows a voltage order, a voltage of at most kMovingTension is added in
 // full.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension,

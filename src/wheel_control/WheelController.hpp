@@ -21,8 +21,8 @@ namespace wr {
 /// ordered quantity calculate a voltage, and lets a behaviour apply this voltage. Stops a wheel
 /// that cannot be controlled.
 ///
-/// @secret The measured values that control needs, and the rule that detects a wheel that cannot be
-/// controlled.
+/// @secret The measured values that are used for the control, and the rule that detects a wheel
+/// that cannot be controlled.
 ///
 /// @role{wheel-control-algorithms, Context}
 /// @role{wheel-behaviours, Context}

@@ -14,8 +14,8 @@ namespace wr {
 
 /// @brief The control system of one wheel.
 ///
-/// @function Records the orders of the main controller for its wheel, executes them in the thread
-/// of the wheel, and returns the measured and applied values.
+/// @function Records each order of the main controller, executes the order in the thread of the
+/// wheel, and returns the measured and applied values.
 ///
 /// @secret The conversion of orders of the main controller to orders of a wheel, and the use of one
 /// thread for each wheel. This thread has a higher priority than the main thread. The main thread

@@ -4,7 +4,7 @@
 
 namespace wr::test {
 
-/// @brief The number N of failed reads in a row that lead to the last waiting state.
+/// @brief The number N. After N failed reads in a row, the last waiting state begins.
 inline constexpr int kWaitingCycles = SystemConstants::instance().waitingCycles();
 
 }  // namespace wr::test

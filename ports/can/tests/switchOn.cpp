@@ -1,4 +1,4 @@
-// Here the system tests run, on the virtual K64, the firmware image that uses the CAN bus.
+// For these system tests, the virtual K64 executes the firmware image that uses the CAN bus.
 
 #include <chrono>
 #include <memory>

@@ -1,4 +1,4 @@
-// Here the system tests run the firmware on the board MPS2, which QEMU emulates.
+// For these system tests, the board MPS2 executes the firmware. QEMU emulates this board.
 
 #include <memory>
 #include <stdexcept>

@@ -13,11 +13,11 @@ constexpr std::size_t kBytes = 256;
 using Table = std::array<std::uint16_t, kBytes>;
 
 // Returns the CRC remainder of each byte that can be shifted out of the check sum. Because the
-// polynomial is x^16 + x^12 + x^5 + 1, the remainder is the sum (exclusive or) of three copies of
-// the byte, shifted left by 12, 5 and 0 bits. The upper 4 bits of the first copy do not fit into 16
-// bits. Therefore these bits are shifted out, too, and added in the same way. In this file the two
-// bytes of a check sum are swapped. Thus the next byte to shift out is always the lowest byte, and
-// the code does not have to move this byte.
+// polynomial is x^16 + x^12 + x^5 + 1, the remainder is the exclusive or of three copies of the
+// byte. These copies are shifted left by 12, 5 and 0 bits. The upper 4 bits of the first copy do
+// not fit into 16 bits. Therefore these bits are shifted out, too, and combined in the same way. In
+// this file the two bytes of a check sum are swapped. Thus the next byte to shift out is always the
+// lowest byte, and the code does not have to move this byte.
 consteval Table remainders() {
   Table table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {
@@ -29,8 +29,8 @@ consteval Table remainders() {
 
 constexpr Table kRemainders = remainders();
 
-// Returns a table of CRC remainders. `other` is the table for a byte with n more bytes after it.
-// The result is the table for a byte with n + 1 more bytes after it.
+// Returns a table of CRC remainders. `other` is the table for a byte that is followed by n more
+// bytes. The result is the table for a byte that is followed by n + 1 more bytes.
 consteval Table beforeByte(const Table& other) {
   Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {

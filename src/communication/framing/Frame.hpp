@@ -21,7 +21,7 @@ enum class FrameType : std::uint8_t {
 /// @datatype
 struct Frame {
   FrameType type = FrameType::Hello;        ///< kind of the payload; a received frame may contain a
-                                            ///< number that FrameType does not name
+                                            ///< number that is not in FrameType
   std::uint8_t sequence = 0;                ///< sequence number, assigned by the sender
   std::span<const std::uint8_t> payload{};  ///< the payload
 };

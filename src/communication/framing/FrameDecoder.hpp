@@ -73,8 +73,8 @@ class FrameDecoder final {
   /// @satisfies FR-41
   [[nodiscard]] bool crcIsRight() const;
 
-  std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes of an incomplete frame; after its
-                                                 // end: the first code and the decoded body
+  std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes of an incomplete frame; when the
+                                                 // frame is complete: first code, decoded body
   std::size_t count_ = 0;                        // number of bytes of the incomplete frame
   std::size_t length_ = 0;                       // length of the last complete body [bytes]
   bool tooLong_ = false;                         // the incomplete frame is too long, and its first

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief State of the connection in which the PC is connected.
+/// @brief Connection state while the PC is connected.
 /// @function Accepts orders. Ends the connection when the PC is silent for too long or sends a new
 /// Hello.
 /// @secret The events that keep the PC connected, and the data that are dropped when the connection

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief State of the connection in which no PC is connected.
+/// @brief Connection state while no PC is connected.
 /// @function Waits for a Hello.
 /// @secret The rule that only a Hello begins a handshake.
 /// @role{pc-mcu-connection, Concrete State}

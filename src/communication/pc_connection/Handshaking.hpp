@@ -4,8 +4,7 @@
 
 namespace wr {
 
-/// @brief State of the connection in which a Hello was received, and a correct Confirm is still
-/// missing.
+/// @brief Connection state after a Hello, while a correct Confirm is still missing.
 /// @function Waits until the PC confirms the session that the Welcome offered.
 /// @secret The condition that a Confirm must meet, and the time within which it must arrive.
 /// @role{pc-mcu-connection, Concrete State}

@@ -97,8 +97,8 @@ class PcConnection final {
   /// @isr{no}
   [[nodiscard]] bool offered(std::uint8_t session) const;
 
-  /// @brief Stores an order as the newest order. Drops and counts the order instead if it is stale
-  /// or has a field out of range. The states call this function.
+  /// @brief Stores an order as the newest order. If the order is stale or has a field out of range,
+  /// drops and counts this order instead. The states call this function.
   /// @param frame frame that contains the order
   /// @return false when the order was dropped
   /// @isr{no}
@@ -187,8 +187,8 @@ class PcConnection final {
   /// @satisfies FR-246
   void writeProtocol();
 
-  /// @brief Writes the cause of the last reset, and the fault that was recorded before this reset,
-  /// to the payload of the Welcome.
+  /// @brief Writes two values to the payload of the Welcome: the cause of the last reset, and the
+  /// fault that was recorded before this reset.
   /// @satisfies FR-76
   void writeStart();
 

@@ -57,8 +57,8 @@ enum class FieldName : std::uint8_t {
   FirmwareVersion,   ///< major, minor or patch number of the firmware version
   BuildId,           ///< one character of the build id
   CyclePeriod,       ///< period of the control cycle
-  WaitingCycles,     ///< the constant N: number of failed reads in a row that lead to the last
-                     ///< waiting state
+  WaitingCycles,     ///< the constant N: after N failed reads in a row, the last waiting state
+                     ///< begins
   ResetCause,        ///< cause of the last reset
   FaultKind,         ///< fault that ended the firmware before this start
   FaultNumber,       ///< number whose meaning depends on the kind of fault

@@ -29,8 +29,8 @@ struct LinkCounts {
   friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
 };
 
-/// @brief Time that control cycles need, counted in processor cycles. All values are 0 if the
-/// platform does not count processor cycles.
+/// @brief Times of control cycles, counted in processor cycles. All values are 0 if the platform
+/// does not count processor cycles.
 /// @datatype
 struct CycleCosts {
   std::uint32_t report = 0;  ///< processor cycles from the previous clock pulse until the report of
@@ -63,7 +63,7 @@ struct ReportData {
   Outputs outputs{};                ///< applied values
   std::uint16_t overruns = 0;       ///< number of cycles that overran, at most 65535
   LinkCounts link{};                ///< errors on the PC link
-  CycleCosts costs{};               ///< processor cycles that control cycles needed
+  CycleCosts costs{};               ///< times of control cycles, in processor cycles
 
   /// @brief Returns whether two reports have the same values.
   friend constexpr bool operator==(const ReportData&, const ReportData&) = default;

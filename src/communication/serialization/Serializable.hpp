@@ -13,8 +13,8 @@ namespace wr {
 /// @role{serializer, Serializable}
 ///
 /// @patternapp{serializer, Serializer, Receiving and sending information}
-/// @why The MCU receives data from the PC and from the RC, and sends data to the PC. Each object
-/// lists its fields once, and each source or destination defines the form of these fields.
+/// @why The MCU receives data from the PC and from the RC, and sends data to the PC. The fields of
+/// each object are listed once, and each source or destination defines the form of these fields.
 /// @changes The transport of the data. The format of the data. A new source or a new destination.
 class Serializable {
  public:

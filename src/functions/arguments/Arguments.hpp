@@ -15,8 +15,8 @@ enum class ArgumentId : std::uint8_t {
   Scale,    ///< number by which the raw value is multiplied
   Divisor,  ///< number by which the product is divided
   Offset,   ///< value of Raw for which the result is 0
-  Lowest,   ///< least accepted value of Raw; in some functions: of the result
-  Highest   ///< greatest accepted value of Raw; in some functions: of the result
+  Lowest,   ///< least accepted value of Raw or, in some functions, of the result
+  Highest   ///< greatest accepted value of Raw or, in some functions, of the result
 };
 
 /// @brief Values of the arguments of a calculation, by name. Each value may be missing.

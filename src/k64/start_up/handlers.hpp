@@ -14,8 +14,8 @@ extern "C" {
 /// that has no other handler.
 void unexpected();
 
-/// @brief Serves the serial port of the PC. The port has received a byte, lost a byte, or has space
-/// for a byte to send.
+/// @brief Serves the serial port of the PC. The hardware calls this function when the port has
+/// received or lost a byte, or when the port has space for a byte to send.
 void pcPortInterrupt();
 
 /// @brief Stores a result of converter 0.
@@ -56,9 +56,9 @@ void cycleTimerInterrupt();
 /// firmware.
 void remoteControlInterrupt();
 
-/// @brief Serves the second serial port, which has received a byte, lost a byte, or has space for a
-/// byte to send. If a product does not define this handler, the interrupt ends its
-/// firmware.
+/// @brief Serves the second serial port. The hardware calls this function when the port has
+/// received or lost a byte, or when the port has space for a byte to send. If a product does not
+/// define this handler, the interrupt ends its firmware.
 void secondPortInterrupt();
 }
 

@@ -17,8 +17,8 @@ enum class ModeId : std::uint8_t {
 /// @brief A reading mode: the source from which orders are read.
 ///
 /// @function Provides one interface to check for a message, to read the message and to change to
-/// the other source. Each mode also returns whether its source orders a stop, even while orders are
-/// read from another source.
+/// the other source. Each mode also returns whether a stop of its source is in force, even while
+/// orders are read from another source.
 ///
 /// @secret The source of orders that belongs to a reading mode.
 ///
@@ -26,9 +26,9 @@ enum class ModeId : std::uint8_t {
 /// @role{mode-extensions, Component}
 ///
 /// @patternapp{reading-modes, State, Reading modes}
-/// @why The steps that read an order depend on the source: the system reads orders from the PC or
-/// from the remote control. Each mode is an object with its own steps. Therefore no other module
-/// has to check which mode is set.
+/// @why The system reads orders from the PC or from the remote control, and each source needs its
+/// own steps. Each mode is an object with these steps. Therefore no other module has to check which
+/// mode is set.
 /// @changes A mode may read orders in a different way. A new source of orders, such as a Bluetooth
 /// device, needs a new subclass of this class. No other module of Main Control changes.
 class Mode {

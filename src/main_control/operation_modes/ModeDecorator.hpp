@@ -14,8 +14,8 @@ namespace wr {
 /// @role{mode-extensions, Decorator}
 ///
 /// @patternapp{mode-extensions, Decorator, Operation modes as extensions of a basic task}
-/// @why The source of the orders determines the mode. The basic actions that read an order are the
-/// same in each mode. Each mode adds other actions to these basic actions.
+/// @why The source of the orders determines the mode. An order is read by basic actions, which are
+/// the same in each mode. Each mode adds other actions to these basic actions.
 /// @changes A mode may add different actions. The basic actions do not change. A new reading mode
 /// is one more decorator around the basic mode.
 class ModeDecorator : public Mode {

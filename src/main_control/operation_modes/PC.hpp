@@ -8,8 +8,8 @@ namespace wr {
 /// @brief The reading mode in which the PC on the robot sends the orders.
 ///
 /// @function Extends the basic mode: an order is valid only while the PC is connected. When an
-/// order is read, the PC is recorded as the source of the set-points. Changes to the other mode
-/// when the operation state demands this change.
+/// order is read, the PC is recorded as the source of the set-points. Selects the other mode at
+/// the request of the operation state.
 ///
 /// @secret The rule that an order of the PC is invalid without a connection, and the form in which
 /// the PC is recorded as the source of set-points.

@@ -7,7 +7,7 @@ namespace wr {
 /// @brief The reading mode in which a person commands the robot with the remote control.
 ///
 /// @function Extends the basic mode: records the remote control as the source of the set-points.
-/// Changes to the other mode when the operation state demands this change.
+/// Selects the other mode at the request of the operation state.
 ///
 /// @secret The form in which the remote control is recorded as the source of set-points.
 ///

@@ -77,7 +77,7 @@ class ValueCollector final {
   /// fifth such sample on.
   void guard(std::int32_t raw);
 
-  /// @brief Writes the record of all samples up to now for the thread of the wheel.
+  /// @brief Writes the record of all samples up to now. The thread of the wheel reads this record.
   void publish();
 
   Command& overcurrent_;

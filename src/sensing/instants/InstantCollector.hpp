@@ -41,8 +41,8 @@ class InstantCollector {
   InstantCollector(const InstantCollector&) = delete;
   InstantCollector& operator=(const InstantCollector&) = delete;
 
-  /// @brief Updates the values of this collector, and of the collectors that it wraps, with an
-  /// edge.
+  /// @brief Processes an edge: updates the values of this collector and of the collectors that it
+  /// wraps.
   /// @param edge the edge; not earlier than the previous edge
   /// @isr{yes}
   virtual void collect(const Edge& edge) = 0;

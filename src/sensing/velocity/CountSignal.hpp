@@ -15,7 +15,8 @@ namespace wr {
 ///
 /// @patternapp{hall-interrupt, Command, Process Hall sensor interruptions}
 /// @why An edge of a Hall sensor causes an interrupt. In this interrupt, the sensor executes a
-/// command object. Therefore the sensor names no module that reacts to the edge.
+/// command object. Therefore the class of the sensor does not name the module that reacts to the
+/// edge.
 /// @changes The actions at an edge, and the affected modules, may change. The sensor does not
 /// change.
 class CountSignal final : public Command {

@@ -15,8 +15,8 @@ namespace wr {
 /// @datatype
 struct HallRecord {
   Instants instants;            ///< times and number of the steps
-  std::uint32_t unclear = 0;    ///< interrupts since start in which no level or both levels changed
-  std::uint32_t reversals = 0;  ///< steps since start that reversed the direction faster than a
+  std::uint32_t unclear = 0;    ///< number of interrupts in which no level or both levels changed
+  std::uint32_t reversals = 0;  ///< number of steps that reversed the direction faster than a
                                 ///< turning wheel can
 };
 

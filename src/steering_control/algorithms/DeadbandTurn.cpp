@@ -10,12 +10,12 @@ namespace {
 
 constexpr StepRate kFullRate = SystemConstants::instance().steeringRate();
 
-// If a motor brakes from v steps/s with a deceleration of a steps/s^2, it makes v^2 / 2a steps. The
-// motor begins to brake early, at the point from which half of its deceleration is sufficient.
-// Therefore it can follow the braking curve in spite of the noise of the position. For each number
-// n of steps to the target, this curve contains the speed v above which the motor must brake: v^2 =
-// 2 * (a / 2) * n = a * n. The number n is the angle to the target divided by the angle of one
-// step, so that v^2 = a / step * angle = 200 * angle.
+// With the deceleration a [steps/s^2], a motor that slows down from the speed v [steps/s] to 0
+// makes v^2 / (2 * a) steps. The motor begins to brake early, at the point from which half of its
+// deceleration is sufficient. Therefore it can follow the braking curve in spite of the noise of
+// the position. For each number n of steps to the target, this curve contains the speed v above
+// which the motor must brake: v^2 = 2 * (a / 2) * n = a * n. The number n is the angle to the
+// target divided by the angle of one step. Therefore v^2 is a / step * angle = 200 * angle.
 constexpr std::int32_t kBraking = SystemConstants::instance().steeringAcceleration() /
                                   SystemConstants::instance().steeringStep().count();
 

@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief The state of a motor that is off: a force from outside can move the steering.
-/// @function Makes no step. Switches the motor on when an order demands this.
+/// @function Makes no step. Switches the motor on when this is ordered.
 /// @secret The event that switches the motor on.
 /// @role{steering-switch, Concrete State}
 class PoweredOff final : public SteeringPower {

@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief The state of a motor that is on: the motor holds the steering or turns the steering.
-/// @function Lets the motor work at each tick. Switches the motor off when an order demands this.
+/// @function Lets the motor work at each tick. Switches the motor off when this is ordered.
 /// @secret The event that switches the motor off, and the work of each tick while the motor is on.
 /// @role{steering-switch, Concrete State}
 class PoweredOn final : public SteeringPower {

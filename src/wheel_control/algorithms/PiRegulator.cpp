@@ -14,7 +14,7 @@ constexpr std::int32_t kMaxIntegral = SystemConstants::instance().supply().count
 // A difference between the calculated and the applied voltage explains an error only if this
 // difference is at least kMinShortfall. A demand of less than 0.1 V in the direction opposite to
 // the orientation of the wheel is not applied. The integral must be able to raise this demand.
-// Therefore a smaller difference explains no error.
+// Therefore an error is added to the integral while the difference is smaller than kMinShortfall.
 constexpr Tension kMinShortfall(100);
 
 // Returns whether a missing voltage explains an error. A wheel with less voltage than calculated is

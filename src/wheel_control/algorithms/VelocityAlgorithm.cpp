@@ -12,13 +12,13 @@ namespace {
 
 // docs/wheel_control.rst derives these values.
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kDecay = 637;  // [1/1000] part of a deviation that remains after a cycle
+constexpr std::int32_t kDecay = 637;  // [1/1000] after a cycle, this part of a deviation remains
 constexpr std::int32_t kMean = 806;   // [1/1000] mean of the remaining part during a cycle
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};  // [uV per 0.1 rpm]
 
 // Lost edges make the measured velocity too low. The velocity is doubtful when the motor induces
-// more voltage than this velocity explains, and the tolerances of supply, winding and motor
-// constant do not explain the difference.
+// more voltage than this velocity explains. The difference must be greater than the tolerances of
+// supply, winding and motor constant.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
 constexpr std::int32_t kModelToleranceDivisor = 3;  // 1/3 of the voltage is added to the tolerance
 constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of doubtful cycles in a row
@@ -27,9 +27,9 @@ constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // greatest number of doubtf
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
 // Returns a part of the deviation of the model from the set-point. The processor divides numbers of
-// more than 32 bits slowly. Therefore the thousands of the deviation and the remainder are computed
-// separately. The products fit into 32 bits, because a set-point and a measured velocity have at
-// most 16 bits.
+// more than 32 bits slowly. Therefore this function multiplies two numbers separately: the
+// thousands of the deviation, and the remainder. The products fit into 32 bits, because a set-point
+// and a measured velocity have at most 16 bits.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
   return deviation / kThousand * thousandths + deviation % kThousand * thousandths / kThousand;
 }

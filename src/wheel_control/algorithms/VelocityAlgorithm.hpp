@@ -10,7 +10,7 @@ namespace wr {
 
 /// @brief The algorithm that controls the velocity of a wheel.
 ///
-/// @function Computes the voltage that the wheel needs at the set-point without load. A regulator
+/// @function Computes the voltage that a wheel without load needs at the set-point. A regulator
 /// corrects the effect of a load.
 ///
 /// @secret The model of a wheel that follows its set-point, the gains that correct a difference

@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to stand still.
 ///
-/// @function Lets the controller stop the wheel. Releases the latched faults of the wheel if the
-/// order demands this.
+/// @function Lets the controller stop the wheel. Releases the latched faults of the wheel if their
+/// release is ordered.
 ///
 /// @secret The condition under which a driver is used again after its overcurrent trip.
 ///

@@ -29,7 +29,7 @@ struct WheelWork {
 
 /// @brief An order that a wheel system can execute.
 ///
-/// @function Carries out an order of the main controller for one wheel.
+/// @function For one wheel, carries out an order of the main controller.
 ///
 /// @secret The steps that carry out an order.
 ///

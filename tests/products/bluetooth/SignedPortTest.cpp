@@ -245,8 +245,8 @@ TEST_F(SignedPortTest, FR247_TheFirstChallengeFollowsAZeroByte) {
   EXPECT_EQ(line.takeSent(), scenario::Bytes(first.begin() + 1, first.end()));
 }
 
-/// @brief A challenge is sent only when there is space for two frames of the greatest size, with
-/// counter and tag. After the challenge, there is still space for one frame.
+/// @brief A challenge is sent only when there is space for two frames of the greatest size, each
+/// with its counter and its tag. After the challenge, there is still space for one frame.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   FakeSerialPort port;

@@ -216,7 +216,7 @@ class Mode {
   /// @satisfies FR-15
   [[nodiscard]] virtual bool newMessage() const = 0;
 
-  /// @brief Changes to the other mode.
+  /// @brief Selects the other mode.
   /// @param mCtrl the controller
   virtual void changeMode(MainController& mCtrl) = 0;
 

@@ -15,7 +15,7 @@
 
 namespace wr::test {
 
-/// The number N of failed reads in a row that lead to the last waiting state.
+/// The number N. After N failed reads in a row, the last waiting state begins.
 inline constexpr int kN = SystemConstants::instance().waitingCycles();
 
 /// The types of both designs. Each test runs for each of these types.
