@@ -489,7 +489,8 @@ class Portal:
         return max(0, len(faults) - last.tried) if last else 0
 
     def recorded_images(self, tests: Iterable[Test]) -> list[str]:
-        """Of the firmware images for recordings, returns the images on which the tests ran."""
+        """Returns the firmware images on which the tests ran. Only images for recordings are in the
+        result."""
         images = {image for test in tests for run in test.results.values() for image in run.images}
         return sorted(image for image in images if image.endswith(CALLS_SUFFIX))
 

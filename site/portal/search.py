@@ -22,7 +22,7 @@ from traceability.schema import Module
 # text.
 Entry = tuple[str, ...]
 ANSWERS = "Answers"
-MOST = 4000  # greatest number of letters of a section of a generated page
+MOST = 4000  # number of letters after which the text of a section is cut
 # Group of entries -> the kind in Sphinx's inventory.
 NAMED = {
     "Modules": "module",
