@@ -393,7 +393,8 @@ class Portal:
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """Returns the numbers of passed tests and of all tests of a requirement on a target."""
+        """Returns two numbers for a requirement on a target: the passed tests, and all tests. A
+        stale result does not count as passed."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
