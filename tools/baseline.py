@@ -123,7 +123,8 @@ def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str
 
 def costs_by_part(root: Path, measured: dict[str, Any], design: str) -> dict[str, list[float]]:
     """Returns two numbers for each part of the robot: the size of its instructions and virtual
-    method tables [bytes], and the average number of instructions that it executes in a cycle."""
+    method tables [bytes], and the average number of instructions that the part executes in a
+    cycle."""
     part_of = PartOfLine(root, read_parts(root))
     executed = {int(at): sum(times) for at, times in measured["profile"].items()}
     cycles = len(measured["instructions"])
@@ -144,7 +145,7 @@ def costs_by_part(root: Path, measured: dict[str, Any], design: str) -> dict[str
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:
-    """Returns the parts that only this design has, and the part MAIN."""
+    """Returns the part MAIN, and the parts that only this design has."""
     others = set().union(*(sizes[other] for other in sizes if other != design))
     return {part for part in sizes[design] if part not in others or part == MAIN}
 
@@ -163,8 +164,8 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 
 
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
-    """Returns the sources of the parts that only this design has, and the headers that are included
-    only in these sources."""
+    """Returns the sources of the parts that only this design has. Also returns the headers that are
+    included only in these sources."""
     closures = {name: included(root, sources_in(root, sizes, name)) for name in sizes}
     others = set().union(*(closures[name] for name in sizes if name != design))
     return sorted(closures[design] - others)

@@ -33,8 +33,8 @@ from weeding_robot_client.orders import Orders as Sender
 from weeding_robot_client.orders import arm, connect, not_connected
 from weeding_robot_client.script import Wish
 
-# ./wr bench also runs these tasks. They measure the baseline design, and the time of the tests with
-# and without the recording of calls.
+# ./wr bench also runs these tasks. They measure the baseline design. They also measure the time of
+# the tests twice: with and without the recording of calls.
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
 BOARD = "board"  # record of the run on a connected board
@@ -153,7 +153,7 @@ def costs(reports: list[Report]) -> BenchRun:
     because they execute earlier orders."""
     measured = [report for report in reports if report.order_read][2:]
     if not measured:
-        raise FailureError("the board sent no report of a third order; it read at most two")
+        raise FailureError("the board read at most two orders, but a measurement needs three")
     if not any(report.awake_cycles for report in measured):
         raise FailureError(
             "the firmware at this port does not count processor cycles; choose the port of the "

@@ -178,8 +178,9 @@ def beside(page: str, address: str) -> str:
 
 
 def inside(page: str, address: str) -> str:
-    """Returns the address for a link of a page. A link to another website keeps its address. The
-    address of any other link is in the book, or empty if the book does not contain the target."""
+    """Returns the address for a link of a page. A link to another website keeps its address. Any
+    other link gets an address in the book. This address is empty if the book does not contain the
+    target."""
     if address.startswith(("http:", "https:")):
         return address
     file, _, anchor = address.partition("#")

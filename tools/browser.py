@@ -16,7 +16,7 @@ from typing import Any
 from tools.steps import FailureError
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-PAGE = "/probe.html"  # address of the page that reports
+PAGE = "/probe.html"  # address of the page that posts the result
 SECONDS = 600  # time limit for the result of a page
 
 

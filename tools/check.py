@@ -79,8 +79,8 @@ def report(root: Path, failed: list[str]) -> int:
     from traceability.checks import message, sort
 
     findings = read_findings(root)
-    # The findings of these checks are printed first, because each of their faults causes many
-    # other findings.
+    # The findings of these checks are printed first. A fault that such a check finds also causes
+    # many findings of other checks.
     first = ("syntax-error", "design-entry")
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))

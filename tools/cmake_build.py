@@ -76,8 +76,8 @@ def gtest_counts(results: Path) -> Counts:
 
 
 def write_failures(results: Path, log: TextIO) -> None:
-    """Writes the failures of a result file of GoogleTest to the log, with the seed that repeats
-    each failure."""
+    """Writes the failures in a result file of GoogleTest to the log. For each failure, also writes
+    the seed that repeats this failure."""
     for suite in json.loads(results.read_text())["testsuites"]:
         for test in suite["testsuite"]:
             if "failures" not in test:
@@ -151,8 +151,8 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """Returns the tests to repeat with the other firmware images: the tests that ran with the image
-    PAPER. Tests that are only for one product are left out."""
+    """Returns the tests that ran with the image PAPER, because they must be repeated with the other
+    firmware images. Tests that are only for one product are left out."""
     return [
         f"{suite['name']}.{test['name']}"
         for suite in suites

@@ -52,9 +52,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "debug",
         description="Builds a test with full debug information, and opens it in GDB. If the test "
-        "runs only on the virtual board, it is debugged there. If you give a scenario or no "
-        "test, GDB debugs the firmware image on the virtual board, and can execute it forwards "
-        "and backwards.",
+        "runs only on the virtual board, it is debugged there. With a scenario, or without a "
+        "test, GDB debugs the firmware image on the virtual board, and can execute this image "
+        "forwards and backwards.",
     )
     parser.add_argument(
         "name",
@@ -179,7 +179,7 @@ def host_test(root: Path, name: str, file: str) -> Target:
 
 def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
     """Waits until the system lists the port as open. This function does not connect to the port,
-    because the board would treat its connection as the connection of GDB."""
+    because the board would treat this connection as the connection of GDB."""
     wanted = f":{port:04X} 00000000:0000 0A"
     end = time.monotonic() + WAIT
     while time.monotonic() < end and server.poll() is None:

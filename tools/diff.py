@@ -121,7 +121,7 @@ def copy_syntax(root: Path, copy: Path) -> None:
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """Yields the files that differ. A file whose content is not compared has this mark."""
+    """Yields the files that differ. Some of these files have the mark 'content not compared'."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"

@@ -1,9 +1,9 @@
 """Makes the documents in a separate process, in four steps: the model, the checks, the site, and
 the check of the links.
 
-The last two steps take most of the time. If no change since the last pages can cause a new finding
-in these two steps, ``./wr check`` skips them. The pages then stay as they are, until a command
-needs new pages."""
+The last two steps take most of the time. ``./wr check`` skips them if they had no finding for the
+last pages, and if no text or name on the pages has changed since. The pages then stay as they are,
+until a command needs new pages."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def make_documents(root: Path, out: TextIO, texts: str, log: TextIO, *, keep: bo
     continues for a long time therefore does not occupy this memory.
 
     Some inputs of the pages are not read into the model. ``texts`` is the hash of these inputs.
-    If ``keep`` is true, and these inputs and the names of the model have not changed since the last
-    pages, the pages stay as they are."""
+    If ``keep`` is true, the pages stay as they are until one of these inputs or a name in the model
+    changes."""
     words = [sys.executable, "-m", "tools.documents", str(root), texts, *([KEEP] if keep else [])]
     with (
         subprocess.Popen(

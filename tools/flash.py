@@ -33,8 +33,8 @@ way."""
 
 @dataclass(frozen=True)
 class Way:
-    """A way to write to the board. ``missing`` is the reason why the way is not available, or
-    empty."""
+    """A way to write to the board. If the way is not available, ``missing`` is the reason.
+    Otherwise, ``missing`` is empty."""
 
     missing: str
     does: str
@@ -46,8 +46,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "flash",
         description="Builds the firmware image for the K64, checks that it would not lock the "
         "chip, and writes it into a FRDM-K64F. The command uses pyOCD or OpenOCD, or copies the "
-        f"image to the drive of the board. The exit code {MISSING} means that no board, "
-        "or no file of the given name, was found.",
+        f"image to the drive of the board. The exit code {MISSING} means that the command found "
+        "no board, or that a file with the given name does not exist.",
     )
     parser.add_argument(
         "--with",

@@ -168,8 +168,8 @@ def on_board(root: Path, path: Path) -> bool:
 
 
 def check_imports(root: Path, log: TextIO) -> None:
-    """Checks the contracts of pyproject.toml. They state the imports that each package may have,
-    and forbid cycles."""
+    """Checks the contracts of pyproject.toml. They forbid cycles, and they state the imports that
+    each package may have."""
     folders = (root, root / "site", root / "client")
     env = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, folders))}
     linter = Path(sys.executable).with_name("lint-imports")
@@ -230,7 +230,7 @@ def check_tidy(root: Path, log: TextIO) -> str:
 
 
 def tidy_options(root: Path, source: Path) -> list[str]:
-    """Returns the options of the compiler with which clang-tidy checks a source file."""
+    """Returns the compiler options that clang-tidy uses for a source file."""
     if on_board(root, source):
         return [*clang_arguments(board=True), *include_options(root)]
     if source.is_relative_to(root / "ports"):

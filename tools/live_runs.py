@@ -75,8 +75,8 @@ def examples(root: Path) -> list[Path]:
 
 def play_native(root: Path, scenario: Path) -> dict[str, Any]:
     """Plays a scenario with the native program for the host. Returns the reports with the true
-    values, and the number and the hash of all events. The result has the same form as the result
-    of a run as WebAssembly."""
+    values, and the number and the hash of all events. A run of the WebAssembly module returns a
+    result of the same form."""
     with tempfile.TemporaryDirectory() as folder:
         reports = Path(folder) / "reports.csv"
         words: list[str | Path] = [root / "build/host/sim" / BOARD_PROGRAM]
@@ -121,8 +121,8 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
 
 
 def differences(native: dict[str, Any], run: dict[str, Any]) -> list[str]:
-    """Returns the differences between a run as WebAssembly and the native run, and the failures of
-    the run."""
+    """Returns the differences between a run of the WebAssembly module and the native run. Also
+    returns the failures of the run of the module."""
     problems = [run["end"]] if run["end"] != "ended" else []
     problems += run["failures"].splitlines()
     return [*problems, *(part for part in native if run[part] != native[part])]

@@ -26,9 +26,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "portal",
         description="Builds the portal from the sources, serves it on this computer and opens it. "
         "Then builds the firmware for this computer and for the K64. Runs the tests of "
-        "the firmware with traces and coverage, and with the firmware image on the "
-        "virtual K64. Then measures the firmware image, and rebuilds the pages with the "
-        "results. An open "
+        "the firmware on this computer, with traces and coverage. Also runs tests on the "
+        "virtual K64, with the firmware image. Then measures the firmware image, and "
+        "rebuilds the pages with the results. An open "
         "page shows the running tasks, and updates itself. A task runs again only if "
         "its inputs changed. The portal is built even if there are findings or failed "
         "tests.",

@@ -187,7 +187,10 @@ class _Run:
         try_all(self.root / PROGRAM, self.mutants, numbers, self.plan, goes_on)
         self.took = (time.monotonic() - start) / 60
         self.write()
-        return f"{self.killed()} of {len(self.tried)} found, of {len(self.mutants)} in all"
+        return (
+            f"{self.killed()} of {len(self.tried)} tried mutants found; "
+            f"{len(self.mutants)} mutants in total"
+        )
 
     def write(self) -> None:
         """Writes the record of the mutants that were tried until now. If the run is

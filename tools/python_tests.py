@@ -26,8 +26,8 @@ WAITING_JOBS = "8"
 
 
 def workers(folder: str) -> list[str | Path]:
-    """Returns the options of pytest for the number of parallel processes and for the distribution
-    of the tests among these processes."""
+    """Returns options of pytest. They set the number of parallel processes, and the distribution of
+    the tests among these processes."""
     if folder == WAITING:
         return ["-n", WAITING_JOBS, "--dist", "load"]
     return ["-n", jobs(), "--dist", "loadfile"]

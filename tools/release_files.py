@@ -1,4 +1,5 @@
-"""Writes archives and lists of hashes. If their contents are equal, their bytes are equal too."""
+"""Writes archives and lists of hashes. Two archives with equal contents have equal bytes. The same
+applies to two lists."""
 
 from __future__ import annotations
 

@@ -34,7 +34,8 @@ from traceability.reading.link_texts import FINDERS, hash_of
 from traceability.schema import Baseline, Place, Requirement, Review
 from traceability.sources import files_below
 
-# The text of the baseline is searched in the newest versions of a file, in at most this number.
+# The text of the baseline is searched only in the newest versions of a file. At most this number of
+# versions is searched.
 MOST_VERSIONS = 200
 MOST_TRIES = 3  # A question is asked at most this number of times.
 

@@ -57,12 +57,12 @@ WHOLE = (*RESULT_TASKS, *map(python_task, PYTHON_TESTS), TESTS_SANITIZE)
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
-        description="Runs every check and the tests of the firmware (with traces and coverage, and "
-        "with the firmware image on the virtual K64). Also runs the tests of the tools, but not "
-        "the tests that start programs. With --all, runs the other tests too, and the "
-        "measurements: the firmware with sanitizers, the client, the commands, the example "
-        "changes, the ports, the bench and the portal's pages in a browser. A task runs again only "
-        "if its inputs changed. "
+        description="Runs every check. Runs the tests of the firmware on this computer, with "
+        "traces and coverage. Also runs tests on the virtual K64, with the firmware image. Also "
+        "runs the tests of the tools, but not the tests that start programs. With --all, also runs "
+        "the measurements, and all other tests except the long tests. They concern the firmware "
+        "with sanitizers, the client, the commands, the example changes, the ports, the bench, and "
+        "the portal's pages in a browser. A task runs again only if its inputs changed. "
         "A Python test imports and reads files. It runs again only if one of these files changed. "
         "The last lines name the results that are older than the files, and count the tests.",
     )

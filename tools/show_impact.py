@@ -70,7 +70,8 @@ def impact_of(root: Path, subject: str) -> Impact:
 
 def with_python(root: Path, found: Impact, files: list[str]) -> Impact:
     """Adds the Python tests that changed, or that import a changed Python file, directly or
-    indirectly. A change of the table of the frames counts as a change of its reader."""
+    indirectly. A change of the table of the frames counts as a change of the client's
+    layout.py, which reads this table."""
     python = [path for path in files if path.endswith(".py")]
     python += FRAMES[1:] if FRAMES[0] in files else ()
     for test, path in importing_tests(root, python).items():

@@ -91,10 +91,11 @@ def run(
 
 
 def heed_interrupts() -> None:
-    """Makes SIGTERM end the command in the same way as SIGINT.
+    """Sets the handlers of signals. SIGTERM then ends the command in the same way as SIGINT.
 
-    SIGTERM is necessary because a program that limits the time of a command sends SIGTERM. SIGINT
-    is set too, because a shell can start a command in the background with SIGINT ignored.
+    SIGTERM needs a handler because a program that limits the time of a command sends SIGTERM. The
+    handler of SIGINT is set too, because SIGINT can be ignored in a command that a shell started in
+    the background.
 
     A pool of processes ends its processes with SIGTERM. In a forked process, SIGTERM therefore
     keeps its usual effect: the process ends without an exception.

@@ -300,8 +300,8 @@ class Graph:
     ) -> Reporter:
         """Runs the named tasks and the tasks that they need. Returns their results.
 
-        ``changed`` is called when the progress changes. Its first argument is the task that ended
-        with new results, or None. Its second argument is the progress."""
+        ``changed`` is called when the progress changes. The first argument of ``changed`` is the
+        task that ended with new results, or None. The second argument is the progress."""
         with contextlib.chdir(self.root):
             record = Record(self.record)
             reporter = Reporter(self.root, self.tasks, record, self.out)

@@ -201,7 +201,7 @@ def builds(root: Path) -> list[Task]:
 
 
 def measurements(root: Path) -> list[Task]:
-    """Returns the tasks that test and measure the programs that were built. Their inputs are the
+    """Returns the tasks that test and measure the built programs. The inputs of the tasks are the
     sources of these programs."""
 
     def tests(run: str) -> Callable[[TextIO], Outcome]:

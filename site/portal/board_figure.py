@@ -51,8 +51,8 @@ class Row:
 
 
 def headers() -> list[Row]:
-    """Returns the rows of all headers as a reader sees the board from above, in the Arduino R3
-    layout. The pins with even numbers are at the edges of the board."""
+    """Returns the rows of all headers in the Arduino R3 layout. The reader sees the board from
+    above. The pins with even numbers are at the edges of the board."""
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
     low_outer = low_inner + SIZE + 4

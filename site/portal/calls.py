@@ -88,8 +88,8 @@ class CallGraph:
                     ends.append(End(caller, call.virtual, link))
 
     def _add_nested(self, method: Method, model: Model) -> None:
-        """Adds the callers that are not methods of a module: nested classes, and constants that
-        are initialised by a call of the method.
+        """Adds the callers of a method that are not methods of a module. They are nested classes,
+        and constants that are initialised by a call of the method.
         """
         for caller in method.called_by:
             self.callees.setdefault(caller, []).append(method)

@@ -15,7 +15,7 @@ from traceability.schema import Constant
 
 
 def constant_links(model: Model, links: Links, root: Path) -> dict[str, str]:
-    """Returns the text in HTML of each constant, and of each formula on a page in ``docs``.
+    """Returns the HTML text of each constant, and of each formula on a page in ``docs``.
 
     The module ``formulas`` describes the parts of a formula."""
     constants: Constants = {**plain_constants(root), **model.constants, **goal_constants(model)}

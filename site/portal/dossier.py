@@ -24,8 +24,8 @@ def dossier_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def dossier(portal: Portal) -> dict[str, Any]:
-    """Returns the values of the page with all sheets. The sheets are in the order of the
-    requirements, and the cover shows the number of requirements with each verdict."""
+    """Returns the values for the page that contains all sheets. The sheets are in the order of the
+    requirements. The cover shows the number of requirements with each verdict."""
     sheets = [sheet_of(portal, requirement) for requirement in portal.model.requirements.values()]
     states = Counter(sheet.verdict.state for sheet in sheets)
     return {

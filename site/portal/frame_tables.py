@@ -158,5 +158,5 @@ def live_frames(root: Path) -> str:
     """Returns the HTML element that shows the frames while the simulated robot runs in the page. If
     the WebAssembly module was not built, returns a sentence that reports this."""
     if not (root / LIVE_MODULE).exists():
-        return "<p>The WebAssembly module that runs the robot was not built.</p>\n"
+        return "<p>The WebAssembly module was not built. This module runs the robot.</p>\n"
     return (TEMPLATES / "live_frames.html").read_text(encoding="utf-8")

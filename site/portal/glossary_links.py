@@ -96,7 +96,8 @@ class GlossaryLinks:
 
 
 def phrases_of(words: str, phrases: Iterable[str]) -> list[tuple[str, int]]:
-    """Returns the phrases that contain ``words``, each with the position of ``words`` in it."""
+    """Returns the phrases that contain ``words``. Each phrase has the position of ``words`` in the
+    phrase."""
     return [(one, one.find(words)) for one in phrases if words in one and words != one]
 
 

@@ -57,7 +57,8 @@ def points(path: str) -> Iterator[Point]:
 def best_move(lines: list[Box], paths: Iterable[str], taken: list[Box]) -> float:
     """Returns the best vertical move of a label. After the best move, the label covers the fewest
     other texts. If several moves cover equally few texts, the best of these moves covers the fewest
-    points of the edges. If these numbers are equal, too, the smallest of these moves is the best.
+    points of the edges. If several moves also cover equally few points, the smallest of these moves
+    is the best.
     """
     dots = [point for path in paths for point in points(path)]
 

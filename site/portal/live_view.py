@@ -58,8 +58,8 @@ class Image:
 
 
 def images(root: Path) -> list[Image]:
-    """Returns the firmware images that were built. The list is empty if the WebAssembly module that
-    runs the images was not built."""
+    """Returns the firmware images that were built. The list is empty if the WebAssembly module was
+    not built, because this module runs the images."""
     if not (root / LIVE_MODULE).exists():
         return []
     built = []
@@ -80,7 +80,7 @@ def file_of(name: str, suffix: str) -> Path:
 
 
 def run(portal: Portal) -> dict[str, Any]:
-    """Returns the values of the template of the page."""
+    """Returns the values for the template of the page."""
     built = images(portal.root)
     module = portal.root / LIVE_MODULE
     ran = [scenario for scenario in portal.model.closed_loop if scenario.runs]

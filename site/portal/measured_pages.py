@@ -156,9 +156,9 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 
 def limits_of_outputs(root: Path) -> dict[str, float]:
-    """Returns the limits with which the campaign of injected faults judges the outputs: the
-    greatest deviations of an output, and the longest times of a deviation. The result is empty if a
-    limit is not found."""
+    """Returns limits of the outputs: the greatest deviations of an output, and the longest times of
+    a deviation. The campaign of injected faults compares the outputs with these limits. The result
+    is empty if a limit is not found."""
     names = {
         "drive": "kWrongDrive",  # fraction of the supply voltage
         "angle": "kWrongAngle",  # [degree]
@@ -181,7 +181,7 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """Returns the values of the page of likely changes: the changes that have an example. If a
+    """Returns the values for the page of likely changes: the changes that have an example. If a
     change was made in this design and in the baseline design, also returns the number of changed
     source lines in each design."""
     done = [change.made for change in portal.model.changes.values() if change.made]

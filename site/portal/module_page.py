@@ -72,7 +72,8 @@ def inherited_methods(portal: Portal, module: Module) -> list[Method]:
 
 def requirement_methods(portal: Portal, module: Module) -> dict[str, list[str]]:
     """For each requirement of a module, returns the methods of the module that satisfy this
-    requirement. The list is empty if only the tree of the requirement contains the module.
+    requirement. The list is empty if the module is in the tree of the requirement, but has no such
+    method.
     """
     return {
         identifier: list(dict.fromkeys(m.name for m in module.methods if identifier in m.satisfies))

@@ -75,8 +75,8 @@ def is_apart(element: HtmlElement) -> bool:
 
 
 def is_inline(element: HtmlElement) -> bool:
-    """Returns true if an element does not separate words. Such an element is a number, or a part of
-    a name, of a link or of a listing."""
+    """Returns true if an element does not separate words. Such an element is a number, or it is a
+    part of a name, a link or a listing."""
     if element.tag == "span":
         above = element.getparent().tag
         return element.get("class") in INLINE_SPANS or above in INLINE or above == "pre"

@@ -1,4 +1,5 @@
-"""Makes the list of all pages, and pages that list all elements of a kind, such as all tests."""
+"""Makes the list of all pages. Also makes pages that show all elements of a kind, such as all
+tests."""
 
 from __future__ import annotations
 
@@ -61,7 +62,7 @@ from traceability.schema import (
     TreeNode,
 )
 
-# Order of the families of roles in the list of roles on the page of a pattern application.
+# The page of a pattern application lists the roles by family. The families are in this order.
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")
 EXAMPLE = "FR-15"  # requirement that the first page shows as an example
 
@@ -202,7 +203,7 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """Returns the values of the page of the execution contexts, such as interrupts and threads. The
+    """Returns the values for the page of execution contexts, such as interrupts and threads. The
     context with the highest priority is the first. A context without a priority, such as the
     program after a reset, is at the end."""
     contexts = portal.model.contexts.values()

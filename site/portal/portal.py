@@ -393,7 +393,8 @@ class Portal:
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """Returns the numbers of passed tests and of all tests of a requirement on a target."""
+        """Returns two numbers for a requirement on a target: the passed tests, and all tests. A
+        stale result does not count as passed."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
@@ -489,7 +490,8 @@ class Portal:
         return max(0, len(faults) - last.tried) if last else 0
 
     def recorded_images(self, tests: Iterable[Test]) -> list[str]:
-        """Of the firmware images for recordings, returns the images on which the tests ran."""
+        """Returns the firmware images on which the tests ran. Only images for recordings are in the
+        result."""
         images = {image for test in tests for run in test.results.values() for image in run.images}
         return sorted(image for image in images if image.endswith(CALLS_SUFFIX))
 

@@ -174,7 +174,7 @@ def text_of(value: object) -> str:
 
 
 def plotted(_: object) -> dict[str, Any]:
-    """Returns the values of the template of the page that draws a recording in the browser."""
+    """Returns the values for the template of the page that draws a recording in the browser."""
     series = [asdict(one) for one in all_series()]
     return {
         "recording": json.dumps({"series": series, "states": STATES, "topic": TOPIC}),

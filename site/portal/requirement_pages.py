@@ -150,8 +150,8 @@ def outside_tree(model: Model, requirement: Requirement) -> list[str]:
 
 def played_scenarios(model: Model, requirement: Requirement) -> dict[str, list[FaultScenario]]:
     """Returns the fault scenarios that are played by a test of the requirement. The key lists the
-    targets on which at least one test of the scenario passed. The test that passed may verify
-    another requirement."""
+    targets on which at least one test of the scenario passed. This test may verify another
+    requirement."""
     scenarios: dict[str, list[FaultScenario]] = {}
     for scenario in model.safety.scenarios.values():
         if set(scenario.tests) & set(requirement.verified_by):

@@ -22,7 +22,7 @@ from traceability.schema import Module
 # text.
 Entry = tuple[str, ...]
 ANSWERS = "Answers"
-MOST = 4000  # greatest number of letters of a section of a generated page
+MOST = 4000  # number of letters after which the text of a section is cut
 # Group of entries -> the kind in Sphinx's inventory.
 NAMED = {
     "Modules": "module",
@@ -233,7 +233,7 @@ def glossary_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def written_entries(portal: Portal, site: Path) -> Iterator[Entry]:
-    """Yields the sections of the hand-written pages with all their words."""
+    """Yields the sections of the hand-written pages. Each section has all its words."""
     for doc in portal.docs:
         first, *others = parts_of((site / doc.address).read_text(encoding="utf-8"))
         name = doc.id.removeprefix("docs/").replace("_", " ")
@@ -245,8 +245,8 @@ def written_entries(portal: Portal, site: Path) -> Iterator[Entry]:
 
 
 def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
-    """Yields the sections of the first page and of the generated pages of the navigation, with
-    their first words."""
+    """Yields sections of the first page, and sections of the generated pages of the navigation.
+    Each section has only its first words."""
     first = bodies / FIRST
     for part in parts_of(first.read_text(encoding="utf-8")) if first.is_file() else []:
         if part.anchor in SECTIONS_OF_FIRST:

@@ -57,7 +57,7 @@ def folder_table(root: Path) -> str:
 
 
 def first_test(root: Path) -> str:
-    """Returns the example of a test: the source file without the tests after its first test."""
+    """Returns the example of a test: the source file with only its first test."""
     text = (root / EXAMPLE_TEST).read_text("utf-8")
     head, first, *_ = text.split("\n/// @brief ")
     end = text[text.rindex("}  // namespace\n") :]

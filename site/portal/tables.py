@@ -81,7 +81,7 @@ def product_table(root: Path) -> str:
 
 
 def measures_table(metrics: Mapping[str, Any]) -> str:
-    """Returns the table of the sizes of the tools and of the times of their commands."""
+    """Returns the table with the sizes of the tools and the times of the commands."""
     rows = (
         (text, metric_text(metrics, name, unit), f"``{name}``") for text, name, unit in MEASURES
     )
@@ -94,8 +94,8 @@ def review_questions(_root: Path) -> str:
 
 
 def room_table(root: Path) -> str:
-    """Returns the table of the folders of the simulator, each with its content and with the
-    libraries that it links."""
+    """Returns the table of the folders of the simulator. For each folder, the table contains the
+    content and the linked libraries."""
     text = (root / ROOMS).read_text(encoding="utf-8")
     rooms = [match.groups() for match in ROOM.finditer(text)]
     if len(rooms) != len(EACH_ROOM.findall(text)):

@@ -16,8 +16,9 @@ from traceability.schema import Constant, Place, Tuned
 def chosen_values(
     root: Path, model: Model, tuned: Tuned
 ) -> dict[str, list[tuple[str, str, Place | None]]]:
-    """Returns the constants that must be chosen again, grouped by module: the name, the value with
-    its unit, and the place of each. The value is empty if the model does not contain it."""
+    """Returns the constants that must be chosen again, grouped by module. For each constant, the
+    result contains the name, the value with its unit, and the place. The value is empty if the
+    model does not contain it."""
     values: dict[str, list[tuple[str, str, Place | None]]] = {}
     for name in tuned.constants:
         module, _, own = name.partition("::")

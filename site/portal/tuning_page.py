@@ -39,7 +39,7 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
 
 
 def dimensions(portal: Portal) -> list[tuple[Tuned, Constant]]:
-    """Returns the values that depend on a constant outside SystemConstants, and this constant."""
+    """Returns each value that depends on a constant outside SystemConstants, with this constant."""
     found = []
     for tuned in portal.model.tuned:
         constant = constant_named(portal.root, portal.model, tuned.to)
@@ -49,8 +49,9 @@ def dimensions(portal: Portal) -> list[tuple[Tuned, Constant]]:
 
 
 def control_values(model: Model) -> dict[str, list[tuple[str, Constant, list[str]]]]:
-    """Returns the named constants that have a unit or depend on other constants, grouped by module:
-    the name, the constant, and the names of the constants on which its value depends."""
+    """Returns the named constants that have a unit or depend on other constants, grouped by module.
+    Each entry contains the name, the constant, and the names of the other constants on which the
+    value depends."""
     values: dict[str, list[tuple[str, Constant, list[str]]]] = {}
     for name, constant in model.constants.items():
         chosen_for = [

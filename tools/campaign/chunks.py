@@ -34,7 +34,7 @@ class Chunk:
 def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
     """Returns the chunks of a campaign. A longer campaign with the same seed begins with the chunks
     of a shorter campaign. Only the last chunk of the shorter campaign may have fewer cases than the
-    same chunk of the longer campaign."""
+    chunk with the same number in the longer campaign."""
     if count < 1 or count > size * SEEDS:
         raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")
     number = -(-count // size)
@@ -73,7 +73,7 @@ class Store:
             yield
 
     def keep(self, chunk: Chunk, cases: list[dict[str, Any]]) -> None:
-        """Writes the result of a chunk. Its file is either complete or does not exist."""
+        """Writes the result of a chunk. The file of the result is never incomplete."""
         self.folder.mkdir(parents=True, exist_ok=True)
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
         draft = path.with_suffix(f".{os.getpid()}.draft")

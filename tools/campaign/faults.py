@@ -65,7 +65,7 @@ def times(values: Sequence[int]) -> dict[str, float]:
 
 
 def module_of(places: Any, case: Case) -> str:
-    """Returns the module that a fault hit. The result is empty if the fault hit no module."""
+    """Returns the module that was hit by a fault. Returns an empty text if no module was hit."""
     if case["kind"] in BY_ADDRESS:
         return str(places.of(case["place"]))
     return str(places.of(case["pc"])) if case["kind"] in BY_INSTRUCTION else ""

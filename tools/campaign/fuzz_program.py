@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 FUZZERS = {"frames": "short inputs", "link": "the PC link", "robot": "the whole firmware"}
-# Number of inputs in one run. The first fuzzer needs about 30 s of processor time. Each other
-# fuzzer needs about 5 s.
+# Number of inputs in one run. The first fuzzer needs about 30 s of processor time. Each of the two
+# other fuzzers needs about 5 s.
 INPUTS = {"frames": 1_000_000, "link": 50_000, "robot": 1_000}
 LONGEST_INPUT = {"frames": 24}  # bytes
 LONGEST = 60  # time limit of an input [s]; most inputs need less than 0.02 s

@@ -13,8 +13,8 @@ from traceability.reading.clang_names import function_id, is_function
 from traceability.reading.translation_units import clang_arguments, standard
 from traceability.sources import include_options
 
-# Operator -> the function of mutant.hpp that computes the original or the changed value, and the
-# replacements of the operator. Each replacement is a mutant.
+# Operator -> a function and the replacements of the operator. The function is in mutant.hpp, and
+# computes the original or the changed value. Each replacement is a mutant.
 OPERATORS = {
     "<": ("less", ("<=", ">=")),
     ">": ("greater", (">=", "<=")),

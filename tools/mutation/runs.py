@@ -21,7 +21,8 @@ from traceability.reading.results import plain_name
 # the running test counts as hanging.
 SLOWER = 10
 LEAST_SECONDS = 2.0
-# A program can wait without using processor time. It is ended after this multiple of its limit.
+# A program can wait without using processor time. It is therefore also ended when its run time
+# reaches ASLEEP multiplied by its limit.
 ASLEEP = 30
 HANGS = 2  # After this number of hanging tests, the other tests stay without a result.
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)

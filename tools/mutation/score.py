@@ -205,8 +205,8 @@ def try_all(
 def found_before(
     last: Mapping[str, Any], mutants: list[Mutant], files: Mapping[str, str], plan: Plan
 ) -> dict[int, Tried]:
-    """Returns the last results of found mutants, by number. Two conditions must be met. The file of
-    the mutant is unchanged. At least one of the tests that found the mutant is among the tests that
+    """Returns the last results of found mutants, by number. Two conditions must be met. First, the
+    file of the mutant is unchanged. Second, at least one of the tests that found the mutant has
     passed without a mutant in this run.
 
     Equal changes of a method are one group. The result contains a group only if the last run found

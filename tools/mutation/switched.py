@@ -50,8 +50,8 @@ def write_switched(root: Path, log: TextIO) -> list[Mutant]:
 def compiling(
     root: Path, unit: str, found: dict[str, list[Point]], first: int, log: TextIO
 ) -> tuple[dict[str, str], list[Mutant]]:
-    """Returns the changed texts of a unit with the points that compile, and the mutants of these
-    points."""
+    """Returns the changed texts of a unit. The changes are only at the points that compile. Also
+    returns the mutants of these points."""
     for _ in range(ATTEMPTS):
         held = [mutant for points in found.values() for point in points for mutant in point.mutants]
         numbers = iter(range(first, first + len(held)))
