@@ -52,9 +52,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "debug",
         description="Builds a test with full debug information, and opens it in GDB. If the test "
-        "runs only on the virtual board, it is debugged there. With a scenario, or without a "
-        "test, GDB debugs the firmware image on the virtual board, and can execute this image "
-        "forwards and backwards.",
+        "runs only on the virtual board, it is debugged there. If you name a scenario or "
+        "nothing, GDB debugs the firmware image on the virtual board. There, GDB can execute "
+        "the image forwards and backwards.",
     )
     parser.add_argument(
         "name",

@@ -35,7 +35,8 @@ constexpr auto kRegisters = std::to_array<DebugPort::Register>({
 static_assert(kRegisters.size() == kFpscr + 1);
 static_assert(kRegisters[DebugPort::kPc].name == "pc");
 
-// Returns the 32-bit register with the given number, which is kMainStack to kControl, or kFpscr.
+// Returns the 32-bit register with the given number. The number is kFpscr, or lies between
+// kMainStack and kControl.
 std::uint32_t& special(Registers& x, std::size_t number) {
   switch (number) {
     case kMainStack:

@@ -42,7 +42,7 @@ constexpr auto kConfiguration =
 // only if a calibration does not end.
 constexpr std::uint32_t kMaxPolls = 30'000;
 static_assert(kMaxPolls * 6 > 14'000 * kDivider,
-              "a calibration must take less time than kMaxPolls reads of 6 clock periods each");
+              "a calibration must take less time than kMaxPolls times 6 clock periods");
 
 }  // namespace
 

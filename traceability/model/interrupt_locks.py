@@ -26,9 +26,9 @@ def longest_locks(codes: Mapping[str, Code]) -> dict[int, tuple[str, float]]:
 
 
 def _longest(code: Code, block: Block, index: int, locks: int, before: tuple[Block, ...]) -> float:
-    """Returns the longest time from an instruction of a block until no lock blocks the interrupts.
-    ``locks`` is the number of locks before this instruction. ``before`` contains the blocks on the
-    way to this block."""
+    """Returns the longest time that begins at an instruction of a block and ends when all locks of
+    the interrupts are released. ``locks`` is the number of locks before this instruction.
+    ``before`` contains the blocks on the way to this block."""
     cycles = 0
     for one in block.instructions[index:]:
         cycles += one.cycles

@@ -69,8 +69,8 @@ class VelSensor final {
   /// previous measurement.
   [[nodiscard]] bool plausible(const HallRecord& record) const;
 
-  /// @brief Returns the velocity that the function calculates from a number of edges in a time;
-  /// empty if it calculates no velocity.
+  /// @brief Returns the velocity for a number of edges in a time. Returns an empty value if the
+  /// velocity function calculates no velocity.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
   /// @brief Returns the velocity of a wheel that had edges since the previous measurement.

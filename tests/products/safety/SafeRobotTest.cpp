@@ -174,9 +174,9 @@ TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief At 300 rpm, the steering is stuck when the PC orders a new angle. The robot begins to
-/// brake at most five cycles after the cycle that reads this order, and drives at most 0.43 m until
-/// then.
+/// @brief The wheels turn at 300 rpm, and the steering is stuck. The PC orders a new angle. At most
+/// five cycles after the cycle that reads this order, the robot begins to brake. It drives at most
+/// 0.43 m until then.
 /// @verifies FR-111
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AStuckSteeringStopsTheRobotAtFullSpeed) {

@@ -29,7 +29,7 @@ def found(root: Path, tuned: str) -> list[Finding]:
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
     """Returns a project with a constant that has no comment. A requirement is linked to this
-    constant, and the rationale of the requirement counts cycles."""
+    constant, and the rationale of the requirement states a number of cycles."""
     write_tree(tmp_path)
     write_files(tmp_path, DESIGN)
     constant = "namespace wr {\n\nconstexpr int kLifetime = 300;"
