@@ -11,7 +11,8 @@ namespace wr::scenario {
 struct TruthField {
   std::string_view name;
   /// Reads the value. If a field of the protocol contains a measurement of this value, the field
-  /// has the same unit. `mark` is the distance of the robot [m] at which the measurement of `way` began.
+  /// has the same unit. `mark` is the distance of the robot [m] at which the measurement of `way`
+  /// began.
   double (*valueOf)(const plant::Robot& robot, double mark);
 };
 
