@@ -58,8 +58,9 @@ def wrong_totals(root: Path) -> Iterator[Finding]:
         part: re.compile(rf"\b{TOTALS[part].replace('{}', NUMBER)}\b{SOME}") for part in totals
     }
     for file, text in texts_below(root, TEXTS, SUFFIXES) if totals else ():
+        in_one_line = re.sub(r"\s", " ", text)
         for part, pattern in patterns.items():
-            for match in pattern.finditer(re.sub(r"\s", " ", text)):
+            for match in pattern.finditer(in_one_line):
                 stated = next(filter(None, match.groups())).lower()
                 if NUMBERS.get(stated, stated) not in (totals[part], str(totals[part])):
                     said = f"the text states '{match[0]}', but there are {totals[part]}"

@@ -6,6 +6,7 @@ import os
 import platform
 import re
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -97,9 +98,12 @@ def _distribution() -> str:
 
 
 def _versions() -> list[tuple[str, str]]:
+    with ThreadPoolExecutor() as pool:  # Some of the programs need a tenth of a second.
+        programs = pool.map(program_version, PROGRAMS, PROGRAMS.values())
+        libraries = pool.map(library_version, LIBRARIES)
     return [
-        *((name, program_version(name, option)) for name, option in PROGRAMS.items()),
-        *((name, library_version(name)) for name in LIBRARIES),
+        *zip(PROGRAMS, programs, strict=True),
+        *zip(LIBRARIES, libraries, strict=True),
         ("python", platform.python_version()),
         *((name, _package(name)) for name in PACKAGES),
     ]
