@@ -10,8 +10,8 @@ namespace wr {
 ///
 /// @function Counts neutral orders: orders whose set-points are 0 for all wheels. An order counts
 /// only in the cycle in which it is read. After five neutral orders without another order between
-/// them, forwards all set-points. Until then, halts the wheels and holds the steering. An order to
-/// halt or to acknowledge starts the count again.
+/// them, forwards all set-points. Until then, halts the wheels and holds the steering. Each halt
+/// that the previous stage demands, and each acknowledgement, start the count again.
 ///
 /// @secret The orders that are neutral, and the number of neutral orders that a source must send
 /// before it may move the robot.

@@ -11,8 +11,8 @@ namespace wr {
 /// @brief The buffer of the pulses of the enable switch.
 ///
 /// @function Stores the width and the time of each valid pulse of the third channel of the remote
-/// control. If two successive pulses are stop orders, also stores the width of the second pulse in
-/// a separate pipe. Only such a pair of pulses changes the content of this pipe.
+/// control. If two successive pulses are stop orders, also stores the width and the time of the
+/// second pulse in a separate pipe. Only such a pair of pulses changes the content of this pipe.
 ///
 /// @secret The storage of the position of the enable switch, and the number of pulses that confirm
 /// a stop.
@@ -31,8 +31,8 @@ class EnableBuffer final : public RcBuffer {
  private:
   [[nodiscard]] std::int32_t fullDeflection() const override;
 
-  /// @brief Stores the width of a valid pulse. If this pulse and the previous pulse order a stop,
-  /// also stores the width in the separate pipe.
+  /// @brief Stores the width and the time of a valid pulse. If this pulse and the previous pulse
+  /// order a stop, also stores them in the separate pipe.
   /// @param value width of the pulse minus 1500 us [us]
   /// @param at time at which the pulse ended
   /// @satisfies FR-285

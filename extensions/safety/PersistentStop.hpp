@@ -40,15 +40,15 @@ class PersistentStop final : public ModeDecorator {
   void changeMode(MainController& mCtrl) override;
 
   /// @brief Checks whether a stop of the source is in force.
-  /// @return true if stopOrdered() of the wrapped mode returns true, or if a stop that the source
-  /// ordered before the reset is still in force.
+  /// @return true if stopOrdered() of the wrapped mode returns true, or if the stop that was read
+  /// from the memory after the reset is still in force.
   /// @satisfies FR-290
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;
 
  private:
   StopMemory& memory_;
-  bool kept_;  // a stop that was ordered before the reset is still in force
+  bool kept_;  // the stop that was read from the memory is still in force
 };
 
 }  // namespace wr

@@ -9,8 +9,8 @@ namespace wr {
 
 namespace {
 
-// Greatest size of a program [groups of four words]. In a program of this size, each changed bit is
-// found within kTimeToFind.
+// Greatest size of a program in which each changed bit is found within kTimeToFind [groups of four
+// words].
 constexpr std::size_t kMaxWords = std::size_t{64} * 1024 / sizeof(ProgramCheck::Words);
 
 // Time in which a changed bit is found.

@@ -20,7 +20,7 @@ constexpr Tension kMaxRisePerCycle(1000);  // [mV] greatest change away from 0
 constexpr Tension kMaxFallPerCycle(2400);  // [mV] greatest change towards 0
 
 // When a slope or a curve makes the robot too fast, one factor lowers all set-points.
-constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] tolerance above the greatest set-point
+constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest permitted set-point
 constexpr std::int32_t kFullScale = 1000;
 constexpr std::int32_t kMinScale = 100;       // [0.001] smallest factor
 constexpr std::int32_t kPredictedCycles = 2;  // cycles for which a velocity is predicted

@@ -27,7 +27,7 @@ class SteeringGeometry final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: only the outer mode, which wraps this object, changes the reading mode.
+  /// @brief Has no effect: only the outermost mode changes the reading mode.
   /// @param mCtrl main controller whose reading mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

@@ -25,9 +25,9 @@ void K64Watchdog::configure() {
   wdog::PRESC.write({0});
   wdog::TOVALH.write({0});
   wdog::TOVALL.write({static_cast<std::uint16_t>(kTicks)});
-  // All other bits are 0. Thus the clock is the low-power oscillator, a refresh is permitted at any
-  // time, and a second configuration is not possible. The watchdog also runs in the wait mode and
-  // in the stop mode of the core.
+  // In this write, all bits that are not listed are 0. Thus the clock is the low-power oscillator,
+  // a refresh is permitted at any time, and a second configuration is not possible. The watchdog
+  // also runs in the wait mode and in the stop mode of the core.
   wdog::STCTRLH.write(wdog::STCTRLH_WDOGEN | wdog::STCTRLH_STOPEN | wdog::STCTRLH_WAITEN |
                       wdog::STCTRLH_RESERVED);
 }

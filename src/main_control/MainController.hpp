@@ -45,7 +45,7 @@ class MainController {
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< all reading modes; in every cycle, the controller serves
-                                   ///< each mode, and checks its source for a stop order
+                                   ///< each mode, and checks whether a stop of it is in force
   };
 
   /// @param parts parts of the controller

@@ -59,8 +59,8 @@ class SystemConstants {
   [[nodiscard]] constexpr Microseconds linkTimeout() const { return milliseconds(1000); }
 
   /// @brief Returns the longest permitted time without a completed control cycle. This time is
-  /// three cycle periods. Thus a late cycle causes no reset. If a cycle never ends, the reset
-  /// occurs before the robot has moved 0.3 m.
+  /// three cycle periods. Thus a cycle that is late, but completed within this time, causes no
+  /// reset. If a cycle never ends, the reset occurs before the robot has moved 0.3 m.
   /// @return time-out of the watchdog [us]
   /// @satisfies FR-70
   /// @isr{yes}

@@ -215,7 +215,7 @@ class PcConnection final {
   std::uint8_t session_ = 0;  // session number of the newest Welcome
   std::optional<std::uint8_t> offered_;
   std::uint8_t newest_ = 0;    // sequence number of the newest accepted frame
-  bool begun_ = false;         // the zero byte before the first frame was sent
+  bool begun_ = false;         // the zero byte that precedes the first frame was sent
   std::uint8_t nextSent_ = 0;  // sequence number of the next frame to send
 };
 

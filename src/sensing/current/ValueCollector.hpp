@@ -41,7 +41,7 @@ class ValueCollector final {
   static constexpr std::uint32_t kGroupSize = 8;  // [samples]
 
   /// @param overcurrent command that is executed in the interrupt: at the fifth successive sample
-  /// that is too high, and at each further such sample
+  /// that is too high, and then at each later sample until a sample is not too high
   /// @param timebase returns the time of a sample
   ValueCollector(Command& overcurrent, const Timebase& timebase);
 

@@ -884,8 +884,8 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsAtThePresentVoltage) {
   EXPECT_EQ(first(), 0);
 }
 
-/// @brief The magnitude of a set-point of voltage is limited in each cycle. Compared with the
-/// magnitude of the voltage at the wheel, it is at most 1.0 V greater, and at most 2.4 V smaller.
+/// @brief In each cycle, a set-point of voltage differs from the voltage of the wheel by at most
+/// 1.0 V in the direction away from 0, and by at most 2.4 V in the direction towards 0.
 /// @verifies FR-295
 TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   const auto next = [&](int applied, int ordered) {
