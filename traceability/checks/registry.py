@@ -1042,8 +1042,8 @@ _FIXED = [
         "declares its reaction time as a formula of constants (the key parts), the reaction time "
         "is the value of this formula, rounded up by at most 10 %. The fault-tolerant time and the "
         "reaction time end when the safe state is reached, or when the halt that leads to this "
-        "state begins. If a goal has no known exceptions, its scenarios accept only reactions within the "
-        "fault-tolerant time.",
+        "state begins. If a goal has no known exceptions, its scenarios accept only reactions "
+        "within the fault-tolerant time.",
         "The check cannot judge whether the distances and energies in the formula are right for "
         "the robot. It does not find a formula with the velocity of the robot if the goal declares "
         "no velocity. It cannot judge whether the tests measure the right reaction. It does not "
