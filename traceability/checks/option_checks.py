@@ -27,7 +27,8 @@ OPTION = re.compile(r"(?<![\w-])--[a-z][a-z0-9-]*")
 LITERAL = re.compile(r"(?<!`)(?:`{1,2}|<code>)(--[a-z][a-z0-9-]*[^`<]*)")
 OTHER_PROGRAM = re.compile(r"``\w[^`]*``")  # a literal with a command of another program
 COMMENT = re.compile(r"^\s*\./wr [^#]*# (.*)")
-VALUE = re.compile(r"(?<![\w-])(--[a-z][a-z0-9-]*)[ =]([a-z][\w:-]*)")  # an option and its value
+# an option or a command, and its value
+VALUE = re.compile(r"(?<![\w-])(--[a-z][a-z0-9-]*|\./wr [a-z-]+)[ =]([a-z][\w:-]*)")
 # The place and the text of a line.
 Line = tuple[Place, str]
 # An exit code that is written as a number. A text must contain the name of the exit code instead.
@@ -104,11 +105,11 @@ def wrong_values(root: Path) -> Iterator[Finding]:
     """Finds wrong values of options in texts: the option does not accept the value."""
     values = accepted_values(root)
     for place, line in lines_below(root, PAGES, SUFFIXES) if values else ():
-        for option, value in VALUE.findall(line) if "--" in line else ():
+        for option, value in VALUE.findall(line) if "--" in line or "./wr " in line else ():
             accepted = {word.partition(":")[0] for word in values.get(option, {value})}
             if value.partition(":")[0] not in accepted:
-                text = f"the option {option} does not accept {value}"
-                yield Finding(place, "link-doc", text, "name a value that the option accepts")
+                text = f"{option} does not accept {value}"
+                yield Finding(place, "link-doc", text, "name a value that it accepts")
 
 
 def _is_comment(place: Place, line: str) -> bool:

@@ -17,6 +17,7 @@ PROGRAMS = "sim/programs"
 DECLARED = re.compile(r'add_(?:option|flag)\w*(?:<[\w:<>]*>)?\(\s*"(--[a-z][\w-]*)')
 # The values that an option accepts, or the message about a wrong value.
 ACCEPTED = re.compile(r"->check\(CLI::(?:IsMember|Validator)\((.*?)\)\)", re.DOTALL)
+ADDED = re.compile(r'add_parser\(\s*"([a-z-]+)"')
 FOR_ALL = {"--help"}  # option that each command and each program has
 # Name of a function, with the name of its file if the function is in another file.
 Name = tuple[str, str]
@@ -62,7 +63,8 @@ def options_of_programs(root: Path) -> dict[str, set[str]]:
 
 def accepted_values(root: Path) -> dict[str, set[str]]:
     """Returns the accepted words of each option that has a list of values. If several commands or
-    programs have the option, returns the words of all of them."""
+    programs have the option, returns the words of all of them. If the first word of a command has
+    such a list, the command is included, for example "./wr campaign"."""
     values: dict[str, set[str]] = {}
     for path in files_below(root, (PROGRAMS,), (".cpp", ".hpp")):
         for part in re.split(r"(?=\badd_(?:option|flag))", path.read_text(encoding="utf-8")):
@@ -71,12 +73,15 @@ def accepted_values(root: Path) -> dict[str, set[str]]:
                 words = " ".join(re.findall(r'"([^"]*)"', accepted[1])).replace(",", " ").split()
                 values.setdefault(option[1], set()).update(words)
     for _, code in _python(root, "choices="):
+        added = ADDED.search(code)
         for node in ast.walk(ast.parse(code)):
             if isinstance(node, ast.Call):
                 choices = [word.value for word in node.keywords if word.arg == "choices"]
                 if choices and isinstance(choices[0], ast.Tuple):
-                    option, words = ast.literal_eval(node.args[0]), ast.literal_eval(choices[0])
-                    values.setdefault(option, set()).update(words)
+                    name, words = ast.literal_eval(node.args[0]), ast.literal_eval(choices[0])
+                    if added and not name.startswith("-"):
+                        name = f"./wr {added[1]}"  # The value is the first word of the command.
+                    values.setdefault(name, set()).update(words)
     return values
 
 

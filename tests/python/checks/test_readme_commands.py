@@ -73,14 +73,17 @@ def test_a_value_that_the_option_does_not_accept_is_found(tmp_path: Path) -> Non
             [](const std::string& kind) { return kind + " is not pty or tcp:PORT"; }, ""));
             app.add_option("--image", image)->check(CLI::ExistingFile);""",
         "tools/flash.py": 'parser.add_argument("--with", choices=("drive", "pyocd"))',
+        "tools/run.py": 'commands.add_parser("run").add_argument("kind", choices=("fast", "slow"))',
         "docs/page.rst": "``--mode warn``, ``--mode=halt``, ``--mode`` or\n"
-        "--line tcp:0 --image any --line udp:0\n``--with drive``, ``--with usb``\n",
+        "--line tcp:0 --image any --line udp:0\n``--with drive``, ``--with usb``\n"
+        "``./wr run fast``, ``./wr run quick``, ``./wr check all``\n",
     }
     write_files(tmp_path, files)
     assert [(one.place.line, one.text) for one in wrong_values(tmp_path)] == [
-        (1, "the option --mode does not accept halt"),
-        (2, "the option --line does not accept udp:0"),
-        (3, "the option --with does not accept usb"),
+        (1, "--mode does not accept halt"),
+        (2, "--line does not accept udp:0"),
+        (3, "--with does not accept usb"),
+        (4, "./wr run does not accept quick"),
     ]
 
 
