@@ -1,5 +1,5 @@
 """module-file and module-preprocessor: every file belongs to a part of the design, and uses the
-preprocessor only to include files. doc-lock: the lock files contain the demanded packages."""
+preprocessor only to include files. doc-lock: the lists of packages contain each demanded package."""
 
 from __future__ import annotations
 
@@ -22,6 +22,9 @@ OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
 NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
 LOCKED = re.compile(r"^([\w.-]+)==(\S+)", re.MULTILINE)
+# A package of CMake, or a library, that a build demands.
+DEMANDED = re.compile(r"^\s*find_(?:package\(|library\(\w+ )(\w+)")
+SYSTEM_PACKAGES = "setup/debian.txt"
 DIRECTIVE = re.compile(r"\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*(\w*)(.*)")
 
 
@@ -32,6 +35,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
     yield from _preprocessor(facts.root)
     yield from _idle(facts)
     yield from _locks(facts.root)
+    yield from _system_packages(facts.root)
 
 
 def _finding(place: Place, text: str) -> Finding:
@@ -135,3 +139,13 @@ def _locks(root: Path) -> Iterator[Finding]:
                 if version not in locked.values() or not package.specifier.contains(version):
                     text = f"the lock file has {version} of {package.name}"
                     yield Finding(place, "doc-lock", text)
+
+
+def _system_packages(root: Path) -> Iterator[Finding]:
+    """Finds packages that CMake demands and that the list of system packages does not contain."""
+    listed = [line.split()[0] for line in text_of(root / SYSTEM_PACKAGES).splitlines() if line]
+    for place, line in lines_below(root, ("CMakeLists.txt", "sim", "tests"), (".txt",)):
+        demanded = DEMANDED.match(line)
+        if demanded and not any(demanded[1].lower() in package for package in listed):
+            text = f"{SYSTEM_PACKAGES} has no package for {demanded[1]}"
+            yield Finding(place, "doc-lock", text, "add the package to this list")

@@ -114,10 +114,12 @@ _FIXED = [
     ),
     Check(
         "doc-lock",
-        "The lock files contain the demanded packages",
+        "The lists of packages contain the demanded packages",
         "For each package that setup/python.in or setup/strictdoc.in demands, the lock file next "
-        "to this file contains a permitted version.",
-        "The check does not examine whether the lock file contains packages that nobody demands.",
+        "to this file contains a permitted version. For each package or library that CMake "
+        "demands, setup/debian.txt contains a package with this name.",
+        "The check does not find a package that nobody demands. It does not find a missing package "
+        "for a program that a command starts.",
         "make the lock file again, as the comment at the head of the file describes.",
     ),
     Check(
