@@ -1,5 +1,5 @@
 """module-file and module-preprocessor: every file belongs to a part of the design, and uses the
-preprocessor only to include files. doc-lock: the lists of packages contain each demanded package."""
+preprocessor only to include files. doc-lock: the lists of packages are complete."""
 
 from __future__ import annotations
 
